@@ -1,0 +1,84 @@
+/* Result codes, error messages, memory and assertion hooks: what every other header builds on.
+ *
+ * The library never exits and never prints by itself. A caller's mistake (a null handle, a struct
+ * that was not initialised by its skv_default_... function) goes to the assert handler; a failure
+ * at run time (memory, a bad file, a value out of range) comes back as a skv_result, and the
+ * object that was called stays as it was.
+ */
+#ifndef SKVALP_BASE_H
+#define SKVALP_BASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(_WIN32)
+#define SKV_API
+#else
+#define SKV_API __attribute__((visibility("default")))
+#endif
+
+#define SKV_VERSION_MAJOR 0
+#define SKV_VERSION_MINOR 1
+#define SKV_VERSION_PATCH 0
+
+/* The library's version as text, "major.minor.patch". Thread-safe. */
+SKV_API const char *skv_version(void);
+
+/* What a function that can fail at run time returns. */
+typedef enum skv_result {
+    SKV_OK = 0,
+    SKV_ERROR_MEMORY, /* an allocation failed */
+    SKV_ERROR_FILE,   /* a file could not be opened, read or written */
+    SKV_ERROR_FORMAT, /* a file's content is not what it claims to be */
+    SKV_ERROR_VALUE,  /* a value is not finite, out of its range or of the wrong kind */
+    SKV_ERROR_LIMIT,  /* more of something than this build or this object holds */
+    SKV_ERROR_DEVICE  /* the graphics device or a helper program is not available */
+} skv_result;
+
+/* A short English name of a result, such as "bad value". Never null. Thread-safe. */
+SKV_API const char *skv_result_text(skv_result result);
+
+/* Where a failing function leaves its message: one line, no line feed, that names the file or
+ * field, the place in it, and the remedy. Owned by the caller; functions accept a null pointer
+ * where the message is not wanted. Untouched on success. */
+typedef struct skv_error {
+    skv_result code;
+    char text[512];
+} skv_error;
+
+/* Fills `error` (null is allowed) with a printf-style message and returns `code`, so that a
+ * failing function can end with `return skv_fail(error, SKV_ERROR_VALUE, "...");`. The text is
+ * cut to fit; control characters, which may stem from a hostile file, are replaced by '?'. */
+SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Memory hooks. `allocate` returns memory aligned to `alignment` (a power of two, at most 4096)
+ * or null; `release` takes what allocate returned, never null. Both may be called from the thread
+ * that calls a create, add, edit or destroy function, never from a worker thread and never from
+ * skv_world_step once the world is warm. */
+typedef struct skv_allocator {
+    void *(*allocate)(size_t bytes, size_t alignment, void *user);
+    void (*release)(void *memory, void *user);
+    void *user;
+} skv_allocator;
+
+/* Replaces the allocator for everything that is created afterwards; null restores the default
+ * (aligned_alloc and free). Set it before the first object is created: not thread-safe. */
+SKV_API void skv_set_allocator(const skv_allocator *allocator);
+
+/* Receives a failed assertion: the condition as text, the file and the line. If it returns, the
+ * function that was misused returns without effect (null, zero or SKV_ERROR_VALUE). */
+typedef void skv_assert_handler(const char *condition, const char *file, int line, void *user);
+
+/* Replaces the assert handler; null restores the default, which calls abort(). Not thread-safe. */
+SKV_API void skv_set_assert_handler(skv_assert_handler *handler, void *user);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,107 @@
+/* Scenes: a terrain, a fluid and where the fluid is at the start, from a JSON file or from a
+ * painted PNG, or one of the built-in ones.
+ *
+ * Every file is checked against one registry of fields (skv_scene_fields), which also feeds the
+ * command line's --set, the panels and the documentation. A scene is immutable once loaded; worlds
+ * are built from it as often as wanted (that is what "reset" does).
+ */
+#ifndef SKVALP_SCENE_H
+#define SKVALP_SCENE_H
+
+#include "skvalp/base.h"
+#include "skvalp/world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct skv_scene skv_scene;
+
+/* What a field holds. */
+typedef enum skv_field_type {
+    SKV_FIELD_NUMBER,  /* finite, minimum..maximum */
+    SKV_FIELD_INTEGER, /* whole, minimum..maximum */
+    SKV_FIELD_TEXT,    /* at most `maximum` bytes of UTF-8 */
+    SKV_FIELD_CHOICE,  /* one of `choices`, separated by '|' */
+    SKV_FIELD_BOOLEAN
+} skv_field_type;
+
+/* One parameter of a scene file. */
+typedef struct skv_field {
+    const char *path; /* "fluid.spacing"; a list's elements read "water[].x" */
+    skv_field_type type;
+    const char *unit; /* "m", "m/s^2", ""; never null */
+    double minimum, maximum;
+    const char *choices;      /* null unless SKV_FIELD_CHOICE */
+    const char *default_text; /* as written in a file; "" if there is none */
+    const char *help;         /* one line */
+} skv_field;
+
+/* The registry: all fields in documentation order. Static. */
+SKV_API const skv_field *skv_scene_fields(int *count);
+
+/* One "path=value" that overrides what the file says, as the command line's --set does. */
+typedef struct skv_setting {
+    const char *path;
+    const char *value;
+} skv_setting;
+
+/* Options that override a scene while it is loaded. Initialise with skv_default_scene_options. */
+typedef struct skv_scene_options {
+    int particles;         /* wanted number of particles; 0: what the scene says */
+    const skv_setting *settings; /* applied after the file, in order */
+    int setting_count;
+    int cookie;
+} skv_scene_options;
+
+SKV_API skv_scene_options skv_default_scene_options(void);
+
+/* Loads a scene: a built-in name ("dam-break"), or a path that ends in .json or .png (any letter
+ * case). `options` may be null. On failure `*scene` is null and the message names the file, the
+ * line or pixel, the field, and what is allowed. Not more than 64 MiB of file are read. */
+SKV_API skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *options,
+                                  skv_scene **scene, skv_error *error);
+
+/* The same from memory: what a drop, a share link or a test has. `format` is "json" or "png",
+ * `label` stands for the file's name in messages. A JSON scene in memory may not refer to a picture
+ * file. */
+SKV_API skv_result skv_scene_load_memory(const void *data, size_t size, const char *format,
+                                         const char *label, const skv_scene_options *options,
+                                         skv_scene **scene, skv_error *error);
+
+SKV_API void skv_scene_destroy(skv_scene *scene);
+
+/* Builds the world of a scene with its particles. `threads` as in skv_world_def. */
+SKV_API skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world **world,
+                                          skv_error *error);
+
+/* Facts of a loaded scene. Texts belong to the scene. */
+SKV_API const char *skv_scene_name(const skv_scene *scene);        /* "dam-break" */
+SKV_API const char *skv_scene_title(const skv_scene *scene);       /* "Dam break" */
+SKV_API const char *skv_scene_description(const skv_scene *scene); /* one or two sentences */
+SKV_API int skv_scene_particles(const skv_scene *scene);           /* what the world will hold */
+SKV_API double skv_scene_seconds(const skv_scene *scene); /* a fitting length of a recording */
+
+/* What the loader wants to say without failing, such as "3 emitter pixels (green) are kept but do
+ * nothing yet"; null when i is past the last one. */
+SKV_API const char *skv_scene_notice(const skv_scene *scene, int i);
+
+/* Pixels painted as emitter (green) or drain (red), kept for later use: the number, and for each
+ * its centre in metres. `drain` false: emitters. Returns the number in all; writes at most
+ * `capacity` points of two floats. */
+SKV_API int skv_scene_marked_pixels(const skv_scene *scene, bool drain, float *points,
+                                    int capacity);
+
+/* The built-in scenes, in the order in which they are presented: name, title, description; null
+ * past the last one. They are the files of scenes/, compiled in. */
+typedef struct skv_scene_info {
+    const char *name;
+    const char *title;
+    const char *description;
+} skv_scene_info;
+SKV_API const skv_scene_info *skv_builtin_scene(int i);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

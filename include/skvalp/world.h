@@ -1,0 +1,194 @@
+/* World: a fluid in a terrain, and the step that moves it.
+ *
+ * A world owns its particles and its terrain. Particles are numbered in the order in which they
+ * were added; every view and every hash uses that order. The same calls give the same bits on any
+ * number of threads. Units are SI: metres, seconds, kilograms per square metre of the sheet; y is
+ * up. The method is Mansson 2013 (after Clavet, Beaudoin, Poulin 2005) with the errata and the
+ * calibrated pressure law of docs/model.md.
+ */
+#ifndef SKVALP_WORLD_H
+#define SKVALP_WORLD_H
+
+#include "skvalp/base.h"
+#include "skvalp/terrain.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SKV_MAX_PARTICLES 2000000
+#define SKV_MAX_THREADS   64
+#define SKV_MAX_HANDS     16
+
+/* How density becomes displacement. Both go through the same passes. */
+typedef enum skv_law {
+    SKV_LAW_CALIBRATED, /* density constraint: pressures and periods of a real liquid (default) */
+    SKV_LAW_CLAVET      /* the thesis' double density relaxation (Algorithm 6, symmetric) */
+} skv_law;
+
+/* "calibrated" or "clavet". */
+SKV_API const char *skv_law_name(skv_law law);
+
+/* A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. */
+typedef struct skv_fluid_def {
+    skv_law law;
+    float spacing;      /* s: one particle per s*s square metres at rest; 0.0005..0.1 m */
+    float radius_ratio; /* h/s: smoothing radius in spacings, 2..4; default 3 (clavet: 2.75) */
+    float density;      /* kg/m^2 of the sheet, 1..20000; default 1000 */
+    float viscosity_linear;    /* sigma, 1/s: removes a pair's approach speed; 0..1000 */
+    float viscosity_quadratic; /* beta, 1/m: the same, growing with the speed; 0..1000 */
+    float near_stiffness;      /* k_near, m/s^2, calibrated law; 0..200; default 2 x 9.81 */
+    float cohesion;            /* k_coh, m/s^2, calibrated law; 0..500; default 8 x 9.81 */
+    float relaxation;          /* omega, share of the correction applied, 0.05..0.5; default 0.25 */
+    int iterations;            /* relaxation rounds a substep, 1..8; default 2 (clavet: 1) */
+    float clavet_stiffness;      /* k h^-1 dt^2, dimensionless, 0..0.02; default 0.004 */
+    float clavet_near_stiffness; /* k_near h^-1 dt^2, dimensionless, 0..0.2; default 0.04 */
+    float clavet_rest_density;   /* rho0, dimensionless, 1..40; default 10 */
+    float wall_friction; /* share of the tangential speed lost at a wall in 1/60 s, 0..1; 0.05 */
+    float wall_softness; /* share of the penetration corrected in 1/60 s, 0.1..1; default 1 */
+    float contact_distance; /* in spacings: closer than this to a wall is contact; 0..1; 0.3 */
+    int cookie;
+} skv_fluid_def;
+
+/* The default fluid, water, for a law. */
+SKV_API skv_fluid_def skv_default_fluid_def(skv_law law);
+
+/* How to make a world. Initialise with skv_default_world_def. */
+typedef struct skv_world_def {
+    /* Taken over by the world if skv_world_create succeeds, left to the caller if it fails. Null:
+     * the default terrain, a closed tank of 1.6 x 0.9 m. */
+    skv_terrain *terrain;
+    skv_fluid_def fluid;
+    float gravity_x, gravity_y; /* m/s^2, each -1000..1000; default 0, -9.81 */
+    float depth; /* m: the deepest fluid to expect, for the substep rule; 0: the free height */
+    int substeps; /* a 1/60 s frame; 0: by the rule of docs/model.md; at most 1000 */
+    int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
+    int capacity; /* particles to make room for at creation; the world grows beyond it */
+    int cookie;
+} skv_world_def;
+
+SKV_API skv_world_def skv_default_world_def(void);
+
+typedef struct skv_world skv_world;
+
+/* Makes an empty world; `*world` is null on failure. */
+SKV_API skv_result skv_world_create(const skv_world_def *def, skv_world **world, skv_error *error);
+
+/* Frees a world and its terrain; null is allowed. */
+SKV_API void skv_world_destroy(skv_world *world);
+
+/* Adds one particle at rest or in motion. Positions inside solid or outside an enclosed side are
+ * refused with SKV_ERROR_VALUE, as is anything that is not finite. */
+SKV_API skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, float vy,
+                                          skv_error *error);
+
+/* Tells whether a point belongs to the fluid that is to be added. */
+typedef bool skv_inside(float x, float y, void *user);
+
+/* Adds particles on the rest lattice (hexagonal, one per spacing^2) inside the box [x0,x1]x[y0,y1],
+ * where they keep a third of a spacing from walls and where `inside` (null: everywhere) says yes.
+ * At most `limit` particles (negative: no limit) are added, from the bottom up. Writes the number
+ * of particles added to *added (null is allowed). All or nothing on failure. */
+SKV_API skv_result skv_world_fill(skv_world *world, float x0, float y0, float x1, float y1,
+                                  skv_inside *inside, void *user, int limit, int *added,
+                                  skv_error *error);
+
+/* How many particles skv_world_fill would add for a given spacing in this terrain, without a
+ * world: for choosing the spacing that gives a wanted number. */
+SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, float x0, float y0, float x1,
+                           float y1, skv_inside *inside, void *user);
+
+/* Adds (vx, vy) m/s to every particle whose number is in [first, first+count). */
+SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx,
+                                          float vy, skv_error *error);
+
+/* Advances the world by dt seconds, (0, 0.1], usually 1/60, in equal substeps no longer than
+ * 1/(60 substeps). Fails only with SKV_ERROR_VALUE for a dt out of range. No allocation once every
+ * particle has been stepped once. */
+SKV_API skv_result skv_world_step(skv_world *world, float dt);
+
+/* The passes of one frame, for bench and for the curious: seconds spent since the last call with
+ * `reset`, by the names of src/world/step.c. Not part of the deterministic state. */
+typedef struct skv_profile {
+    int count;              /* passes */
+    const char *name[16];   /* e.g. "density" */
+    double seconds[16];     /* wall time summed over substeps */
+} skv_profile;
+SKV_API skv_profile skv_world_profile(skv_world *world, bool reset);
+
+/* A finger or the mouse holding fluid (thesis, section 3.5): within `radius` of (x, y), and fading
+ * with the distance, particles are pulled towards the point, slowed down, and carried along with
+ * the pointer's velocity. */
+typedef struct skv_hand {
+    float x, y;       /* m */
+    float vx, vy;     /* the pointer's velocity, m/s */
+    float radius;     /* m, > 0; default 0.15 */
+    float attraction; /* m/s^2 towards the point, at half the radius; default 60 */
+    float friction;   /* 1/s: how fast the particles' own velocity fades; default 6 */
+    float follow;     /* 1/s: how fast they take the pointer's velocity; default 6 */
+} skv_hand;
+
+SKV_API skv_hand skv_default_hand(void);
+
+/* Sets the hands that act from the next step on, replacing all earlier ones; count 0 lets go.
+ * Fails with SKV_ERROR_VALUE (a field not finite or out of range: the old hands stay) or
+ * SKV_ERROR_LIMIT (more than SKV_MAX_HANDS). */
+SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count,
+                                       skv_error *error);
+
+/* Sets gravity, m/s^2, each component -1000..1000. The substep rule keeps using the gravity of the
+ * definition or 9.81, whichever is larger. */
+SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error);
+
+/* Plain facts. Reading functions may run on several threads at once, never beside a step. */
+SKV_API int skv_world_particle_count(const skv_world *world);
+SKV_API int skv_world_substeps(const skv_world *world); /* a 1/60 s frame */
+SKV_API int skv_world_threads(const skv_world *world);
+SKV_API double skv_world_time(const skv_world *world);     /* s, simulated */
+SKV_API int64_t skv_world_steps(const skv_world *world);   /* substeps taken */
+SKV_API float skv_world_spacing(const skv_world *world);   /* s, m */
+SKV_API float skv_world_radius(const skv_world *world);    /* h, m */
+SKV_API const skv_fluid_def *skv_world_fluid(const skv_world *world);
+SKV_API void skv_world_gravity(const skv_world *world, float *gx, float *gy);
+SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
+
+/* The particles, in the order in which they were added. The arrays belong to the world and are
+ * valid until the next call that steps or changes it. */
+typedef struct skv_particles {
+    int count;
+    const float *x, *y;   /* m */
+    const float *vx, *vy; /* m/s */
+    const float *pressure; /* Pa m (force per length of the sheet), 0 at the free surface; from the
+                              last substep; 0 before the first */
+    const uint32_t *id;    /* number at which the particle was added, from 0; kept when others are
+                              removed */
+} skv_particles;
+SKV_API skv_particles skv_world_particles(const skv_world *world);
+
+/* What a run reports about a world. Costs about one substep. */
+typedef struct skv_stats {
+    int particles;
+    int escaped;           /* outside the world, or inside a wall deeper than h */
+    int not_finite;        /* particles with a NaN or infinity */
+    double kinetic_energy; /* J per metre of depth: sum of m v^2 / 2, m = density s^2 */
+    double potential_energy; /* J per metre of depth, against the world's origin */
+    double momentum_x, momentum_y; /* kg/s */
+    double rms_speed, max_speed;   /* m/s */
+    double neighbours;     /* particles within h of a particle, on average */
+    double volume_ratio;   /* area a particle takes in the bulk over s^2; 1 if there is no bulk */
+    double centre_x, centre_y; /* of mass, m */
+} skv_stats;
+SKV_API skv_stats skv_world_stats(const skv_world *world);
+
+/* 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order. */
+SKV_API uint64_t skv_world_hash(const skv_world *world);
+
+/* Writes the indices (into the arrays of skv_world_particles) of the particles within `radius` of
+ * (x, y), ascending, at most `capacity`; returns how many there are in all. */
+SKV_API int skv_world_query_circle(const skv_world *world, float x, float y, float radius,
+                                   int *indices, int capacity);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,17 @@
+/* SKV_ASSERT: a caller's mistake. Reports to the handler of skv_set_assert_handler; if that
+ * returns, the surrounding function returns `value`. Always on: the checks guard API boundaries
+ * and cost nothing beside the work. */
+#ifndef SKV_BASE_ASSERT_H
+#define SKV_BASE_ASSERT_H
+
+void skv_assert_failed(const char *condition, const char *file, int line);
+
+#define SKV_ASSERT_OR(condition, ...)                                                              \
+    do {                                                                                           \
+        if (!(condition)) {                                                                        \
+            skv_assert_failed(#condition, __FILE__, __LINE__);                                     \
+            return __VA_ARGS__;                                                                    \
+        }                                                                                          \
+    } while (0)
+
+#endif

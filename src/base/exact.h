@@ -1,0 +1,15 @@
+/* Elementary functions that give the same bits on every machine: built from +, -, *, / and sqrt in
+ * double precision only, because libm's exp, log and sin differ between libraries. */
+#ifndef SKV_BASE_EXACT_H
+#define SKV_BASE_EXACT_H
+
+/* e^x for |x| <= 700, relative error below 1e-14. */
+double skv_exp(double x);
+
+/* Natural logarithm for normal x > 0, absolute error below 1e-14 near 1, relative elsewhere. */
+double skv_log(double x);
+
+/* b^e for b >= 0; 0^e is 0 for e > 0 and 1 for e = 0. */
+double skv_pow(double b, double e);
+
+#endif

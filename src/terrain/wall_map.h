@@ -1,0 +1,34 @@
+/* Wall density maps: what the solid adds to the density sums of a particle near it.
+ *
+ * For a smoothing radius h and a rest spacing s, with n0 = 1/s^2 and q = 1 - r/h, integrated over
+ * the solid around a point: R = n0 * int q^2, Rn = n0 * int q^3, and the vectors
+ * F1 = -(h/2) grad R and F2 = -(h/3) grad Rn, which are n0 * int q r^ and n0 * int q^2 r^ with r^
+ * pointing away from the solid. Stored on a grid of about h/10 and sampled bilinearly; bilinear
+ * samples of central differences drive creeping flow, so the vectors are stored, not derived.
+ */
+#ifndef SKV_TERRAIN_WALL_MAP_H
+#define SKV_TERRAIN_WALL_MAP_H
+
+#include "skvalp/terrain.h"
+
+typedef struct skv_wall_map skv_wall_map;
+
+/* The six values at one point; all zero farther than h from any wall. */
+typedef struct skv_wall_sample {
+    float r, rn;     /* R, Rn: dimensionless */
+    float f1x, f1y;  /* F1: dimensionless */
+    float f2x, f2y;  /* F2: dimensionless */
+} skv_wall_sample;
+
+/* Builds the maps of a terrain for one h and s. `terrain` is only read during the call. */
+skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
+                               skv_wall_map **map, skv_error *error);
+void skv_wall_map_destroy(skv_wall_map *map);
+
+/* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
+bool skv_wall_map_sample(const skv_wall_map *map, float x, float y, skv_wall_sample *sample);
+
+/* Bytes held, for reports. */
+size_t skv_wall_map_bytes(const skv_wall_map *map);
+
+#endif
