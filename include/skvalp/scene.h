@@ -48,7 +48,7 @@ typedef struct skv_setting {
 
 /* Options that override a scene while it is loaded. Initialise with skv_default_scene_options. */
 typedef struct skv_scene_options {
-    int particles;         /* wanted number of particles; 0: what the scene says */
+    int particles;               /* wanted number of particles; 0: what the scene says */
     const skv_setting *settings; /* applied after the file, in order */
     int setting_count;
     int cookie;

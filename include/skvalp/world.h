@@ -32,20 +32,20 @@ SKV_API const char *skv_law_name(skv_law law);
 /* A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. */
 typedef struct skv_fluid_def {
     skv_law law;
-    float spacing;      /* s: one particle per s*s square metres at rest; 0.0005..0.1 m */
-    float radius_ratio; /* h/s: smoothing radius in spacings, 2..4; default 3 (clavet: 2.75) */
-    float density;      /* kg/m^2 of the sheet, 1..20000; default 1000 */
-    float viscosity_linear;    /* sigma, 1/s: removes a pair's approach speed; 0..1000 */
+    float spacing;          /* s: one particle per s*s square metres at rest; 0.0005..0.1 m */
+    float radius_ratio;     /* h/s: smoothing radius in spacings, 2..4; default 3 (clavet: 2.75) */
+    float density;          /* kg/m^2 of the sheet, 1..20000; default 1000 */
+    float viscosity_linear; /* sigma, 1/s: removes a pair's approach speed; 0..1000 */
     float viscosity_quadratic; /* beta, 1/m: the same, growing with the speed; 0..1000 */
     float near_stiffness;      /* k_near, m/s^2, calibrated law; 0..200; default 2 x 9.81 */
     float cohesion;            /* k_coh, m/s^2, calibrated law; 0..500; default 8 x 9.81 */
     float relaxation;          /* omega, share of the correction applied, 0.05..0.5; default 0.25 */
     int iterations;            /* relaxation rounds a substep, 1..8; default 2 (clavet: 1) */
-    float clavet_stiffness;      /* k h^-1 dt^2, dimensionless, 0..0.02; default 0.004 */
+    float clavet_stiffness;    /* k h^-1 dt^2, dimensionless, 0..0.02; default 0.004 */
     float clavet_near_stiffness; /* k_near h^-1 dt^2, dimensionless, 0..0.2; default 0.04 */
     float clavet_rest_density;   /* rho0, dimensionless, 1..40; default 10 */
-    float wall_friction; /* share of the tangential speed lost at a wall in 1/60 s, 0..1; 0.05 */
-    float wall_softness; /* share of the penetration corrected in 1/60 s, 0.1..1; default 1 */
+    float wall_friction;    /* share of the tangential speed lost at a wall in 1/60 s, 0..1; 0.05 */
+    float wall_softness;    /* share of the penetration corrected in 1/60 s, 0.1..1; default 1 */
     float contact_distance; /* in spacings: closer than this to a wall is contact; 0..1; 0.3 */
     int cookie;
 } skv_fluid_def;
@@ -60,7 +60,7 @@ typedef struct skv_world_def {
     skv_terrain *terrain;
     skv_fluid_def fluid;
     float gravity_x, gravity_y; /* m/s^2, each -1000..1000; default 0, -9.81 */
-    float depth; /* m: the deepest fluid to expect, for the substep rule; 0: the free height */
+    float depth;  /* m: the deepest fluid to expect, for the substep rule; 0: the free height */
     int substeps; /* a 1/60 s frame; 0: by the rule of docs/model.md; at most 1000 */
     int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
     int capacity; /* particles to make room for at creation; the world grows beyond it */
@@ -110,9 +110,9 @@ SKV_API skv_result skv_world_step(skv_world *world, float dt);
 /* The passes of one frame, for bench and for the curious: seconds spent since the last call with
  * `reset`, by the names of src/world/step.c. Not part of the deterministic state. */
 typedef struct skv_profile {
-    int count;              /* passes */
-    const char *name[16];   /* e.g. "density" */
-    double seconds[16];     /* wall time summed over substeps */
+    int count;            /* passes */
+    const char *name[16]; /* e.g. "density" */
+    double seconds[16];   /* wall time summed over substeps */
 } skv_profile;
 SKV_API skv_profile skv_world_profile(skv_world *world, bool reset);
 
@@ -144,10 +144,10 @@ SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, s
 SKV_API int skv_world_particle_count(const skv_world *world);
 SKV_API int skv_world_substeps(const skv_world *world); /* a 1/60 s frame */
 SKV_API int skv_world_threads(const skv_world *world);
-SKV_API double skv_world_time(const skv_world *world);     /* s, simulated */
-SKV_API int64_t skv_world_steps(const skv_world *world);   /* substeps taken */
-SKV_API float skv_world_spacing(const skv_world *world);   /* s, m */
-SKV_API float skv_world_radius(const skv_world *world);    /* h, m */
+SKV_API double skv_world_time(const skv_world *world);   /* s, simulated */
+SKV_API int64_t skv_world_steps(const skv_world *world); /* substeps taken */
+SKV_API float skv_world_spacing(const skv_world *world); /* s, m */
+SKV_API float skv_world_radius(const skv_world *world);  /* h, m */
 SKV_API const skv_fluid_def *skv_world_fluid(const skv_world *world);
 SKV_API void skv_world_gravity(const skv_world *world, float *gx, float *gy);
 SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
@@ -156,8 +156,8 @@ SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
  * valid until the next call that steps or changes it. */
 typedef struct skv_particles {
     int count;
-    const float *x, *y;   /* m */
-    const float *vx, *vy; /* m/s */
+    const float *x, *y;    /* m */
+    const float *vx, *vy;  /* m/s */
     const float *pressure; /* Pa m (force per length of the sheet), 0 at the free surface; from the
                               last substep; 0 before the first */
     const uint32_t *id;    /* number at which the particle was added, from 0; kept when others are
@@ -168,14 +168,14 @@ SKV_API skv_particles skv_world_particles(const skv_world *world);
 /* What a run reports about a world. Costs about one substep. */
 typedef struct skv_stats {
     int particles;
-    int escaped;           /* outside the world, or inside a wall deeper than h */
-    int not_finite;        /* particles with a NaN or infinity */
-    double kinetic_energy; /* J per metre of depth: sum of m v^2 / 2, m = density s^2 */
-    double potential_energy; /* J per metre of depth, against the world's origin */
+    int escaped;                   /* outside the world, or inside a wall deeper than h */
+    int not_finite;                /* particles with a NaN or infinity */
+    double kinetic_energy;         /* J per metre of depth: sum of m v^2 / 2, m = density s^2 */
+    double potential_energy;       /* J per metre of depth, against the world's origin */
     double momentum_x, momentum_y; /* kg/s */
     double rms_speed, max_speed;   /* m/s */
-    double neighbours;     /* particles within h of a particle, on average */
-    double volume_ratio;   /* area a particle takes in the bulk over s^2; 1 if there is no bulk */
+    double neighbours;             /* particles within h of a particle, on average */
+    double volume_ratio; /* area a particle takes in the bulk over s^2; 1 if there is no bulk */
     double centre_x, centre_y; /* of mass, m */
 } skv_stats;
 SKV_API skv_stats skv_world_stats(const skv_world *world);

@@ -15,9 +15,9 @@ typedef struct skv_wall_map skv_wall_map;
 
 /* The six values at one point; all zero farther than h from any wall. */
 typedef struct skv_wall_sample {
-    float r, rn;     /* R, Rn: dimensionless */
-    float f1x, f1y;  /* F1: dimensionless */
-    float f2x, f2y;  /* F2: dimensionless */
+    float r, rn;    /* R, Rn: dimensionless */
+    float f1x, f1y; /* F1: dimensionless */
+    float f2x, f2y; /* F2: dimensionless */
 } skv_wall_sample;
 
 /* Builds the maps of a terrain for one h and s. `terrain` is only read during the call. */

@@ -1,0 +1,43 @@
+/* exp, log and pow from +, -, *, / alone. Invariant: no call into libm, so the same bits come out
+ * of every C library. Speed does not matter: they run when a world is made, never in a step. */
+#include "base/exact.h"
+
+static const double LN2 = 0.69314718055994530942;
+
+double skv_exp(double x)
+{
+    /* e^x = (e^(x / 2^k))^(2^k) would lose digits; split off powers of two instead. */
+    int power = (int)(x / LN2 + (x < 0 ? -0.5 : 0.5));
+    double rest = x - power * LN2;
+    double term = 1, sum = 1;
+    for (int i = 1; i <= 20; i++) {
+        term *= rest / i;
+        sum += term;
+    }
+    for (; power > 0; power--)
+        sum *= 2;
+    for (; power < 0; power++)
+        sum *= 0.5;
+    return sum;
+}
+
+double skv_log(double x)
+{
+    int power = 0;
+    for (; x > 1.5; power++)
+        x *= 0.5;
+    for (; x < 0.75; power--)
+        x *= 2;
+    /* ln x = 2 artanh(t), t = (x-1)/(x+1), |t| <= 0.2: 16 terms reach double precision. */
+    double t = (x - 1) / (x + 1), square = t * t, sum = 0;
+    for (int i = 31; i >= 1; i -= 2)
+        sum = sum * square + 1.0 / i;
+    return 2 * t * sum + power * LN2;
+}
+
+double skv_pow(double b, double e)
+{
+    if (e == 0)
+        return 1;
+    return b > 0 ? skv_exp(e * skv_log(b)) : 0;
+}

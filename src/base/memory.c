@@ -1,0 +1,44 @@
+/* The allocator hooks. Invariant: what skv_calloc returns is zeroed and cache-line aligned. */
+#include "base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void *default_allocate(size_t bytes, size_t alignment, void *user)
+{
+    (void)user;
+    /* aligned_alloc wants a multiple of the alignment. */
+    size_t rounded = (bytes + alignment - 1) & ~(alignment - 1);
+    return rounded < bytes ? NULL : aligned_alloc(alignment, rounded);
+}
+
+static void default_release(void *memory, void *user)
+{
+    (void)user;
+    free(memory);
+}
+
+static const skv_allocator default_allocator = {default_allocate, default_release, NULL};
+static skv_allocator current = {default_allocate, default_release, NULL};
+
+void skv_set_allocator(const skv_allocator *allocator)
+{
+    current = allocator ? *allocator : default_allocator;
+}
+
+void *skv_calloc(size_t count, size_t size)
+{
+    size_t bytes = count * size;
+    if (size && bytes / size != count)
+        return NULL;
+    void *memory = current.allocate(bytes ? bytes : 1, SKV_ALIGNMENT, current.user);
+    if (memory)
+        memset(memory, 0, bytes);
+    return memory;
+}
+
+void skv_free(void *memory)
+{
+    if (memory)
+        current.release(memory, current.user);
+}
