@@ -1,4 +1,4 @@
-/* SKV_ASSERT: a caller's mistake. Reports to the handler of skv_set_assert_handler; if that
+/* SKV_ASSERT_OR: a caller's mistake. Reports to the handler of skv_set_assert_handler; if that
  * returns, the surrounding function returns `value`. Always on: the checks guard API boundaries
  * and cost nothing beside the work. */
 #ifndef SKV_BASE_ASSERT_H
@@ -13,5 +13,8 @@ void skv_assert_failed(const char *condition, const char *file, int line);
             return __VA_ARGS__;                                                                    \
         }                                                                                          \
     } while (0)
+
+/* The same in a function that returns nothing. */
+#define SKV_ASSERT(condition) SKV_ASSERT_OR(condition, )
 
 #endif
