@@ -159,7 +159,7 @@ int skv_pool_threads(const skv_pool *pool)
 
 void skv_pool_run(skv_pool *pool, int count, skv_task *task, void *context)
 {
-    if (pool->threads == 1 || count <= CHUNK) {
+    if (!pool || pool->threads == 1 || count <= CHUNK) {
         if (count > 0)
             task(0, count, context);
         return;

@@ -18,7 +18,8 @@ skv_result skv_pool_create(int threads, skv_pool **pool, skv_error *error);
 void skv_pool_destroy(skv_pool *pool);
 int skv_pool_threads(const skv_pool *pool);
 
-/* Runs `task` over 0..count-1 and returns when all of it is done. Not reentrant. */
+/* Runs `task` over 0..count-1 and returns when all of it is done; without a pool (null) on the
+ * calling thread. Not reentrant. */
 void skv_pool_run(skv_pool *pool, int count, skv_task *task, void *context);
 
 #endif

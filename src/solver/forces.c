@@ -1,0 +1,91 @@
+/* Velocities: external forces, pair viscosity, the clamp before the advance, the update after it.
+ * Invariant: pair viscosity reads velocities that no particle of the pass writes, so each pair's
+ * two impulses are exactly opposite and momentum is kept. */
+#include "solver/pair.h"
+#include "solver/passes.h"
+
+#include <stddef.h>
+
+static void pull_towards(skv_state *s, float dt, const skv_pull *pull, int i)
+{
+    float rx = (pull->x - s->x[i]) * pull->inv_radius, ry = (pull->y - s->y[i]) * pull->inv_radius;
+    float share = 1 - (rx * rx + ry * ry);
+    if (!(share > 0))
+        return;
+    /* The pull grows from zero at the point, where a direction would be arbitrary, and fades out
+     * towards the radius; 32/9 makes it 1 at half the radius. */
+    float fade = share * share, pulled = dt * pull->attraction * fade * (32.0f / 9.0f);
+    float slow = pull->friction * fade, carry = pull->follow * fade;
+    s->vx[i] += pulled * rx - slow * s->vx[i] + carry * (pull->vx - s->vx[i]);
+    s->vy[i] += pulled * ry - slow * s->vy[i] + carry * (pull->vy - s->vy[i]);
+}
+
+void skv_pass_external_forces(skv_state *s, const skv_constants *c, float gx, float gy,
+                              const skv_pull *pulls, int pull_count, int begin, int end)
+{
+    float ax = c->dt * gx, ay = c->dt * gy;
+    for (int i = begin; i < end; i++) {
+        s->vx[i] += ax;
+        s->vy[i] += ay;
+        for (int p = 0; p < pull_count; p++)
+            pull_towards(s, c->dt, &pulls[p], i);
+    }
+}
+
+void skv_pass_viscosity(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
+                        int end)
+{
+    for (int i = begin; i < end; i++) {
+        float sum_x = 0, sum_y = 0;
+        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
+            int j = n->list[k];
+            skv_pair pair;
+            if (!skv_pair_of(s, c, i, j, &pair))
+                continue;
+            float u = (s->vx[i] - s->vx[j]) * pair.ux + (s->vy[i] - s->vy[j]) * pair.uy;
+            if (!(u > 0))
+                continue;
+            /* More than the whole approach speed would reverse it. */
+            float share = c->dt * pair.q * (c->viscosity_linear + c->viscosity_quadratic * u);
+            float impulse = 0.5f * (share < 1 ? share : 1) * u;
+            sum_x -= impulse * pair.ux;
+            sum_y -= impulse * pair.uy;
+        }
+        s->dx[i] = sum_x;
+        s->dy[i] = sum_y;
+    }
+}
+
+void skv_pass_apply_viscosity(skv_state *s, int begin, int end)
+{
+    for (int i = begin; i < end; i++) {
+        s->vx[i] += s->dx[i];
+        s->vy[i] += s->dy[i];
+    }
+}
+
+void skv_pass_advance(skv_state *s, const skv_constants *c, int begin, int end)
+{
+    float limit = c->max_speed * c->max_speed;
+    for (int i = begin; i < end; i++) {
+        float speed_squared = s->vx[i] * s->vx[i] + s->vy[i] * s->vy[i];
+        if (speed_squared > limit) {
+            float scale = c->max_speed / sqrtf(speed_squared);
+            s->vx[i] *= scale;
+            s->vy[i] *= scale;
+        }
+        s->dx[i] = c->dt * s->vx[i];
+        s->dy[i] = c->dt * s->vy[i];
+        s->wx[i] = 0;
+        s->wy[i] = 0;
+        s->pressure[i] = 0;
+    }
+}
+
+void skv_pass_update_velocity(skv_state *s, const skv_constants *c, int begin, int end)
+{
+    for (int i = begin; i < end; i++) {
+        s->vx[i] += s->wx[i] * c->inv_dt;
+        s->vy[i] += s->wy[i] * c->inv_dt;
+    }
+}

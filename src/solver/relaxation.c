@@ -1,0 +1,93 @@
+/* Double density relaxation as two gather passes (Algorithm 6 with errata 6 and 6+9).
+ *
+ * Invariant: pass A (density) reads positions, pass B (displacement) reads positions and the P and
+ * N of both partners; neither writes what it reads of others. A pair's two displacements are the
+ * same expression with the unit vector reversed, so they are exactly opposite.
+ */
+#include "solver/pair.h"
+#include "solver/passes.h"
+
+#include <stddef.h>
+
+void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
+                      int end)
+{
+    for (int i = begin; i < end; i++) {
+        float density = 0, near_density = 0, gx = 0, gy = 0;
+        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
+            skv_pair pair;
+            if (!skv_pair_of(s, c, i, n->list[k], &pair))
+                continue;
+            float q_squared = pair.q * pair.q;
+            density += q_squared;
+            near_density += q_squared * pair.q;
+            gx += pair.q * pair.ux;
+            gy += pair.q * pair.uy;
+        }
+        s->density[i] = density + s->wall_density[i];
+        s->near_density[i] = near_density + s->wall_near[i];
+        s->gradient_x[i] = gx - s->f1x[i];
+        s->gradient_y[i] = gy - s->f1y[i];
+    }
+}
+
+static void gauge(skv_state *s, const skv_constants *c, int i)
+{
+    s->pressure[i] += c->pressure_scale * s->push[i] + c->near_pressure_scale * s->near_push[i];
+}
+
+void skv_pass_pressure_calibrated(skv_state *s, const skv_constants *c, int begin, int end)
+{
+    for (int i = begin; i < end; i++) {
+        float gx = s->gradient_x[i], gy = s->gradient_y[i];
+        /* The response of the density to the displacement. Its floor, the value in the bulk at
+         * rest, leaves bulk and surface alone and tames pairs and small groups, whose response
+         * tends to 0 while their wish to be denser does not. */
+        float response = s->density[i] + (gx * gx + gy * gy);
+        if (!(response > c->gradient_floor))
+            response = c->gradient_floor;
+        float excess = s->density[i] - c->rest_density;
+        if (excess < 0)
+            excess *= c->cohesion_share;
+        s->push[i] = c->push_scale * excess / response;
+        s->near_push[i] = c->near_push_scale * s->near_density[i] / response;
+        gauge(s, c, i);
+    }
+}
+
+void skv_pass_pressure_clavet(skv_state *s, const skv_constants *c, int begin, int end)
+{
+    for (int i = begin; i < end; i++) {
+        float push = c->push_scale * (s->density[i] - c->rest_density);
+        float near_push = c->near_push_scale * s->near_density[i];
+        /* The limiter: a Jacobi iteration overshoots where many strong pairs meet. Scaling P and N
+         * of one particle keeps pairs antisymmetric; capping N alone was tried and failed. */
+        float strength = s->density[i] * near_push;
+        float scale = strength > c->push_limit ? c->push_limit / strength : 1;
+        s->push[i] = scale * push;
+        s->near_push[i] = scale * near_push;
+        gauge(s, c, i);
+    }
+}
+
+void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
+                           int end)
+{
+    for (int i = begin; i < end; i++) {
+        float sum_x = 0, sum_y = 0;
+        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
+            int j = n->list[k];
+            skv_pair pair;
+            if (!skv_pair_of(s, c, i, j, &pair))
+                continue;
+            float size =
+                ((s->push[i] + s->push[j]) + (s->near_push[i] + s->near_push[j]) * pair.q) * pair.q;
+            sum_x -= size * pair.ux;
+            sum_y -= size * pair.uy;
+        }
+        /* A wall pushes with the particle's own pressure, once: twice, as if it were a mirrored
+         * fluid, heats the fluid. */
+        s->dx[i] = sum_x + (s->push[i] * s->f1x[i] + s->near_push[i] * s->f2x[i]);
+        s->dy[i] = sum_y + (s->push[i] * s->f1y[i] + s->near_push[i] * s->f2y[i]);
+    }
+}

@@ -1,0 +1,212 @@
+/* From a fluid's parameters to the constants of a substep.
+ *
+ * Invariant: all of it is double precision from +, -, *, /, sqrt and the exact functions, rounded
+ * to float once at the end, so every machine steps with the same constants. Formulas and their
+ * sources are in docs/model.md.
+ */
+#include "base/exact.h"
+#include "solver/lattice.h"
+#include "world/world_internal.h"
+
+#include <math.h>
+
+enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
+
+#define FRAME            (1.0 / 60) /* s: rates "a frame" are meant for this time */
+#define EARTH_GRAVITY    9.81
+#define PI               3.14159265358979323846
+#define COMPRESSION      0.04  /* allowed at the expected depth, calibrated law */
+#define CLAVET_LOAD      0.006 /* g H dt^2 / h^2 that the clavet law carries */
+#define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep */
+#define MAX_COURANT      0.9   /* fastest advance, h per substep */
+#define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
+#define LATTICE_RESPONSE 1.0   /* floor of the response, in rest densities, see relaxation.c */
+
+skv_fluid_def skv_default_fluid_def(skv_law law)
+{
+    bool clavet = law == SKV_LAW_CLAVET;
+    return (skv_fluid_def){
+        .law = law,
+        .spacing = 0.0155f, /* 3000 particles fill half of the default tank */
+        .radius_ratio = clavet ? 2.75f : 3,
+        .density = 1000,
+        .viscosity_linear = 0,
+        .viscosity_quadratic = 0,
+        .near_stiffness = 2 * 9.81f,
+        .cohesion = 8 * 9.81f,
+        .relaxation = 0.25f,
+        .iterations = clavet ? 1 : 2,
+        .clavet_stiffness = 0.004f,
+        .clavet_near_stiffness = 0.04f,
+        .clavet_rest_density = 10,
+        .wall_friction = 0.05f,
+        .wall_softness = 1,
+        .contact_distance = 0.3f,
+        .cookie = FLUID_COOKIE,
+    };
+}
+
+skv_world_def skv_default_world_def(void)
+{
+    return (skv_world_def){
+        .fluid = skv_default_fluid_def(SKV_LAW_CALIBRATED),
+        .gravity_y = -9.81f,
+        .cookie = WORLD_COOKIE,
+    };
+}
+
+const char *skv_law_name(skv_law law)
+{
+    return law == SKV_LAW_CLAVET ? "clavet" : "calibrated";
+}
+
+bool skv_within(double value, double lo, double hi)
+{
+    return value >= lo && value <= hi;
+}
+
+typedef struct range {
+    const char *name;
+    double value, minimum, maximum;
+} range;
+
+static skv_result check_ranges(const char *prefix, const range *ranges, int count, skv_error *error)
+{
+    for (int i = 0; i < count; i++) {
+        const range *r = &ranges[i];
+        if (!skv_within(r->value, r->minimum, r->maximum))
+            return skv_fail(error, SKV_ERROR_VALUE, "%s%s: %g is out of range; allowed is %g..%g",
+                            prefix, r->name, r->value, r->minimum, r->maximum);
+    }
+    return SKV_OK;
+}
+
+skv_result skv_check_fluid(const skv_fluid_def *f, skv_error *error)
+{
+    if (f->cookie != FLUID_COOKIE)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "fluid: not initialised; start from skv_default_fluid_def()");
+    const range ranges[] = {
+        {"law", f->law, SKV_LAW_CALIBRATED, SKV_LAW_CLAVET},
+        {"spacing", (double)f->spacing, 0.0005f, 0.1f},
+        {"radius_ratio", (double)f->radius_ratio, 2, 4},
+        {"density", (double)f->density, 1, 20000},
+        {"viscosity_linear", (double)f->viscosity_linear, 0, 1000},
+        {"viscosity_quadratic", (double)f->viscosity_quadratic, 0, 1000},
+        {"near_stiffness", (double)f->near_stiffness, 0, 200},
+        {"cohesion", (double)f->cohesion, 0, 500},
+        {"relaxation", (double)f->relaxation, 0.05f, 0.5},
+        {"iterations", f->iterations, 1, 8},
+        {"clavet_stiffness", (double)f->clavet_stiffness, 0, 0.02f},
+        {"clavet_near_stiffness", (double)f->clavet_near_stiffness, 0, 0.2f},
+        {"clavet_rest_density", (double)f->clavet_rest_density, 1, 40},
+        {"wall_friction", (double)f->wall_friction, 0, 1},
+        {"wall_softness", (double)f->wall_softness, 0.1f, 1},
+        {"contact_distance", (double)f->contact_distance, 0, 1},
+    };
+    return check_ranges("fluid.", ranges, sizeof ranges / sizeof *ranges, error);
+}
+
+skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
+{
+    if (def->cookie != WORLD_COOKIE)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "world: not initialised; start from skv_default_world_def()");
+    const range ranges[] = {
+        {"gravity_x", (double)def->gravity_x, -1000, 1000},
+        {"gravity_y", (double)def->gravity_y, -1000, 1000},
+        {"depth", (double)def->depth, 0, 16},
+        {"substeps", def->substeps, 0, 1000},
+        {"threads", def->threads, 0, SKV_MAX_THREADS},
+        {"capacity", def->capacity, 0, SKV_MAX_PARTICLES},
+    };
+    skv_result result = check_ranges("world.", ranges, sizeof ranges / sizeof *ranges, error);
+    return result == SKV_OK ? skv_check_fluid(&def->fluid, error) : result;
+}
+
+/* Stiffness that the calibrated law's relaxation amounts to, m/s^2. */
+static double effective_stiffness(const skv_fluid_def *f, double h, double dt, double rest)
+{
+    return (double)f->relaxation * f->iterations * h / (dt * dt * rest);
+}
+
+int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
+{
+    double g = (double)gravity > EARTH_GRAVITY ? (double)gravity : EARTH_GRAVITY;
+    double h = (double)f->spacing * (double)f->radius_ratio;
+    double substeps;
+    if (f->law == SKV_LAW_CLAVET) {
+        substeps = FRAME / h * sqrt(g * (double)depth / CLAVET_LOAD);
+    } else {
+        substeps = FRAME / (SPEED_OF_SOUND * h) * sqrt(g * (double)depth / COMPRESSION);
+        /* Cohesion cannot be stiffer than the pressure itself. */
+        double rest = skv_lattice_sums((double)f->radius_ratio).density;
+        double at_one = effective_stiffness(f, h, FRAME, rest);
+        double needed = sqrt((double)f->cohesion / at_one);
+        if (substeps < needed)
+            substeps = needed;
+    }
+    int whole = (int)ceil(substeps - 1e-9);
+    return whole < 1 ? 1 : whole > 1000 ? 1000 : whole;
+}
+
+/* A share that is meant for one frame, for a time dt instead. */
+static double share_for(double share_a_frame, double dt)
+{
+    return 1 - skv_pow(1 - share_a_frame, dt / FRAME);
+}
+
+static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, double dt)
+{
+    skv_lattice lattice = skv_lattice_sums((double)f->radius_ratio);
+    double stiffness = effective_stiffness(f, h, dt, lattice.density);
+    double near_share = (double)f->near_stiffness / stiffness;
+    double cohesion_share = (double)f->cohesion / stiffness;
+    double omega = (double)f->relaxation;
+    /* The near pressure alone would swell the fluid; the rest density makes room for it, so that
+     * the lattice at one particle per spacing^2 is the one without pressure. */
+    double swelling = lattice.near_density * lattice.near_virial / lattice.virial;
+    c->rest_density = (float)(lattice.density + near_share * swelling);
+    c->gradient_floor = (float)(LATTICE_RESPONSE * lattice.density);
+    c->push_scale = (float)(omega * h / 2);
+    c->near_push_scale = (float)(omega * near_share * h / 2);
+    c->cohesion_share = (float)(cohesion_share < 1 ? cohesion_share : 1);
+}
+
+static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
+{
+    /* k has the unit m/s^2 and is given in h/dt^2, so dt^2 k/2 is a length in h. */
+    c->rest_density = f->clavet_rest_density;
+    c->push_scale = (float)(0.5 * (double)f->clavet_stiffness * h);
+    c->near_push_scale = (float)(0.5 * (double)f->clavet_near_stiffness * h);
+    c->cohesion_share = 1;
+    c->push_limit = (float)(CLAVET_LIMIT * h);
+}
+
+skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
+{
+    double dt = (double)dt_float, h = (double)f->spacing * (double)f->radius_ratio;
+    double eta = (double)f->radius_ratio;
+    skv_constants c = {
+        .h = (float)h,
+        .inv_h = (float)(1 / h),
+        .h_squared = (float)(h * h),
+        .dt = dt_float,
+        .inv_dt = (float)(1 / dt),
+        .max_speed = (float)(MAX_COURANT * h / dt),
+        .viscosity_linear = f->viscosity_linear,
+        .viscosity_quadratic = f->viscosity_quadratic,
+        .contact_distance = f->contact_distance * f->spacing,
+        .softness = (float)share_for((double)f->wall_softness, dt),
+        .friction = (float)share_for((double)f->wall_friction, dt),
+    };
+    if (f->law == SKV_LAW_CLAVET)
+        set_clavet(&c, f, h);
+    else
+        set_calibrated(&c, f, h, dt);
+    /* p = density (pi/2) eta^2 h (P/12 + Pn/30) with accelerations P = 2 push / dt^2. */
+    double gauge = (double)f->density * PI / 2 * eta * eta * h * 2 / (dt * dt);
+    c.pressure_scale = (float)(gauge / 12);
+    c.near_pressure_scale = (float)(gauge / 30);
+    return c;
+}

@@ -1,0 +1,170 @@
+/* Reading a world: statistics, hash, circle query. Invariant: nothing here changes the world, and
+ * every sum runs in creation order, so the same world gives the same bits. */
+#include "base/assert.h"
+#include "base/memory.h"
+#include "solver/lattice.h"
+#include "solver/pair.h"
+#include "world/world_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A particle is in the bulk if its surroundings are even: |g| below this share of its value at a
+ * flat surface, h^2 n0 / 3. */
+#define BULK_GRADIENT 0.3
+
+static bool finite_particle(const skv_state *s, int i)
+{
+    return isfinite(s->x[i]) && isfinite(s->y[i]) && isfinite(s->vx[i]) && isfinite(s->vy[i]);
+}
+
+static bool has_escaped(const skv_world *world, float x, float y)
+{
+    /* Beyond an open side is on the way out, not an escape. */
+    return skv_terrain_distance(world->terrain, x, y) < -world->h;
+}
+
+/* Sums over one particle's surroundings, as pass A of the solver sees them. */
+typedef struct surroundings {
+    double neighbours, density, gradient;
+} surroundings;
+
+static surroundings look_around(const skv_world *world, const skv_neighbours *lists,
+                                const skv_constants *constants, int i)
+{
+    surroundings around = {0};
+    double gx = 0, gy = 0;
+    for (int k = lists->start[i]; k < lists->start[i + 1]; k++) {
+        skv_pair pair;
+        if (!skv_pair_of(&world->state, constants, i, lists->list[k], &pair))
+            continue;
+        around.neighbours += 1;
+        around.density += (double)(pair.q * pair.q);
+        gx += (double)(pair.q * pair.ux);
+        gy += (double)(pair.q * pair.uy);
+    }
+    skv_wall_sample wall;
+    skv_wall_map_sample(world->walls, world->state.x[i], world->state.y[i], &wall);
+    gx -= (double)wall.f1x;
+    gy -= (double)wall.f1y;
+    around.density += (double)wall.r;
+    around.gradient = sqrt(gx * gx + gy * gy);
+    return around;
+}
+
+/* Neighbours and volume need lists of the present positions; without memory for them they are 0
+ * and 1. */
+static void measure_packing(const skv_world *world, skv_stats *stats)
+{
+    const skv_state *s = &world->state;
+    float width = skv_terrain_width(world->terrain), height = skv_terrain_height(world->terrain);
+    skv_neighbours lists;
+    stats->volume_ratio = 1;
+    skv_result result = skv_neighbours_create(&lists, 0, 0, width, height, world->h, NULL);
+    if (result == SKV_OK)
+        result = skv_neighbours_reserve(&lists, s->count, NULL);
+    if (result == SKV_OK) {
+        skv_neighbours_build(&lists, s, world->h, NULL);
+        result = skv_neighbours_reserve(&lists, s->count, NULL);
+    }
+    if (result == SKV_OK) {
+        skv_neighbours_build(&lists, s, world->h, NULL);
+        double eta = (double)world->fluid.radius_ratio;
+        double rest = skv_lattice_sums(eta).density, bulk_below = BULK_GRADIENT * eta * eta / 3;
+        skv_constants constants = skv_make_constants(&world->fluid, 1.0f / 60);
+        double pairs = 0, volume = 0, bulk = 0;
+        for (int i = 0; i < s->count; i++) {
+            surroundings around = look_around(world, &lists, &constants, i);
+            pairs += around.neighbours;
+            if (around.gradient < bulk_below && around.density > 0.5 * rest) {
+                volume += (1 + rest) / (1 + around.density);
+                bulk += 1;
+            }
+        }
+        stats->neighbours = pairs / s->count;
+        if (bulk > 0)
+            stats->volume_ratio = volume / bulk;
+    }
+    skv_neighbours_destroy(&lists);
+}
+
+skv_stats skv_world_stats(const skv_world *world)
+{
+    skv_stats stats = {.volume_ratio = 1};
+    SKV_ASSERT_OR(world, stats);
+    const skv_state *s = &world->state;
+    double mass =
+        (double)world->fluid.density * (double)world->fluid.spacing * (double)world->fluid.spacing;
+    double speeds_squared = 0;
+    stats.particles = s->count;
+    for (int i = 0; i < s->count; i++) {
+        if (!finite_particle(s, i)) {
+            stats.not_finite++;
+            continue;
+        }
+        double vx = (double)s->vx[i], vy = (double)s->vy[i];
+        double x = (double)s->x[i], y = (double)s->y[i];
+        double speed_squared = vx * vx + vy * vy;
+        speeds_squared += speed_squared;
+        stats.max_speed = fmax(stats.max_speed, sqrt(speed_squared));
+        stats.momentum_x += mass * vx;
+        stats.momentum_y += mass * vy;
+        stats.potential_energy -=
+            mass * ((double)world->gravity_x * x + (double)world->gravity_y * y);
+        stats.centre_x += x;
+        stats.centre_y += y;
+        stats.escaped += has_escaped(world, s->x[i], s->y[i]);
+    }
+    stats.kinetic_energy = mass * speeds_squared / 2;
+    int finite = s->count - stats.not_finite;
+    if (finite > 0) {
+        stats.rms_speed = sqrt(speeds_squared / finite);
+        stats.centre_x /= finite;
+        stats.centre_y /= finite;
+    }
+    if (s->count > 0 && stats.not_finite == 0)
+        measure_packing(world, &stats);
+    return stats;
+}
+
+static uint64_t hash_float(uint64_t hash, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    for (int byte = 0; byte < 4; byte++) {
+        hash ^= (bits >> (8 * byte)) & 0xff;
+        hash *= 1099511628211u;
+    }
+    return hash;
+}
+
+uint64_t skv_world_hash(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, 0);
+    const skv_state *s = &world->state;
+    uint64_t hash = 14695981039346656037u;
+    for (int i = 0; i < s->count; i++) {
+        hash = hash_float(hash, s->x[i]);
+        hash = hash_float(hash, s->y[i]);
+        hash = hash_float(hash, s->vx[i]);
+        hash = hash_float(hash, s->vy[i]);
+    }
+    return hash;
+}
+
+int skv_world_query_circle(const skv_world *world, float x, float y, float radius, int *indices,
+                           int capacity)
+{
+    SKV_ASSERT_OR(world && (indices || capacity <= 0), 0);
+    const skv_state *s = &world->state;
+    int found = 0;
+    for (int i = 0; i < s->count; i++) {
+        float dx = s->x[i] - x, dy = s->y[i] - y;
+        if (!(dx * dx + dy * dy <= radius * radius))
+            continue;
+        if (found < capacity)
+            indices[found] = i;
+        found++;
+    }
+    return found;
+}

@@ -1,0 +1,67 @@
+/* The world's inside, shared by the files of src/world and nobody else. */
+#ifndef SKV_WORLD_INTERNAL_H
+#define SKV_WORLD_INTERNAL_H
+
+#include "base/pool.h"
+#include "skvalp/world.h"
+#include "solver/neighbours.h"
+#include "solver/passes.h"
+#include "solver/state.h"
+#include "terrain/wall_map.h"
+
+/* The passes of a substep, for the profile; names in step.c. */
+typedef enum skv_pass {
+    SKV_PASS_FORCES,
+    SKV_PASS_VISCOSITY,
+    SKV_PASS_ADVANCE,
+    SKV_PASS_NEIGHBOURS,
+    SKV_PASS_WALLS,
+    SKV_PASS_DENSITY,
+    SKV_PASS_PRESSURE,
+    SKV_PASS_DISPLACEMENT,
+    SKV_PASS_CONTACT,
+    SKV_PASS_VELOCITY,
+    SKV_PASS_COUNT
+} skv_pass;
+
+struct skv_world {
+    skv_fluid_def fluid;
+    skv_terrain *terrain;
+    skv_wall_map *walls;
+    float gravity_x, gravity_y;
+    float h;              /* smoothing radius, m */
+    float wall_clearance; /* how close a move may come to a wall, m */
+    int substeps;         /* a 1/60 s frame */
+    skv_hand hands[SKV_MAX_HANDS];
+    int hand_count;
+
+    skv_state state;
+    int capacity;
+    void *block; /* the one allocation behind all of the state's arrays */
+    uint32_t next_id;
+    skv_neighbours neighbours;
+    bool lists_current; /* the lists still describe the particles: none came or went */
+    skv_constants constants;
+    float constants_dt; /* the dt they were made for */
+    skv_pool *pool;
+
+    double time;
+    int64_t steps;
+    double pass_seconds[SKV_PASS_COUNT];
+};
+
+/* constants.c: checks definitions and derives the constants of a substep. */
+skv_result skv_check_fluid(const skv_fluid_def *fluid, skv_error *error);
+skv_result skv_check_world_def(const skv_world_def *def, skv_error *error);
+int skv_substep_rule(const skv_fluid_def *fluid, float gravity, float depth);
+skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
+
+/* True if lo <= value <= hi; false for a NaN. */
+bool skv_within(double value, double lo, double hi);
+
+/* world.c: makes room for `count` particles in all; nothing changes on failure. */
+skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
+/* Appends a particle that has been checked; there is room for it. */
+void skv_world_append(skv_world *world, float x, float y, float vx, float vy);
+
+#endif
