@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Skvalp and starts it.
+set -euo pipefail
+
+program=run.sh
+caller=$PWD
+cd "$(dirname "${BASH_SOURCE[0]}")"
+# shellcheck source=scripts/lib.sh
+source scripts/lib.sh
+
+default_scene=dam-break
+
+usage() {
+    cat <<END
+Usage: ./run.sh [SCENE]     install what is missing, build, and start the app on a scene:
+                            a built-in name, or a .json or .png file (default: $default_scene)
+       ./run.sh build       install what is missing and build, no more:
+                            build/release/skvalp and build/release/skvalp-play
+       ./run.sh --help      this text
+
+On a machine without a display the scene is rendered instead, ten seconds of it, as a video and
+pictures in out/. Packages come from Debian (apt-get, as root or through sudo); once they are
+installed, nothing is fetched any more. SKVALP_VERBOSE=1 shows what apt-get, cmake and ninja say.
+END
+}
+
+build_programs() {
+    install_packages "${packages_build[@]}" "${packages_run[@]}"
+    local options=()
+    [[ -f build/release/CMakeCache.txt ]] || options=(-DSKVALP_TESTS=OFF)
+    say "Building build/release/skvalp and build/release/skvalp-play"
+    configure release "${options[@]}" ||
+        die "configuring failed: $(reason configure-release) (all of it in" \
+            "$logs/configure-release.log)"
+    build release skvalp-cli skvalp-play ||
+        die "building failed: $(reason build-release) (all of it in $logs/build-release.log)"
+}
+
+# Pictures along the way, and the whole as a video.
+render() {
+    local scene=$1 name seconds
+    name=$(basename "$scene")
+    name=out/${name%.*}
+    mkdir -p out
+    say "No display here (neither DISPLAY nor WAYLAND_DISPLAY is set): rendering ten seconds of" \
+        "$scene to out/"
+    for seconds in 0.5 2; do
+        build/release/skvalp run "$scene" --seconds "$seconds" --png "$name-${seconds}s.png" \
+            >/dev/null || die "rendering $scene failed, see the line above"
+    done
+    build/release/skvalp run "$scene" --seconds 10 --png "$name-10s.png" --video "$name.mp4" ||
+        die "rendering $scene failed, see the line above"
+    say "Written: $name.mp4, $name-0.5s.png, $name-2s.png, $name-10s.png"
+}
+
+case ${1-} in
+-h | --help)
+    usage
+    exit
+    ;;
+-*)
+    die "unknown option $1; try: ./run.sh --help"
+    ;;
+esac
+(($# <= 1)) || die "one scene at a time, $# were given; try: ./run.sh --help"
+
+build_programs
+if [[ ${1-} == build ]]; then
+    say "Built in $(elapsed)."
+    exit
+fi
+
+scene=${1:-$default_scene}
+# A file is meant relative to where the user stands.
+if [[ $scene != /* && -f $caller/$scene ]]; then
+    scene=$caller/$scene
+fi
+if [[ -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; then
+    exec build/release/skvalp-play "$scene"
+fi
+render "$scene"

@@ -1,0 +1,116 @@
+# Shared by run.sh, test.sh and the other scripts: the package lists, installing what is missing,
+# configuring and building. Sourced, never run; the caller sets `program` to its own name and has
+# changed into the source folder.
+#
+# Every failure ends in one line on stderr: who, what, why, what to try. Long output goes to
+# build/logs/, and to the terminal as well with SKVALP_VERBOSE=1.
+# shellcheck shell=bash disable=SC2034,SC2154
+
+# What the programs are built with, what they need to run, and what the tests need besides.
+# Everything else follows from Debian's own dependencies; recommends are not installed.
+packages_build=(gcc libc6-dev cmake ninja-build pkg-config libgtk-4-dev libadwaita-1-dev
+    libjansson-dev libpng-dev libegl-dev libgles-dev)
+# Mesa draws; GTK's icons are SVG files, which need the loader.
+packages_run=(libegl1 libgles2 libgl1-mesa-dri adwaita-icon-theme librsvg2-common ffmpeg)
+packages_test=(libcmocka-dev clang-19 xvfb xauth xdotool imagemagick
+    x11-utils dbus)
+packages_lint=(clang-19 clang-format-19 clang-tidy-19 shellcheck)
+
+logs=build/logs
+
+say() {
+    printf '%s\n' "$*"
+}
+
+die() {
+    printf '%s: %s\n' "$program" "$*" >&2
+    exit 1
+}
+
+# elapsed: the time since the script started, as "1 min 5 s".
+elapsed() {
+    if ((SECONDS < 60)); then
+        printf '%d s' "$SECONDS"
+    else
+        printf '%d min %d s' $((SECONDS / 60)) $((SECONDS % 60))
+    fi
+}
+
+# logged NAME COMMAND...: runs the command with its output in build/logs/NAME.log.
+logged() {
+    local log=$logs/$1.log
+    shift
+    mkdir -p "$logs"
+    if [[ ${SKVALP_VERBOSE:-0} == 1 ]]; then
+        "$@" 2>&1 | tee "$log"
+    else
+        "$@" >"$log" 2>&1
+    fi
+}
+
+# reason NAME: the line of a log that says most about why the command failed.
+reason() {
+    local log=$logs/$1.log line
+    line=$(grep -m1 -E '(^E: |: (fatal )?error: |CMake Error|undefined reference|No space left)' \
+        "$log" 2>/dev/null || tail -n 1 "$log" 2>/dev/null || true)
+    # CMake puts its message on the lines that follow.
+    if [[ $line == 'CMake Error'* ]]; then
+        line+=$(grep -A4 -m1 'CMake Error' "$log" | tail -n +2 | tr -s ' \n' ' ')
+    fi
+    printf '%s' "${line:0:300}"
+}
+
+missing_packages() {
+    local package
+    for package in "$@"; do
+        [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
+            printf '%s\n' "$package"
+    done
+}
+
+# install_packages PACKAGE...: installs those that are missing; asks nothing of the network, nor for
+# any right, when none is.
+install_packages() {
+    local missing=() as_root=()
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        say "$program: this is no Debian system; going on with what is installed (wanted: $*)"
+        return
+    fi
+    mapfile -t missing < <(missing_packages "$@")
+    ((${#missing[@]})) || return 0
+    if ((EUID != 0)); then
+        command -v sudo >/dev/null ||
+            die "installing packages needs root or sudo; as root: apt-get install ${missing[*]}"
+        as_root=(sudo)
+    fi
+    say "Installing ${#missing[@]} packages with what they depend on: ${missing[*]}"
+    as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -qy)
+    # Lists may be absent or stale; a failure here shows in the installation, if it matters.
+    logged apt-update "${as_root[@]}" update || true
+    logged apt-install "${as_root[@]}" install --no-install-recommends "${missing[@]}" ||
+        die "installing packages failed: $(reason apt-install); try: apt-get update" \
+            "(all of it in $logs/apt-install.log)"
+}
+
+# configure PRESET [CMAKE-OPTION...]: makes or refreshes build/PRESET. An existing folder keeps its
+# settings, so that the same folder can serve run.sh, test.sh and a developer without rebuilding.
+configure() {
+    local preset=$1 log=configure-$1
+    shift
+    if [[ -n ${SKVALP_WERROR:-} ]]; then
+        set -- "$@" "-DSKVALP_WERROR=$SKVALP_WERROR"
+    fi
+    if [[ -f build/$preset/CMakeCache.txt && -f build/$preset/build.ninja ]] &&
+        logged "$log" cmake "$@" "build/$preset"; then
+        return
+    fi
+    # Warnings of compilers we do not know must not stop a user; .ci/run sets SKVALP_WERROR.
+    logged "$log" cmake --preset "$preset" --fresh -DSKVALP_WERROR=OFF "$@"
+}
+
+# build PRESET [TARGET...]: builds all, or the targets, in build/PRESET.
+build() {
+    local preset=$1 log=build-$1
+    shift
+    logged "$log" ninja -C "build/$preset" "$@"
+}

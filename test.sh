@@ -1,0 +1,126 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Skvalp and runs every test. The last line counts them.
+set -euo pipefail
+
+program=test.sh
+cd "$(dirname "${BASH_SOURCE[0]}")"
+# shellcheck source=scripts/lib.sh
+source scripts/lib.sh
+
+usage() {
+    cat <<END
+Usage: ./test.sh            install what is missing, build, run every test; then see that a build
+                            by clang gives the same bits, and run the tests of the library again
+                            with the address and undefined-behaviour sanitizers
+       ./test.sh --quick    only the first part
+       ./test.sh --help     this text
+
+The last line is "N passed, N failed", where one test is one program or script under tests/ in one
+of the builds; the exit status is 0 if none failed. SKV_LONG_TESTS=1 runs the long forms
+of some tests (500 painted worlds instead of 40). SKVALP_VERBOSE=1 shows all output.
+END
+}
+
+passed=0
+failed=0
+
+fail() {
+    printf '%s: %s\n' "$program" "$*" >&2
+    failed=$((failed + 1))
+}
+
+# run_tests PRESET [CTEST-OPTION...]: runs tests, shows what the failing ones said, counts all.
+run_tests() {
+    local preset=$1 log=$logs/test-$1.log summary bad total
+    shift
+    logged "test-$preset" ctest --test-dir "build/$preset" -j "$(nproc)" --output-on-failure \
+        --no-tests=error --timeout 300 "$@" || true
+    summary=$(grep -E '^[0-9]+% tests passed, ' "$log" || true)
+    if [[ ! $summary =~ \ ([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+) ]]; then
+        fail "running the tests of build/$preset failed: $(reason "test-$preset") ($log)"
+        return
+    fi
+    bad=${BASH_REMATCH[1]}
+    total=${BASH_REMATCH[2]}
+    failed=$((failed + bad))
+    passed=$((passed + total - bad))
+    say "build/$preset: $((total - bad)) of $total tests passed ($(elapsed))"
+    if ((bad)); then
+        grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^      Start ' "$log" | head -n 200
+    fi
+}
+
+# prepare PRESET [TARGET...]: configures and builds; counts a failure and returns 1 if it can't.
+prepare() {
+    local preset=$1
+    shift
+    say "Building build/$preset"
+    if ! configure "$preset" -DSKVALP_TESTS=ON; then
+        fail "configuring build/$preset failed: $(reason "configure-$preset")" \
+            "(all of it in $logs/configure-$preset.log)"
+        return 1
+    fi
+    if ! build "$preset" "$@"; then
+        fail "building build/$preset failed: $(reason "build-$preset")" \
+            "(all of it in $logs/build-$preset.log)"
+        return 1
+    fi
+}
+
+hash_of() {
+    "build/$1/skvalp" run "$2" --seconds 2 --particles 1000 --json |
+        sed -n 's/.*"hash": *"\([0-9a-f]*\)".*/\1/p'
+}
+
+# The same scene gives the same bits, whichever compiler made the program.
+compare_compilers() {
+    local scene=$1 gcc clang
+    gcc=$(hash_of release "$scene") || true
+    clang=$(hash_of clang "$scene") || true
+    if [[ -n $gcc && $gcc == "$clang" ]]; then
+        passed=$((passed + 1))
+        say "gcc and clang give the same bits in $scene: $gcc ($(elapsed))"
+    else
+        fail "gcc and clang differ in $scene: ${gcc:-nothing} and ${clang:-nothing}"
+    fi
+}
+
+finish() {
+    local status=$?
+    if ((status && !failed)); then
+        failed=1
+    fi
+    say "Took $(elapsed)."
+    say "$passed passed, $failed failed"
+    ((failed == 0)) || exit 1
+}
+
+quick=0
+case ${1-} in
+'') ;;
+-h | --help)
+    usage
+    exit
+    ;;
+--quick)
+    quick=1
+    ;;
+*)
+    die "unknown argument $1; try: ./test.sh --help"
+    ;;
+esac
+
+trap finish EXIT
+install_packages "${packages_build[@]}" "${packages_run[@]}" "${packages_test[@]}"
+if prepare release; then
+    run_tests release
+fi
+if ((quick)); then
+    exit
+fi
+if prepare clang skvalp-cli && [[ -x build/release/skvalp ]]; then
+    compare_compilers dam-break
+fi
+if prepare asan; then
+    run_tests asan --label-regex '^(base|terrain|world|scene|session)$'
+fi
