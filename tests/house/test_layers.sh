@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# The layering rule: base <- solver, terrain <- world <- lab, scene <- session <- render <- faces.
+# A file includes only what stands left of it; the faces know public headers only; the core needs
+# nothing but the C library and threads. Arguments: build folder, source folder.
+set -euo pipefail
+cd "${2:?usage: test_layers.sh BUILD SOURCE}"
+
+# What each layer may include, itself first.
+declare -A may=(
+    [base]="base"
+    [solver]="solver base"
+    [terrain]="terrain base"
+    [world]="world solver terrain base"
+    [lab]="lab world solver terrain base"
+    [scene]="scene world solver terrain base"
+    [session]="session lab scene world solver terrain base"
+    [render]="render session lab scene world solver terrain base"
+)
+# What the core may take from the system: C, threads, and the processor's vector instructions.
+core_system=' assert ctype errno float inttypes limits math pthread sched stdarg stdatomic stdbool
+ stddef stdint stdio stdlib string time unistd immintrin emmintrin arm_neon wasm_simd128 '
+
+bad=0
+complain() {
+    printf '%s: %s\n' "$1" "$2"
+    bad=$((bad + 1))
+}
+
+# includes FILE: what it includes, one a line, as <x> or "x".
+includes() {
+    sed -nE 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*([<"][^>"]*[>"]).*/\1/p' "$1"
+}
+
+# layer_of FILE INCLUDE: the layer an include belongs to; nothing for a system header.
+layer_of() {
+    local name=${2:1:-1}
+    case $name in
+    skvalp/skvalp.h) printf 'world' ;;
+    skvalp/*.h) basename "$name" .h ;;
+    */*.h) [[ -e src/$name ]] && printf '%s' "${name%%/*}" ;;
+    # A neighbour in the same folder.
+    *) [[ -e $(dirname "$1")/$name ]] && basename "$(dirname "$1")" ;;
+    esac || true
+}
+
+check_library_file() {
+    local file=$1 layer=$2 include of
+    while read -r include; do
+        of=$(layer_of "$file" "$include")
+        if [[ -n $of ]]; then
+            [[ " ${may[$layer]} " == *" $of "* ]] ||
+                complain "$file" "layer $layer must not include $include of layer $of"
+        elif [[ $include == \"* ]]; then
+            # Generated into the build folder; its name says so.
+            [[ $include == *_generated.h* || $include == *.inc\" ]] ||
+                complain "$file" "$include is found in no layer"
+        elif [[ $layer =~ ^(base|solver|terrain|world|lab)$ &&
+            $core_system != *[[:space:]]"${include:1:-3}"[[:space:]]* ]]; then
+            complain "$file" "the core must not depend on $include"
+        elif [[ $include =~ ^.(gtk|gdk|glib|adwaita|cairo|SDL) ]]; then
+            complain "$file" "the library must not depend on a toolkit: $include"
+        fi
+    done < <(includes "$file")
+}
+
+# The faces: public headers, headers of the same folder, and headers of the system or a toolkit.
+check_face_file() {
+    local file=$1 include name
+    while read -r include; do
+        name=${include:1:-1}
+        if [[ $include == \"* && $name != skvalp/* && ! -e $(dirname "$file")/$name ]]; then
+            complain "$file" "a face must not include $include: it is not public"
+        elif [[ $include == '<'* && $name != skvalp/* && -e src/$name ]]; then
+            complain "$file" "a face must not include $include: it is not public"
+        fi
+    done < <(includes "$file")
+}
+
+files=0
+for layer in "${!may[@]}"; do
+    for file in src/"$layer"/*.[ch]; do
+        [[ -e $file ]] || continue
+        check_library_file "$file" "$layer"
+        files=$((files + 1))
+    done
+done
+for file in include/skvalp/*.h; do
+    layer=$(basename "$file" .h)
+    [[ $layer == skvalp ]] && layer=world
+    if [[ -z ${may[$layer]-} ]]; then
+        complain "$file" "this public header belongs to no layer"
+        continue
+    fi
+    check_library_file "$file" "$layer"
+    files=$((files + 1))
+done
+for file in {app,cli,bench,examples}/*.[ch]; do
+    [[ -e $file ]] || continue
+    check_face_file "$file"
+    files=$((files + 1))
+done
+for folder in src/*/; do
+    layer=$(basename "$folder")
+    [[ -n ${may[$layer]-} ]] || complain "$folder" "this folder is no layer"
+done
+while IFS=: read -r file line _; do
+    complain "$file:$line" "the solver must not know the world"
+done < <(grep -nE '\bskv_world' src/solver/*.[ch] 2>/dev/null || true)
+
+((files > 0)) || complain . "no file was found to check"
+((bad == 0)) || exit 1
+printf 'layers: %d files keep to them\n' "$files"

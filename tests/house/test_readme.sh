@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# The README keeps its word: its C example compiles without a warning, runs and prints numbers; and
+# every link of the documentation to a file leads somewhere. Arguments: build folder, source folder.
+set -euo pipefail
+build=$(realpath "${1:?usage: test_readme.sh BUILD SOURCE}")
+cd "${2:?usage: test_readme.sh BUILD SOURCE}"
+
+bad=0
+complain() {
+    printf '%s\n' "$*"
+    bad=$((bad + 1))
+}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$work/example.c"
+lines=$(grep -c '[^[:space:]]' "$work/example.c" || true)
+if ((lines == 0)); then
+    complain "README.md has no C example"
+elif ((lines > 16)); then
+    complain "the C example of README.md has $lines lines, that is no short example"
+else
+    # A sanitized library needs its run-time in the program, too.
+    flags=()
+    if grep -q '^CMAKE_C_FLAGS:.*-fsanitize=address' "$build/CMakeCache.txt"; then
+        flags=(-fsanitize=address -fsanitize=undefined)
+    fi
+    compiler=$(sed -n 's/^CMAKE_C_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+    if "$compiler" -std=c17 -Wall -Wextra -Werror "${flags[@]}" -Iinclude "$work/example.c" \
+        "$build/src/libskvalp.a" -lm -lpthread -o "$work/example"; then
+        "$work/example" >"$work/output" || complain "the C example of README.md fails"
+        grep -q '[0-9]' "$work/output" || complain "the C example of README.md prints no number"
+        ! grep -qi 'nan' "$work/output" || complain "the C example of README.md prints NaN"
+    else
+        complain "the C example of README.md does not compile"
+    fi
+fi
+
+# links_of PAGE: the targets of its links to files; code blocks hold none.
+links_of() {
+    local fence='^```'
+    sed "/$fence/,/$fence/d" "$1" | grep -oE '\]\([^) ]+' | cut -c3- | grep -vE '^[a-z]+:' || true
+}
+
+links=0
+while IFS= read -r page; do
+    while IFS= read -r link; do
+        links=$((links + 1))
+        target=${link%%#*}
+        if [[ -n $target && ! -e $(dirname "$page")/$target ]]; then
+            complain "$page: the link to $link leads nowhere"
+        fi
+    done < <(links_of "$page")
+done < <(find . -name '*.md' -not -path './build/*' -not -path './out/*' -not -path '*/node_modules/*')
+
+((bad == 0)) || exit 1
+printf 'readme: the example prints "%s"; %d links lead somewhere\n' "$(head -n 1 "$work/output")" \
+    "$links"

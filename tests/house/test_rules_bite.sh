@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# The house rules can fail: each is tried on a copy of the sources with one sin in it, and must
+# report it. Arguments: build folder, source folder.
+set -euo pipefail
+build=$(realpath "${1:?usage: test_rules_bite.sh BUILD SOURCE}")
+source=$(realpath "${2:?usage: test_rules_bite.sh BUILD SOURCE}")
+rules=$source/tests/house
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+bad=0
+
+fresh_copy() {
+    rm -rf "$work/copy"
+    mkdir "$work/copy"
+    local part
+    for part in app bench cli docs examples include src README.md CHANGELOG.md LICENSE; do
+        [[ ! -e $source/$part ]] || cp -r "$source/$part" "$work/copy/"
+    done
+}
+
+# bites RULE WHAT EXPECTED: the rule must fail on the copy and say EXPECTED.
+bites() {
+    local rule=$1 what=$2 expected=$3
+    if bash "$rules/$rule" "$build" "$work/copy" >"$work/said" 2>&1; then
+        printf '%s did not notice: %s\n' "$rule" "$what"
+        bad=$((bad + 1))
+    elif ! grep -qF -- "$expected" "$work/said"; then
+        printf '%s did not say why (%s) but:\n' "$rule" "$expected"
+        head -n 5 "$work/said"
+        bad=$((bad + 1))
+    fi
+    fresh_copy
+}
+
+fresh_copy
+sin=src/base/memory.c
+printf '#include "world/sin.h"\n' >>"$work/copy/$sin"
+mkdir -p "$work/copy/src/world" && : >"$work/copy/src/world/sin.h"
+bites test_layers.sh "base includes world" "layer base must not include"
+
+printf '#include <jansson.h>\n' >>"$work/copy/$sin"
+bites test_layers.sh "the core includes jansson" "the core must not depend on <jansson.h>"
+
+printf '#include <skvalp/render.h>\n' >>"$work/copy/include/skvalp/world.h"
+bites test_layers.sh "a public header includes one to its right" "layer world must not include"
+
+mkdir -p "$work/copy/src/solver"
+printf '#include "terrain/wall_map.h"\n' >"$work/copy/src/solver/sin.c"
+bites test_layers.sh "the solver includes the terrain" "layer solver must not include"
+
+mkdir -p "$work/copy/src/solver"
+printf 'struct skv_world;\n' >"$work/copy/src/solver/sin.c"
+bites test_layers.sh "the solver names the world" "the solver must not know the world"
+
+printf '#include "base/memory.h"\n' >"$work/copy/cli/sin.c"
+bites test_layers.sh "a face includes a private header" "it is not public"
+
+printf 'SKV_API int skv_sin_of_omission(void);\n' >>"$work/copy/include/skvalp/base.h"
+bites test_api.sh "a declared function that does not exist" \
+    "skv_sin_of_omission is declared in include/skvalp but not defined"
+
+printf 'SKV_API int skv_sin_of_omission(void);\n' >>"$work/copy/include/skvalp/base.h"
+bites test_api.sh "a public function without a test" "skv_sin_of_omission is called by no test"
+
+printf 'int sin = sizeof(skv_unknown);\n' >>"$work/copy/include/skvalp/terrain.h"
+bites test_api.sh "a header that does not compile" "terrain.h does not compile alone as C17"
+
+printf 'struct sin { int class; };\n' >>"$work/copy/include/skvalp/terrain.h"
+bites test_api.sh "a header that is no C++" "terrain.h does not compile alone as C++17"
+
+sed -i 's/^```c$/&\nint sin = "no number";/' "$work/copy/README.md"
+bites test_readme.sh "an example that does not compile" "does not compile"
+
+printf '[nowhere](docs/nowhere.md)\n' >>"$work/copy/README.md"
+bites test_readme.sh "a dead link" "leads nowhere"
+
+printf 'int sin;\n' >"$work/copy/src/base/sin.c"
+bites test_style.sh "a .c file without an opening comment" "opens with a comment"
+
+{
+    printf '/* Long. */\n'
+    yes '' | head -n 600
+} >"$work/copy/src/base/sin.c"
+bites test_style.sh "a file of 601 lines" "at most 600"
+
+printf '/* %s: later. */\n' 'TO''DO' >"$work/copy/src/base/sin.c"
+bites test_style.sh "unfinished business" "unfinished business"
+
+printf '/* See %s/notes. */\n' '/ho''me/me' >"$work/copy/src/base/sin.c"
+bites test_style.sh "a folder of one machine" "names a folder"
+
+((bad == 0)) || exit 1
+printf 'every house rule notices its sins\n'

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# The house style that no compiler checks: every .c file opens with a comment and stays within 600
+# lines, none is left unfinished, and nothing names a folder of the machine it was written on.
+# Arguments: build folder, source folder.
+set -euo pipefail
+cd "${2:?usage: test_style.sh BUILD SOURCE}"
+
+most=600
+bad=0
+complain() {
+    printf '%s: %s\n' "$1" "$2"
+    bad=$((bad + 1))
+}
+
+# The project's own text files, wherever it lies: what git would ship, or all of it without git.
+list_files() {
+    git ls-files --cached --others --exclude-standard 2>/dev/null ||
+        find . -type f -not -path './build/*' -not -path './out/*' -not -path './.git/*' |
+        sed 's|^\./||'
+}
+mapfile -t files < <(list_files | grep -E '\.(c|h|md|sh|txt|json|glsl|vert|frag|cmake)$|^\.ci/run$' |
+    while IFS= read -r file; do [[ -f $file ]] && printf '%s\n' "$file"; done)
+
+sources=0
+for file in "${files[@]}"; do
+    if [[ $file == *.[ch] ]]; then
+        lines=$(wc -l <"$file")
+        ((lines <= most)) || complain "$file" "$lines lines; at most $most, split it"
+        sources=$((sources + 1))
+    fi
+    if [[ $file == *.c && $(head -c 2 "$file") != '/*' ]]; then
+        complain "$file" "a .c file opens with a comment: its one job and its main invariant"
+    fi
+done
+
+# The patterns are written so that they do not find themselves.
+while IFS=: read -r file line _; do
+    complain "$file:$line" "unfinished business: do it or file an issue"
+done < <(grep -nE '\b(TO[D]O|FIX[M]E|XX[X])\b' "${files[@]}" || true)
+while IFS=: read -r file line _; do
+    complain "$file:$line" "names a folder of one machine"
+done < <(grep -nE '(^|[^A-Za-z0-9_.$}])/(hom[e]|wor[k]|roo[t]|User[s])/[A-Za-z0-9]' "${files[@]}" || true)
+
+((sources > 0)) || complain . "no source was found to check"
+((bad == 0)) || exit 1
+printf 'style: %d sources keep the house style\n' "$sources"
