@@ -1,0 +1,91 @@
+#version 300 es
+// Pass two: background, fluid where the splats' sum exceeds the threshold, walls on top.
+precision highp float;
+precision highp sampler2D;
+
+uniform sampler2D u_splats; // sums of (weight * pressure, weight)
+uniform vec2 u_splat_size;  // texels
+uniform float u_texels;     // texels a view pixel
+uniform float u_margin;     // texels around the view
+uniform float u_threshold;
+
+uniform sampler2D u_walls;  // distance to the nearest wall, m
+uniform float u_scale;      // view pixels a metre
+uniform vec2 u_origin;      // view pixel of the world's origin, y up
+uniform vec2 u_world;       // m
+uniform vec4 u_closed;      // left, right, bottom, top: 1 if the side is solid
+uniform vec2 u_view;        // pixels
+
+uniform vec3 u_sky;
+uniform vec3 u_ground;
+uniform vec3 u_shade; // of walls on the background
+uniform vec3 u_wall;
+uniform vec3 u_wall_edge;
+uniform vec3 u_shallow;
+uniform vec3 u_middle;
+uniform vec3 u_deep;
+uniform vec3 u_surface;
+uniform float u_pixel; // view pixels a line of the drawing is wide
+
+out vec4 o_color;
+
+// The sum of splats, interpolated by a cubic B-spline (four linear samples), which hides the coarse
+// texels from the fluid's outline.
+float smooth_weight(vec2 texel)
+{
+    vec2 base = floor(texel - 0.5) + 0.5;
+    vec2 f = texel - base;
+    vec2 g = 1.0 - f;
+    vec2 w0 = g * g * g / 6.0;
+    vec2 w3 = f * f * f / 6.0;
+    vec2 w1 = 2.0 / 3.0 - 0.5 * f * f * (2.0 - f);
+    vec2 w2 = 1.0 - w0 - w1 - w3;
+    vec2 low = w0 + w1;
+    vec2 high = w2 + w3;
+    vec2 a = (base - 1.0 + w1 / low) / u_splat_size;
+    vec2 b = (base + 1.0 + w3 / high) / u_splat_size;
+    return (texture(u_splats, a).g * low.x + texture(u_splats, vec2(b.x, a.y)).g * high.x) * low.y +
+           (texture(u_splats, vec2(a.x, b.y)).g * low.x + texture(u_splats, b).g * high.x) * high.y;
+}
+
+// Metres to the nearest wall, also outside the picture, where closed sides are solid.
+float wall_distance(vec2 point)
+{
+    float d = texture(u_walls, point / u_world).r;
+    vec4 sides = vec4(point, u_world - point).xzyw;
+    vec4 inside = mix(vec4(1.0e3), sides, u_closed);
+    return min(d, min(min(inside.x, inside.y), min(inside.z, inside.w)));
+}
+
+vec3 fluid_color(float pressure)
+{
+    float p = clamp(pressure, 0.0, 1.0);
+    return p < 0.5 ? mix(u_shallow, u_middle, p * 2.0) : mix(u_middle, u_deep, p * 2.0 - 1.0);
+}
+
+void main()
+{
+    vec2 pixel = gl_FragCoord.xy;
+    float wall = wall_distance((pixel - u_origin) / u_scale) * u_scale; // view pixels
+    vec2 texel = pixel * u_texels + u_margin;
+    vec2 sums = texture(u_splats, texel / u_splat_size).rg;
+    float slope = max(fwidth(sums.g), 0.02 * u_threshold);
+
+    // Background, a little darker along walls.
+    vec3 color = mix(u_ground, u_sky, pixel.y / u_view.y);
+    color = mix(color, u_shade, 0.5 * exp2(-max(wall, 0.0) / (9.0 * u_pixel)));
+
+    if (wall > -2.0 && sums.g > 0.2 * u_threshold) {
+        float weight = sums.g;
+        if (weight < 3.0 * u_threshold)
+            weight = smooth_weight(texel);
+        float depth = (weight - u_threshold) / slope; // pixels below the surface, near it
+        float rim = (1.0 - smoothstep(0.5 * u_pixel, 2.5 * u_pixel, depth));
+        vec3 fluid = mix(fluid_color(sums.r / sums.g), u_surface, 0.55 * rim);
+        color = mix(color, fluid, smoothstep(-0.5, 0.5, depth));
+    }
+
+    vec3 solid = mix(u_wall_edge, u_wall, smoothstep(0.5 * u_pixel, 2.5 * u_pixel, -wall));
+    color = mix(color, solid, clamp(0.5 - wall, 0.0, 1.0));
+    o_color = vec4(color, 1.0);
+}
