@@ -92,9 +92,9 @@ void skv_renderer_destroy(skv_renderer *renderer)
     skv_free(renderer);
 }
 
-/* The pressure shown as white when the style leaves it open: that of a column twice as deep as the
- * fluid would be, were it spread over the whole free region. A half-full tank is purple at its
- * bottom then, and impacts flash white. Constant in time, so that colours are. */
+/* The pressure shown as white when the style leaves it open: about that of the free region's height
+ * when it is half full, less when there is less fluid, so that water at rest goes from blue to
+ * purple and impacts flash white. Constant in time, so that colours are. */
 static double pressure_range(const skv_world *world, const skv_walls *walls)
 {
     float x, y;
@@ -104,7 +104,7 @@ static double pressure_range(const skv_world *world, const skv_walls *walls)
     double fluid_area = skv_world_particle_count(world) * spacing * spacing;
     double filled = walls->free_area > 0 ? fluid_area / walls->free_area : 1;
     double height = walls->highest - walls->lowest;
-    double depth = fmin(fmax(2 * filled, 0.3), 1.2) * height;
+    double depth = fmax(1.45 * sqrt(fmin(filled, 1)), 0.3) * height;
     double range = skv_world_fluid(world)->density * fmax(gravity, 0.1 * EARTH_GRAVITY) * depth;
     return range > 0 ? range : 1;
 }
@@ -162,6 +162,7 @@ static void compose(const skv_renderer *renderer, const skv_terrain *terrain,
     glUniform1f(glGetUniformLocation(program, "u_texels"), (float)splats->target.texels);
     glUniform1f(glGetUniformLocation(program, "u_margin"), (float)splats->target.margin);
     glUniform1f(glGetUniformLocation(program, "u_threshold"), (float)splats->threshold);
+    glUniform1f(glGetUniformLocation(program, "u_reach"), (float)splats->reach);
     glBindVertexArray(renderer->attributes);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

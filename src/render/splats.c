@@ -130,6 +130,8 @@ static skv_result fit(skv_splats *splats, const skv_world *world, const skv_came
     double crowd = *radius / (SKV_SPLAT_RADIUS * spacing * texels);
     splats->threshold = SKV_SPLAT_THRESHOLD * crowd * crowd;
 
+    splats->reach = *radius / texels;
+
     int margin = (int)ceil(*radius) + 2;
     skv_gl_target target = {.width = (int)ceil(camera->width * texels) + 2 * margin,
                             .height = (int)ceil(camera->height * texels) + 2 * margin,

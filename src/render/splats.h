@@ -9,6 +9,7 @@ typedef struct skv_splats {
     GLuint program, attributes, buffer, texture, framebuffer;
     bool half_float;
     skv_gl_target target; /* the texture's size and its relation to the view */
+    double reach;         /* radius of a splat, view pixels */
     double threshold;     /* of the sums in the texture, where the fluid begins */
 
     /* What the last call showed, particle by particle. */

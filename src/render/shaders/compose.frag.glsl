@@ -8,6 +8,7 @@ uniform vec2 u_splat_size;  // texels
 uniform float u_texels;     // texels a view pixel
 uniform float u_margin;     // texels around the view
 uniform float u_threshold;
+uniform float u_reach; // radius of a splat, view pixels
 
 uniform sampler2D u_walls;  // distance to the nearest wall, m
 uniform float u_scale;      // view pixels a metre
@@ -57,6 +58,22 @@ float wall_distance(vec2 point)
     return min(d, min(min(inside.x, inside.y), min(inside.z, inside.w)));
 }
 
+// The share of a splat that lies on the free side of a straight wall at this distance: the integral
+// of (1 - t^2)^3.5. Fluid at a wall lacks the splats that would lie behind it; divided by this
+// share, their sum meets the wall squarely.
+float free_share(float wall)
+{
+    float t = clamp(wall / u_reach, 0.0, 1.0);
+    float t2 = t * t;
+    return 0.5 + t * (1.164 + t2 * (-1.358 + t2 * (0.974 - 0.28 * t2)));
+}
+
+// A pattern of less than one grey step that keeps the gradients free of bands.
+float dither(vec2 pixel)
+{
+    return (fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+}
+
 vec3 fluid_color(float pressure)
 {
     float p = clamp(pressure, 0.0, 1.0);
@@ -69,16 +86,17 @@ void main()
     float wall = wall_distance((pixel - u_origin) / u_scale) * u_scale; // view pixels
     vec2 texel = pixel * u_texels + u_margin;
     vec2 sums = texture(u_splats, texel / u_splat_size).rg;
-    float slope = max(fwidth(sums.g), 0.02 * u_threshold);
+    float lift = 1.0 / free_share(wall);
+    float weight = sums.g * lift;
+    float slope = max(fwidth(weight), 0.02 * u_threshold);
 
     // Background, a little darker along walls.
     vec3 color = mix(u_ground, u_sky, pixel.y / u_view.y);
     color = mix(color, u_shade, 0.5 * exp2(-max(wall, 0.0) / (9.0 * u_pixel)));
 
-    if (wall > -2.0 && sums.g > 0.2 * u_threshold) {
-        float weight = sums.g;
+    if (wall > -2.0 && weight > 0.2 * u_threshold) {
         if (weight < 3.0 * u_threshold)
-            weight = smooth_weight(texel);
+            weight = smooth_weight(texel) * lift;
         float depth = (weight - u_threshold) / slope; // pixels below the surface, near it
         float rim = (1.0 - smoothstep(0.5 * u_pixel, 2.5 * u_pixel, depth));
         vec3 fluid = mix(fluid_color(sums.r / sums.g), u_surface, 0.55 * rim);
@@ -87,5 +105,5 @@ void main()
 
     vec3 solid = mix(u_wall_edge, u_wall, smoothstep(0.5 * u_pixel, 2.5 * u_pixel, -wall));
     color = mix(color, solid, clamp(0.5 - wall, 0.0, 1.0));
-    o_color = vec4(color, 1.0);
+    o_color = vec4(color + dither(pixel), 1.0);
 }
