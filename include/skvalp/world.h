@@ -33,7 +33,7 @@ SKV_API const char *skv_law_name(skv_law law);
 typedef struct skv_fluid_def {
     skv_law law;
     float spacing;          /* s: one particle per s*s square metres at rest; 0.0005..0.1 m */
-    float radius_ratio;     /* h/s: smoothing radius in spacings, 2..4; default 3 (clavet: 2.75) */
+    float radius_ratio;     /* h/s: smoothing radius in spacings, 2..4; default 3 (clavet: 2.85) */
     float density;          /* kg/m^2 of the sheet, 1..20000; default 1000 */
     float viscosity_linear; /* sigma, 1/s: removes a pair's approach speed; 0..1000 */
     float viscosity_quadratic; /* beta, 1/m: the same, growing with the speed; 0..1000 */

@@ -134,7 +134,7 @@ static int gather(const build *b, int i, int *out)
         for (int k = begin; k < end; k++) {
             int j = n->sorted[k];
             float dx = x[j] - x[i], dy = y[j] - y[i];
-            if (dx * dx + dy * dy >= b->h_squared || j == i)
+            if (!(dx * dx + dy * dy < b->h_squared) || j == i)
                 continue;
             if (out)
                 out[found] = j;

@@ -28,7 +28,7 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
     return (skv_fluid_def){
         .law = law,
         .spacing = 0.0155f, /* 3000 particles fill half of the default tank */
-        .radius_ratio = clavet ? 2.75f : 3,
+        .radius_ratio = clavet ? 2.85f : 3,
         .density = 1000,
         .viscosity_linear = 0,
         .viscosity_quadratic = 0,

@@ -1,0 +1,57 @@
+/* Worlds that several tests use. Invariant: they depend on their arguments alone. */
+#include "support/fixture.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+static skv_world *make(skv_law law, float spacing, int threads, float gravity)
+{
+    skv_world_def def = skv_default_world_def();
+    def.fluid = skv_default_fluid_def(law);
+    def.fluid.spacing = spacing;
+    def.gravity_y = gravity;
+    def.threads = threads;
+    skv_world *world;
+    skv_error error;
+    if (skv_world_create(&def, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    return world;
+}
+
+static void fill(skv_world *world, float x0, float y0, float x1, float y1)
+{
+    skv_error error;
+    int added;
+    if (skv_world_fill(world, x0, y0, x1, y1, NULL, NULL, -1, &added, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    assert_true(added > 0);
+}
+
+skv_world *fixture_tank(skv_law law, float spacing, int threads)
+{
+    return make(law, spacing, threads, -9.81f);
+}
+
+skv_world *fixture_dam(skv_law law, float spacing, int threads)
+{
+    skv_world *world = make(law, spacing, threads, -9.81f);
+    fill(world, 0, 0, 0.4f, 0.7f);
+    return world;
+}
+
+skv_world *fixture_blob(skv_law law)
+{
+    skv_world *world = make(law, 0.012f, 1, 0);
+    fill(world, 0.7f, 0.35f, 0.9f, 0.55f);
+    return world;
+}
+
+void fixture_run(skv_world *world, int frames)
+{
+    for (int i = 0; i < frames; i++)
+        assert_int_equal(skv_world_step(world, 1.0f / 60), SKV_OK);
+}

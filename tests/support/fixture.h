@@ -1,0 +1,19 @@
+/* Worlds that several tests use. */
+#ifndef SKV_TEST_FIXTURE_H
+#define SKV_TEST_FIXTURE_H
+
+#include "skvalp/skvalp.h"
+
+/* A closed tank of 1.6 x 0.9 m without particles; fails the test on any error. */
+skv_world *fixture_tank(skv_law law, float spacing, int threads);
+
+/* The same with a block of fluid in the lower left corner, as a dam that breaks at once. */
+skv_world *fixture_dam(skv_law law, float spacing, int threads);
+
+/* A blob of about 300 particles in the middle of a weightless tank, away from all walls. */
+skv_world *fixture_blob(skv_law law);
+
+/* Steps whole 1/60 s frames. */
+void fixture_run(skv_world *world, int frames);
+
+#endif

@@ -1,0 +1,47 @@
+/* The oracle: the thesis' Algorithms 2-8 with the errata of docs/model.md, in scalar double
+ * precision, all pairs, straight from the formulas. It shares no code with the solver. */
+#ifndef SKV_TEST_ORACLE_H
+#define SKV_TEST_ORACLE_H
+
+#include <stdbool.h>
+
+enum { ORACLE_MAX = 600 };
+
+typedef struct oracle {
+    int n;
+    double x[ORACLE_MAX], y[ORACLE_MAX], vx[ORACLE_MAX], vy[ORACLE_MAX];
+    double wx[ORACLE_MAX], wy[ORACLE_MAX], dx[ORACLE_MAX], dy[ORACLE_MAX];
+    double density[ORACLE_MAX], near_density[ORACLE_MAX], gx[ORACLE_MAX], gy[ORACLE_MAX];
+    double push[ORACLE_MAX], near_push[ORACLE_MAX], pressure[ORACLE_MAX];
+    double wall_density[ORACLE_MAX], wall_near[ORACLE_MAX];
+    double f1x[ORACLE_MAX], f1y[ORACLE_MAX], f2x[ORACLE_MAX], f2y[ORACLE_MAX];
+    double depth[ORACLE_MAX], normal_x[ORACLE_MAX], normal_y[ORACLE_MAX];
+
+    /* Parameters, SI. */
+    double s, eta, fluid_density, dt, g_x, g_y, sigma, beta, friction_a_frame, softness_a_frame;
+    double omega, k_near, k_coh; /* calibrated law */
+    int iterations;
+    bool clavet;
+    double k, k_near_clavet, rest_density_clavet; /* clavet law, in units of h and dt */
+} oracle;
+
+/* One finger. */
+typedef struct oracle_hand {
+    double x, y, vx, vy, radius, attraction, friction, follow;
+} oracle_hand;
+
+void oracle_external_forces(oracle *o, const oracle_hand *hand);
+void oracle_viscosity(oracle *o);
+void oracle_advance(oracle *o, double max_speed);
+void oracle_density(oracle *o);
+void oracle_pressure(oracle *o);
+void oracle_displacement(oracle *o);
+void oracle_contact(oracle *o);
+void oracle_correct(oracle *o);
+void oracle_velocity(oracle *o);
+
+/* Density of the rest lattice and the rest density rho0 of the law. */
+double oracle_lattice_density(double eta);
+double oracle_rest_density(const oracle *o);
+
+#endif
