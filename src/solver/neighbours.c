@@ -163,6 +163,8 @@ static void fill_pass(int begin, int end, void *context)
 
 void skv_neighbours_build(skv_neighbours *n, const skv_state *state, float h, skv_pool *pool)
 {
+    if (state->count == 0)
+        return;
     build b = {n, state, h * h};
     sort_into_cells(n, state);
     skv_pool_run(pool, state->count, count_pass, &b);
