@@ -263,8 +263,9 @@ static void test_pictures_have_chambers(void **state)
             solid += !free_pixel;
             assert_true((p->chamber[i] != 0) == free_pixel);
             if (free_pixel) {
-                float x = (float)(i % p->width) + 0.5f, y = (float)(i / p->width) + 0.5f;
-                assert_int_equal(painted_chamber(p, x, y), p->chamber[i]);
+                int x = i % p->width, y = i / p->width;
+                assert_int_equal(painted_chamber(p, (float)x + 0.5f, (float)y + 0.5f),
+                                 p->chamber[i]);
             }
         }
         assert_in_range(solid, 1, p->width * p->height - 1);
