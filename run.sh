@@ -26,10 +26,10 @@ END
 
 build_programs() {
     install_packages "${packages_build[@]}" "${packages_run[@]}"
-    local options=()
-    [[ -f build/release/CMakeCache.txt ]] || options=(-DSKVALP_TESTS=OFF)
+    # The tests need packages of their own; test.sh adds them to the same folder.
+    fresh_options+=(-DSKVALP_TESTS=OFF)
     say "Building build/release/skvalp and build/release/skvalp-play"
-    configure release "${options[@]}" ||
+    configure release ||
         die "configuring failed: $(reason configure-release) (all of it in" \
             "$logs/configure-release.log)"
     build release skvalp-cli skvalp-play ||

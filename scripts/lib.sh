@@ -92,6 +92,10 @@ install_packages() {
             "(all of it in $logs/apt-install.log)"
 }
 
+# For a build folder that is made new. Warnings of compilers we do not know must not stop a user;
+# .ci/run sets SKVALP_WERROR.
+fresh_options=(-DSKVALP_WERROR=OFF)
+
 # configure PRESET [CMAKE-OPTION...]: makes or refreshes build/PRESET. An existing folder keeps its
 # settings, so that the same folder can serve run.sh, test.sh and a developer without rebuilding.
 configure() {
@@ -100,12 +104,11 @@ configure() {
     if [[ -n ${SKVALP_WERROR:-} ]]; then
         set -- "$@" "-DSKVALP_WERROR=$SKVALP_WERROR"
     fi
-    if [[ -f build/$preset/CMakeCache.txt && -f build/$preset/build.ninja ]] &&
+    if [[ -f build/$preset/build.ninja ]] &&
         logged "$log" cmake "$@" "build/$preset"; then
         return
     fi
-    # Warnings of compilers we do not know must not stop a user; .ci/run sets SKVALP_WERROR.
-    logged "$log" cmake --preset "$preset" --fresh -DSKVALP_WERROR=OFF "$@"
+    logged "$log" cmake --preset "$preset" --fresh "${fresh_options[@]}" "$@"
 }
 
 # build PRESET [TARGET...]: builds all, or the targets, in build/PRESET.
