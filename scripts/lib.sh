@@ -83,7 +83,7 @@ install_packages() {
             die "installing packages needs root or sudo; as root: apt-get install ${missing[*]}"
         as_root=(sudo)
     fi
-    say "Installing ${#missing[@]} packages with what they depend on: ${missing[*]}"
+    say "Installing ${#missing[@]} package(s) with what they depend on: ${missing[*]}"
     as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -qy)
     # Lists may be absent or stale; a failure here shows in the installation, if it matters.
     logged apt-update "${as_root[@]}" update || true

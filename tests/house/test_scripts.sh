@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# run.sh and test.sh explain themselves and say in one line what failed; installing asks the network
+# for nothing that is there. apt-get and dpkg-query are stand-ins here. Arguments: build folder,
+# source folder.
+set -euo pipefail
+cd "${2:?usage: test_scripts.sh BUILD SOURCE}"
+
+bad=0
+complain() {
+    printf '%s\n' "$*"
+    bad=$((bad + 1))
+}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bin"
+# Installed is what stands in the file `installed`; apt-get notes its calls and fails on demand.
+cat >"$work/bin/dpkg-query" <<END
+#!/bin/sh
+for package; do :; done
+grep -qx "\$package" "$work/installed" && printf installed
+END
+cat >"$work/bin/apt-get" <<END
+#!/bin/sh
+echo "\$*" >>"$work/calls"
+echo "E: Unable to fetch some archives"
+exit "\$(cat "$work/apt-status")"
+END
+# sudo without a right to ask for.
+printf '#!/bin/sh\nexec "$@"\n' >"$work/bin/sudo"
+chmod +x "$work/bin/"*
+
+# install PACKAGE...: install_packages of lib.sh with the stand-ins, in a folder of its own.
+install() {
+    : >"$work/calls"
+    (
+        cd "$work"
+        PATH=$work/bin:$PATH bash -c 'set -euo pipefail; program=try.sh; source "$0"
+            install_packages "$@"' "$OLDPWD/scripts/lib.sh" "$@" >"$work/out" 2>"$work/err"
+    )
+}
+
+# expect WHAT CONDITION...: a shell test.
+expect() {
+    local what=$1
+    shift
+    "$@" || complain "$what: $(head -n 2 "$work/out" "$work/err" 2>/dev/null | tr '\n' ' ')"
+}
+
+printf 'one\ntwo\n' >"$work/installed"
+echo 0 >"$work/apt-status"
+expect "installed packages install" install one two
+expect "apt-get is not called when nothing is missing" test ! -s "$work/calls"
+expect "one missing package installs" install one two three
+expect "only what is missing is installed" grep -q 'install .* three$' "$work/calls"
+expect "the installed are left alone" test -z "$(grep 'install .*one' "$work/calls")"
+expect "the user is told" grep -q 'Installing 1 package' "$work/out"
+
+echo 100 >"$work/apt-status"
+status=0
+install three || status=$?
+expect "a failing apt-get fails" test "$status" -eq 1
+expect "one line says so" test "$(wc -l <"$work/err")" -eq 1
+expect "the line says what, why and what to try" grep -q \
+    '^try.sh: installing packages failed: E: Unable to fetch some archives; try: apt-get update' \
+    "$work/err"
+
+for script in run.sh test.sh scripts/lint.sh scripts/try-in-chroot.sh; do
+    "./$script" --help >"$work/out" 2>"$work/err" || complain "$script --help fails"
+    expect "$script --help explains" grep -q "^Usage: " "$work/out"
+    expect "$script --help has no errors" test ! -s "$work/err"
+done
+for script in run.sh test.sh scripts/lint.sh; do
+    status=0
+    "./$script" --no-such-thing >"$work/out" 2>"$work/err" || status=$?
+    expect "$script refuses an unknown option" test "$status" -eq 1
+    expect "$script says so in one line" test "$(wc -l <"$work/err")" -eq 1
+    expect "$script points to --help" grep -q -- '--help' "$work/err"
+done
+
+((bad == 0)) || exit 1
+printf 'scripts: they explain themselves and install only what is missing\n'
