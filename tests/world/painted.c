@@ -11,7 +11,9 @@
 
 dice dice_from_seed(uint64_t seed)
 {
-    return (dice){.state = seed * 0x9e3779b97f4a7c15u + 0x632be59bd9b4e019u};
+    /* Scrambled once: seeds in a row must not give one stream, shifted. */
+    dice d = {.state = seed ^ 0x632be59bd9b4e019u};
+    return (dice){.state = dice_bits(&d)};
 }
 
 uint64_t dice_bits(dice *d)

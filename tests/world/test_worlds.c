@@ -94,6 +94,9 @@ static bool set_up(trial *t)
     /* Half of the worlds know of the violence that comes, the others step as for plain water. */
     if (dice_int(&t->dice, 0, 1))
         def.gravity_y = -3.0f * 9.81f;
+    /* And some take steps that are far too long: ugly, but it must hold. */
+    if (dice_int(&t->dice, 0, 7) == 0)
+        def.substeps = dice_int(&t->dice, 1, 2);
     float width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
     if (skv_world_create(&def, &t->world, &error) != SKV_OK) {
         skv_terrain_destroy(terrain);
