@@ -1,0 +1,180 @@
+/* A terrain's lifetime and plain facts. Invariant: a terrain never changes once it is created. */
+#include "terrain/terrain.h"
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "terrain/contour.h"
+#include "terrain/distance.h"
+
+#include <math.h>
+
+#define TERRAIN_COOKIE 0x7e44a1
+
+/* Metres: the longest side of a world, in which float positions are fine enough, and the smallest
+ * pixel, which keeps every product of distances a normal float. */
+#define LONGEST_SIDE   16.0
+#define SMALLEST_PIXEL 1e-9
+
+#define ALL_SIDES (SKV_SIDE_LEFT | SKV_SIDE_RIGHT | SKV_SIDE_BOTTOM | SKV_SIDE_TOP)
+
+skv_terrain_def skv_default_terrain_def(void)
+{
+    return (skv_terrain_def){
+        .width = 640, .height = 360, .pixel_size = 0.0025f, .cookie = TERRAIN_COOKIE};
+}
+
+static skv_result check_def(const skv_terrain_def *def, skv_error *error)
+{
+    const int least = SKV_TERRAIN_MIN_PIXELS, most = SKV_TERRAIN_MAX_PIXELS;
+    if (def->width < least || def->width > most || def->height < least || def->height > most)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "terrain: the picture has %d x %d pixels; each side must be %d to %d",
+                        def->width, def->height, least, most);
+    double pixel = (double)def->pixel_size;
+    if (!(pixel >= SMALLEST_PIXEL && pixel <= LONGEST_SIDE))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "terrain: pixel_size is %g m; it must be a positive number of metres",
+                        pixel);
+    int longer = def->width > def->height ? def->width : def->height;
+    /* A hair of room, because a float pixel size is rarely the exact quotient. */
+    if (pixel * longer > LONGEST_SIDE * (1 + 1e-6))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "terrain: %d pixels of %g m make %g m; a side may have at most %g m",
+                        longer, pixel, pixel * longer, LONGEST_SIDE);
+    if (def->open_sides & ~(unsigned)ALL_SIDES)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "terrain: open_sides is %#x; it must be a set of skv_side bits",
+                        def->open_sides);
+    return SKV_OK;
+}
+
+/* How far, in pixels above the centre of row `y`, the free region's end lies towards row `beside`:
+ * the farthest crossing there; negative if the row has no air. */
+static float reach_of_air(const skv_coverage *coverage, int y, int beside)
+{
+    const int rim = SKV_TERRAIN_RIM;
+    const uint8_t *row = coverage->bytes + (size_t)y * (size_t)coverage->columns;
+    const uint8_t *other = coverage->bytes + (size_t)beside * (size_t)coverage->columns;
+    float reach = -1;
+    for (int x = rim; x < coverage->columns - rim; x++) {
+        if (!skv_is_solid(row[x]))
+            reach = fmaxf(reach, skv_is_solid(other[x]) ? skv_crossing(row[x], other[x]) : 0.5f);
+    }
+    return reach;
+}
+
+static void find_free_range(const skv_coverage *coverage, skv_terrain *terrain)
+{
+    const int rim = SKV_TERRAIN_RIM;
+    const float first_centre = (float)rim - 0.5f;
+    int bottom = rim, top = coverage->rows - rim - 1;
+    float reach = -1;
+    while (bottom <= top && (reach = reach_of_air(coverage, bottom, bottom - 1)) < 0)
+        bottom++;
+    if (bottom > top)
+        return;
+    terrain->lowest = ((float)bottom - first_centre - reach) * terrain->pixel_size;
+    while ((reach = reach_of_air(coverage, top, top + 1)) < 0)
+        top--;
+    terrain->highest = ((float)top - first_centre + reach) * terrain->pixel_size;
+}
+
+skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain, skv_error *error)
+{
+    SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
+    *terrain = NULL;
+    SKV_ASSERT_OR(def && def->cookie == TERRAIN_COOKIE, SKV_ERROR_VALUE);
+    skv_result result = check_def(def, error);
+    if (result != SKV_OK)
+        return result;
+
+    skv_coverage coverage;
+    result = skv_coverage_create(def, &coverage, error);
+    if (result != SKV_OK)
+        return result;
+    skv_terrain *made = skv_calloc(1, sizeof *made);
+    float *field = skv_calloc((size_t)coverage.columns * (size_t)coverage.rows, sizeof *field);
+    if (made && field) {
+        *made = (skv_terrain){
+            .width = def->width,
+            .height = def->height,
+            .columns = coverage.columns,
+            .rows = coverage.rows,
+            .pixel_size = def->pixel_size,
+            .per_metre = 1 / def->pixel_size,
+            .open_sides = def->open_sides,
+            .field = field,
+        };
+        find_free_range(&coverage, made);
+        result = skv_distance_transform(&coverage, def->pixel_size, field, error);
+    } else {
+        result = skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
+                          def->width, def->height);
+    }
+    skv_coverage_destroy(&coverage);
+    if (result != SKV_OK) {
+        skv_free(field);
+        skv_free(made);
+        return result;
+    }
+    *terrain = made;
+    return SKV_OK;
+}
+
+void skv_terrain_destroy(skv_terrain *terrain)
+{
+    if (!terrain)
+        return;
+    skv_free(terrain->field);
+    skv_free(terrain);
+}
+
+float skv_terrain_width(const skv_terrain *terrain)
+{
+    SKV_ASSERT_OR(terrain, 0);
+    return (float)terrain->width * terrain->pixel_size;
+}
+
+float skv_terrain_height(const skv_terrain *terrain)
+{
+    SKV_ASSERT_OR(terrain, 0);
+    return (float)terrain->height * terrain->pixel_size;
+}
+
+int skv_terrain_pixels_x(const skv_terrain *terrain)
+{
+    SKV_ASSERT_OR(terrain, 0);
+    return terrain->width;
+}
+
+int skv_terrain_pixels_y(const skv_terrain *terrain)
+{
+    SKV_ASSERT_OR(terrain, 0);
+    return terrain->height;
+}
+
+float skv_terrain_pixel_size(const skv_terrain *terrain)
+{
+    SKV_ASSERT_OR(terrain, 0);
+    return terrain->pixel_size;
+}
+
+unsigned skv_terrain_open_sides(const skv_terrain *terrain)
+{
+    SKV_ASSERT_OR(terrain, 0);
+    return terrain->open_sides;
+}
+
+void skv_terrain_free_range(const skv_terrain *terrain, float *lowest, float *highest)
+{
+    SKV_ASSERT(terrain && lowest && highest);
+    *lowest = terrain->lowest;
+    *highest = terrain->highest;
+}
+
+const float *skv_terrain_distances(const skv_terrain *terrain, int *stride)
+{
+    SKV_ASSERT_OR(terrain && stride, NULL);
+    *stride = terrain->columns;
+    return terrain->field + (size_t)SKV_TERRAIN_RIM * (size_t)terrain->columns + SKV_TERRAIN_RIM;
+}

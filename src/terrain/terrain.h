@@ -1,0 +1,25 @@
+/* The terrain's inside: what its files share.
+ *
+ * The stored field has a rim of SKV_TERRAIN_RIM pixels around the picture, so that sampling at the
+ * picture's edge needs no special case. Grid coordinates count pixel centres of this larger field:
+ * the lower left pixel of the rim is at (0, 0), the picture's is at (RIM, RIM).
+ */
+#ifndef SKV_TERRAIN_TERRAIN_H
+#define SKV_TERRAIN_TERRAIN_H
+
+#include "skvalp/terrain.h"
+
+/* Two pixels to sample in, one more for the normals' kernel. */
+#define SKV_TERRAIN_RIM 3
+
+struct skv_terrain {
+    int width, height; /* the picture, pixels */
+    int columns, rows; /* the picture and its rim, pixels */
+    float pixel_size;  /* m */
+    float per_metre;   /* pixels a metre */
+    unsigned open_sides;
+    float lowest, highest; /* the free region, m */
+    float *field;          /* columns * rows signed distances, m */
+};
+
+#endif

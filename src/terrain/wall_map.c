@@ -1,0 +1,346 @@
+/* Wall density maps: solid share of the map's cells, convolved with the kernels, in sparse blocks.
+ *
+ * The map's cells are a tenth of h wide whatever the pixels are; a cell's solid share is the mean
+ * over points a pixel apart of what the signed distance says, so a flat grey wall is as solid as a
+ * white one. Samples sit in the cells' middles. Only blocks that have a wall within h are stored,
+ * each with the first samples of its neighbours, so that sampling needs one block. Invariant: a
+ * block not stored is uniform: all its samples are 0, or all are those deep inside solid.
+ */
+#include "terrain/wall_map.h"
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "terrain/sample.h"
+#include "terrain/wall_kernel.h"
+
+#include <math.h>
+
+/* Cells, and with the neighbours' first ones samples, a block side. */
+#define BLOCK   16
+#define SAMPLES (BLOCK + 1)
+
+/* Cells a block side needs for its convolution, and the same rounded up for whole vectors. */
+#define WINDOW     (SAMPLES + 2 * SKV_WALL_REACH)
+#define LANES      4
+#define ROW_LENGTH (WINDOW + LANES)
+
+/* Cells around the picture: h, two for sampling, so that everything outside them is uniform. */
+#define MARGIN (SKV_WALL_REACH + 2)
+
+/* Blocks that are not stored. */
+#define AIR   (-1)
+#define SOLID (-2)
+
+typedef struct block {
+    float samples[SAMPLES][SAMPLES][SKV_WALL_MAPS];
+} block;
+
+struct skv_wall_map {
+    float per_metre;   /* cells a metre */
+    int columns, rows; /* blocks */
+    int32_t *index;    /* columns * rows: a stored block, AIR or SOLID */
+    block *blocks;
+    size_t count;
+    float full[SKV_WALL_MAPS]; /* a sample deep inside solid */
+};
+
+/* What building needs. */
+typedef struct builder {
+    const skv_terrain *terrain;
+    skv_wall_map *map;
+    skv_wall_kernel kernel;
+    double cell; /* a cell's side in pixels */
+} builder;
+
+/* The solid shares of the cells around a block. */
+typedef struct window {
+    float share[WINDOW][ROW_LENGTH];
+    float least[WINDOW], most[WINDOW]; /* of each row */
+} window;
+
+/* Distance in pixels at a point given in cells. */
+static float distance_at(const builder *b, double x, double y)
+{
+    const double shift = (double)SKV_TERRAIN_RIM - 0.5;
+    float gx = (float)((x - MARGIN) * b->cell + shift);
+    float gy = (float)((y - MARGIN) * b->cell + shift);
+    return skv_grid_distance(b->terrain, gx, gy) * b->terrain->per_metre;
+}
+
+/* Beyond this distance from its middle, in pixels, no wall passes through a square. Half a pixel
+ * for what interpolation between pixel centres may smooth away. */
+static float clear_distance(double side)
+{
+    return (float)(0.7072 * side + 0.5);
+}
+
+static float solid_share_at(float distance, float side)
+{
+    float share = 0.5f - distance / side;
+    return share <= 0 ? 0 : share >= 1 ? 1 : share;
+}
+
+/* The solid share of cell (x, y). */
+static float solid_share(const builder *b, int x, int y)
+{
+    float middle = distance_at(b, x + 0.5, y + 0.5), clear = clear_distance(b->cell);
+    if (middle >= clear)
+        return 0;
+    if (middle <= -clear)
+        return 1;
+    int parts = (int)ceil(b->cell);
+    if (parts == 1)
+        return solid_share_at(middle, (float)b->cell);
+    double step = 1.0 / parts;
+    float side = (float)(b->cell * step), sum = 0;
+    for (int j = 0; j < parts; j++) {
+        for (int i = 0; i < parts; i++)
+            sum += solid_share_at(distance_at(b, x + (i + 0.5) * step, y + (j + 0.5) * step), side);
+    }
+    return sum / (float)(parts * parts);
+}
+
+/* Sorts a square of cells: AIR, SOLID, or 0 where a wall may pass through it. Halves the square
+ * until it is about a cell wide. */
+static int sort_square(const builder *b, double x, double y, double side)
+{
+    float middle = distance_at(b, x + 0.5 * side, y + 0.5 * side);
+    float clear = clear_distance(side * b->cell);
+    if (middle >= clear)
+        return AIR;
+    if (middle <= -clear)
+        return SOLID;
+    if (side < 2)
+        return 0;
+    double half = 0.5 * side;
+    int kind = sort_square(b, x, y, half);
+    if (kind == 0 || sort_square(b, x + half, y, half) != kind ||
+        sort_square(b, x, y + half, half) != kind ||
+        sort_square(b, x + half, y + half, half) != kind)
+        return 0;
+    return kind;
+}
+
+static void fill_window(const builder *b, int x0, int y0, window *w)
+{
+    for (int y = 0; y < WINDOW; y++) {
+        float least = 1, most = 0;
+        for (int x = 0; x < WINDOW; x++) {
+            float share = solid_share(b, x0 + x, y0 + y);
+            w->share[y][x] = share;
+            least = share < least ? share : least;
+            most = share > most ? share : most;
+        }
+        for (int x = WINDOW; x < ROW_LENGTH; x++)
+            w->share[y][x] = 0;
+        w->least[y] = least;
+        w->most[y] = most;
+    }
+}
+
+/* Adds one row of cells, weighed by one row of the kernel, to LANES samples beside each other.
+ * `cells` is the cell in line with the first sample. The kernel's even weights meet sums of the
+ * cells to the left and right of a sample, its odd ones differences. */
+static void add_row(const float *cells, const float weight[][SKV_WALL_MAPS], int half_width,
+                    float sums[SKV_WALL_MAPS][LANES])
+{
+    for (int lane = 0; lane < LANES; lane++) {
+        sums[SKV_WALL_R][lane] += weight[0][SKV_WALL_R] * cells[lane];
+        sums[SKV_WALL_RN][lane] += weight[0][SKV_WALL_RN] * cells[lane];
+        sums[SKV_WALL_F1Y][lane] += weight[0][SKV_WALL_F1Y] * cells[lane];
+        sums[SKV_WALL_F2Y][lane] += weight[0][SKV_WALL_F2Y] * cells[lane];
+    }
+    for (int x = 1; x <= half_width; x++) {
+        const float *w = weight[x];
+        for (int lane = 0; lane < LANES; lane++) {
+            float sum = cells[lane + x] + cells[lane - x];
+            float difference = cells[lane + x] - cells[lane - x];
+            sums[SKV_WALL_R][lane] += w[SKV_WALL_R] * sum;
+            sums[SKV_WALL_RN][lane] += w[SKV_WALL_RN] * sum;
+            sums[SKV_WALL_F1X][lane] += w[SKV_WALL_F1X] * difference;
+            sums[SKV_WALL_F1Y][lane] += w[SKV_WALL_F1Y] * sum;
+            sums[SKV_WALL_F2X][lane] += w[SKV_WALL_F2X] * difference;
+            sums[SKV_WALL_F2Y][lane] += w[SKV_WALL_F2Y] * sum;
+        }
+    }
+}
+
+/* Convolves a block; rows of air are left out, rows of solid are constants. */
+static void fill_block(const skv_wall_kernel *kernel, const window *w, block *made)
+{
+    for (int y = 0; y < SAMPLES; y++) {
+        for (int x0 = 0; x0 < SAMPLES; x0 += LANES) {
+            float sums[SKV_WALL_MAPS][LANES] = {0};
+            for (int j = 0; j < SKV_WALL_SPAN; j++) {
+                int row = y + j;
+                if (w->most[row] <= 0)
+                    continue;
+                if (w->least[row] < 1) {
+                    add_row(w->share[row] + x0 + SKV_WALL_REACH, kernel->weight[j],
+                            kernel->half_width[j], sums);
+                    continue;
+                }
+                for (int k = 0; k < SKV_WALL_MAPS; k++) {
+                    for (int lane = 0; lane < LANES; lane++)
+                        sums[k][lane] += kernel->row_sum[j][k];
+                }
+            }
+            for (int lane = 0; lane < LANES && x0 + lane < SAMPLES; lane++) {
+                for (int k = 0; k < SKV_WALL_MAPS; k++)
+                    made->samples[y][x0 + lane][k] = sums[k][lane];
+            }
+        }
+    }
+}
+
+/* Numbers the blocks that a wall is near. */
+static void sort_blocks(const builder *b)
+{
+    skv_wall_map *map = b->map;
+    int32_t count = 0;
+    for (int y = 0; y < map->rows; y++) {
+        for (int x = 0; x < map->columns; x++) {
+            int kind =
+                sort_square(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, WINDOW);
+            map->index[(size_t)y * (size_t)map->columns + (size_t)x] = kind ? kind : count++;
+        }
+    }
+    map->count = (size_t)count;
+}
+
+static void fill_blocks(const builder *b)
+{
+    skv_wall_map *map = b->map;
+    window w;
+    for (int y = 0; y < map->rows; y++) {
+        for (int x = 0; x < map->columns; x++) {
+            int32_t number = map->index[(size_t)y * (size_t)map->columns + (size_t)x];
+            if (number < 0)
+                continue;
+            fill_window(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, &w);
+            fill_block(&b->kernel, &w, &map->blocks[number]);
+        }
+    }
+}
+
+/* Blocks along a side of so many pixels. */
+static double blocks_along(int pixels, double cell)
+{
+    return ceil((ceil(pixels / cell) + 2 * MARGIN) / BLOCK);
+}
+
+skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
+                               skv_wall_map **map, skv_error *error)
+{
+    SKV_ASSERT_OR(map, SKV_ERROR_VALUE);
+    *map = NULL;
+    SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
+    double h = (double)radius, s = (double)spacing;
+    if (!(h > 0 && h <= 1e6 && s > 0 && s <= h))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "wall map: radius %g m and spacing %g m; 0 < spacing <= radius is needed",
+                        h, s);
+    builder b = {
+        .terrain = terrain,
+        .cell = h / ((double)terrain->pixel_size * SKV_WALL_REACH),
+    };
+    double columns = blocks_along(terrain->width, b.cell);
+    double rows = blocks_along(terrain->height, b.cell);
+    if (columns * rows > INT32_MAX)
+        return skv_fail(error, SKV_ERROR_LIMIT,
+                        "wall map: a radius of %g m is too small for a world of %g x %g m", h,
+                        (double)skv_terrain_width(terrain), (double)skv_terrain_height(terrain));
+    skv_wall_map *made = skv_calloc(1, sizeof *made);
+    int32_t *index = skv_calloc((size_t)(columns * rows), sizeof *index);
+    if (!made || !index) {
+        skv_free(made);
+        skv_free(index);
+        return skv_fail(error, SKV_ERROR_MEMORY, "wall map: no memory for %.0f blocks",
+                        columns * rows);
+    }
+    *made = (skv_wall_map){
+        .per_metre = (float)(SKV_WALL_REACH / h),
+        .columns = (int)columns,
+        .rows = (int)rows,
+        .index = index,
+    };
+    b.map = made;
+    skv_wall_kernel_make(h / s * (h / s), &b.kernel);
+    for (int k = 0; k < SKV_WALL_MAPS; k++)
+        made->full[k] = b.kernel.full[k];
+    sort_blocks(&b);
+    made->blocks = skv_calloc(made->count, sizeof *made->blocks);
+    if (!made->blocks) {
+        size_t count = made->count;
+        skv_wall_map_destroy(made);
+        return skv_fail(error, SKV_ERROR_MEMORY, "wall map: no memory for %zu blocks", count);
+    }
+    fill_blocks(&b);
+    *map = made;
+    return SKV_OK;
+}
+
+void skv_wall_map_destroy(skv_wall_map *map)
+{
+    if (!map)
+        return;
+    skv_free(map->index);
+    skv_free(map->blocks);
+    skv_free(map);
+}
+
+size_t skv_wall_map_bytes(const skv_wall_map *map)
+{
+    SKV_ASSERT_OR(map, 0);
+    return sizeof *map + (size_t)map->columns * (size_t)map->rows * sizeof *map->index +
+           map->count * sizeof *map->blocks;
+}
+
+/* The sample left of or below a coordinate, kept inside the map. NaN ends at 0. */
+static inline float keep_inside(float g, int blocks)
+{
+    float high = (float)(blocks * BLOCK);
+    g = g > 0 ? g : 0;
+    return g < high ? g : high;
+}
+
+bool skv_wall_map_sample(const skv_wall_map *map, float x, float y, skv_wall_sample *sample)
+{
+    *sample = (skv_wall_sample){0};
+    SKV_ASSERT_OR(map, false);
+    float gx = keep_inside(x * map->per_metre + (MARGIN - 0.5f), map->columns);
+    float gy = keep_inside(y * map->per_metre + (MARGIN - 0.5f), map->rows);
+    int column = (int)gx / BLOCK, row = (int)gy / BLOCK;
+    column = column < map->columns ? column : map->columns - 1;
+    row = row < map->rows ? row : map->rows - 1;
+    int32_t number = map->index[(size_t)row * (size_t)map->columns + (size_t)column];
+    if (number == AIR)
+        return false;
+    if (number == SOLID) {
+        sample->r = map->full[SKV_WALL_R];
+        sample->rn = map->full[SKV_WALL_RN];
+        return true;
+    }
+    gx -= (float)(column * BLOCK);
+    gy -= (float)(row * BLOCK);
+    int i = gx < BLOCK ? (int)gx : BLOCK - 1, j = gy < BLOCK ? (int)gy : BLOCK - 1;
+    float u = gx - (float)i, v = gy - (float)j;
+    const block *b = &map->blocks[number];
+    const float *low0 = b->samples[j][i], *low1 = b->samples[j][i + 1];
+    const float *high0 = b->samples[j + 1][i], *high1 = b->samples[j + 1][i + 1];
+    float values[SKV_WALL_MAPS];
+    for (int k = 0; k < SKV_WALL_MAPS; k++) {
+        float low = low0[k] + u * (low1[k] - low0[k]);
+        float high = high0[k] + u * (high1[k] - high0[k]);
+        values[k] = low + v * (high - low);
+    }
+    *sample = (skv_wall_sample){
+        .r = values[SKV_WALL_R],
+        .rn = values[SKV_WALL_RN],
+        .f1x = values[SKV_WALL_F1X],
+        .f1y = values[SKV_WALL_F1Y],
+        .f2x = values[SKV_WALL_F2X],
+        .f2y = values[SKV_WALL_F2Y],
+    };
+    return values[SKV_WALL_R] > 0;
+}

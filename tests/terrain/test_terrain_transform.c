@@ -1,0 +1,147 @@
+/* The distance transform against the brute force over all segments of the contour, and the contour
+ * itself on the cases that matter. */
+#include "shapes.h"
+#include "terrain/contour.h"
+#include "terrain/distance.h"
+#include "terrain/terrain.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define SIDE 96
+
+static double distance_to(const skv_segment *s, double x, double y)
+{
+    double ux = (double)s->x1 - (double)s->x0, uy = (double)s->y1 - (double)s->y0;
+    double px = x - (double)s->x0, py = y - (double)s->y0, square = ux * ux + uy * uy;
+    double t = square > 0 ? fmin(1, fmax(0, (px * ux + py * uy) / square)) : 0;
+    return hypot(px - t * ux, py - t * uy);
+}
+
+/* Pictures with walls of all sorts. */
+static uint8_t paint(int kind, int x, int y, dice *d)
+{
+    double share = 0;
+    switch (kind) {
+    case 0: /* grey noise */
+        share = roll(d);
+        break;
+    case 1: /* lone pixels */
+        share = roll(d) < 0.02;
+        break;
+    case 2: /* binary noise */
+        share = roll(d) < 0.5;
+        break;
+    case 3: /* a soft landscape */
+        share = 0.5 + 0.5 * sin(x * 0.2 + y * 0.03) * sin(y * 0.15);
+        break;
+    case 4: /* a disc */
+        share = 20.8 - hypot(x - 40, y - 50);
+        break;
+    case 5: /* lines one pixel wide */
+        share = x == y || x + y == 70 || x == 30;
+        break;
+    default: /* the inside of a bowl */
+        share = hypot(x - 47.3, y - 50.1) - 40;
+        break;
+    }
+    return (uint8_t)(255 * fmin(1, fmax(0, share)) + 0.5);
+}
+
+/* The propagated cell may be a neighbour of the nearest one where a smooth wall's segments are
+ * seen from afar: a few hundredths of a pixel, never less than the truth. */
+static void transform_matches_brute_force(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 7; kind++) {
+        static uint8_t picture[SIDE * SIDE];
+        dice d = {(uint64_t)kind};
+        for (int i = 0; i < SIDE * SIDE; i++)
+            picture[i] = paint(kind, i % SIDE, i / SIDE, &d);
+        skv_terrain_def def = skv_default_terrain_def();
+        def.width = def.height = SIDE;
+        def.coverage = picture;
+        def.open_sides = (unsigned)kind;
+        skv_coverage coverage;
+        assert_int_equal(skv_coverage_create(&def, &coverage, NULL), SKV_OK);
+        size_t pixels = (size_t)coverage.columns * (size_t)coverage.rows;
+        float *field = calloc(pixels, sizeof *field);
+        skv_segment *segments = calloc(2 * pixels, sizeof *segments);
+        assert_int_equal(skv_distance_transform(&coverage, 1, field, NULL), SKV_OK);
+        int count = 0;
+        for (int y = 0; y + 1 < coverage.rows; y++) {
+            for (int x = 0; x + 1 < coverage.columns; x++)
+                count += skv_cell_segments(&coverage, x, y, segments + count);
+        }
+        double squares = 0;
+        for (size_t i = 0; i < pixels; i++) {
+            double best = 1e9;
+            double x = (double)(i % (size_t)coverage.columns);
+            double y = (double)(i / (size_t)coverage.columns);
+            for (int k = 0; k < count; k++)
+                best = fmin(best, distance_to(&segments[k], x, y));
+            assert_int_equal(field[i] < 0, skv_is_solid(coverage.bytes[i]));
+            double error = fabs((double)field[i]) - best;
+            assert_true(error > -1e-5);
+            assert_true(error < 0.1);
+            if (best < 1.5)
+                assert_true(error < 1e-3);
+            squares += error * error;
+        }
+        assert_true(sqrt(squares / (double)pixels) < 0.003);
+        free(segments);
+        free(field);
+        skv_coverage_destroy(&coverage);
+    }
+}
+
+/* A diagonal line one pixel wide: distances are those of a band 0.707 pixels wide, and the wall is
+ * closed between its pixels. */
+static void saddles_join_solid(void **state)
+{
+    (void)state;
+    static uint8_t picture[SIDE * SIDE];
+    for (int mirrored = 0; mirrored < 2; mirrored++) {
+        memset(picture, 0, sizeof picture);
+        for (int i = 0; i < SIDE; i++)
+            picture[i * SIDE + (mirrored ? SIDE - 1 - i : i)] = 255;
+        skv_terrain *terrain = make_terrain(SIDE, SIDE, picture, 0.01f, 0);
+        double half = sqrt(0.125);
+        for (int i = 0; i < 40; i++) {
+            double along = 30 + i * 0.75, across = (i % 9 - 4) * 0.25;
+            double x = along + across * sqrt(0.5), y = along - across * sqrt(0.5);
+            if (mirrored)
+                x = SIDE - x;
+            float distance =
+                skv_terrain_distance(terrain, (float)(x * 0.01), (float)(y * 0.01)) * 100;
+            assert_true(fabs((double)distance - (fabs(across) - half)) < 0.13);
+            if (across == 0)
+                assert_true(distance < -0.35f);
+        }
+        skv_terrain_destroy(terrain);
+    }
+}
+
+static void crossing_depends_on_grey(void **state)
+{
+    (void)state;
+    assert_true(skv_crossing(255, 0) == 0.5f);
+    assert_true(fabsf(skv_crossing(200, 0) - 72.5f / 200) < 1e-6f);
+    assert_true(fabsf(skv_crossing(127, 255) - 0.5f / 128) < 1e-6f);
+    assert_true(skv_is_solid(128) && !skv_is_solid(127));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(transform_matches_brute_force),
+        cmocka_unit_test(saddles_join_solid),
+        cmocka_unit_test(crossing_depends_on_grey),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
