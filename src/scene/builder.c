@@ -1,0 +1,350 @@
+/* Builder: checks entries against the registry and keeps them as plain values.
+ *
+ * Invariant: a value that is stored has its field's type and lies within its range, wherever it
+ * came from; only what concerns several fields at once is left to the composer.
+ */
+#include "scene/builder.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+skv_result skv_builder_fail(const skv_builder *builder, skv_origin origin, const char *path,
+                            skv_error *error, skv_result code, const char *format, ...)
+{
+    char message[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (origin.source == SKV_FROM_SETTING)
+        return skv_fail(error, code, "--set %s: %s", path, message);
+    if (origin.source == SKV_FROM_OPTION)
+        return skv_fail(error, code, "--%s: %s", path, message);
+    const char *colon = path[0] != '\0' ? ": " : "";
+    if (origin.line > 0)
+        return skv_fail(error, code, "%s:%d: %s%s%s", builder->label, origin.line, path, colon,
+                        message);
+    return skv_fail(error, code, "%s: %s%s%s", builder->label, path, colon, message);
+}
+
+/* Replaces a text; false if memory is out. */
+static bool set_text(char **text, const char *source)
+{
+    char *copy = skv_calloc(strlen(source) + 1, 1);
+    if (copy == NULL)
+        return false;
+    memcpy(copy, source, strlen(source));
+    skv_free(*text);
+    *text = copy;
+    return true;
+}
+
+/* ---- Defaults -------------------------------------------------------------------------------- */
+
+static void set_default(skv_value *value, const skv_field *field)
+{
+    value->origin = (skv_origin){SKV_FROM_DEFAULT, 0};
+    if (field->type == SKV_FIELD_CHOICE)
+        value->number = skv_field_choice(field->choices, field->default_text);
+    else if (field->type == SKV_FIELD_BOOLEAN)
+        value->number = strcmp(field->default_text, "true") == 0;
+    else if (!skv_parse_number(field->default_text, &value->number))
+        value->number = 0.0;
+}
+
+skv_result skv_builder_begin(skv_builder *builder, const char *label, const char *folder,
+                             skv_error *error)
+{
+    *builder = (skv_builder){.label = label, .folder = folder};
+    skv_values *values = &builder->values;
+    const skv_field *fields = skv_scene_fields(NULL);
+    for (int i = 0; i < SKV_F_SINGLE; i++)
+        set_default(&values->value[i], &fields[i]);
+    values->solid.shapes = skv_calloc(SKV_MAX_SHAPES, sizeof *values->solid.shapes);
+    values->water.shapes = skv_calloc(SKV_MAX_SHAPES, sizeof *values->water.shapes);
+    if (values->solid.shapes == NULL || values->water.shapes == NULL) {
+        skv_builder_end(builder);
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+    }
+    return SKV_OK;
+}
+
+static void free_shapes(skv_shape_list *list)
+{
+    for (int i = 0; i < list->count; i++)
+        skv_free(list->shapes[i].points);
+    skv_free(list->shapes);
+    *list = (skv_shape_list){0};
+}
+
+void skv_builder_end(skv_builder *builder)
+{
+    for (int i = 0; i < SKV_F_SINGLE; i++)
+        skv_free(builder->values.value[i].text);
+    free_shapes(&builder->values.solid);
+    free_shapes(&builder->values.water);
+}
+
+/* ---- One value ------------------------------------------------------------------------------- */
+
+/* Names an entry in a message: "null", "3.5", "\"abc\"", "a list". */
+static void describe(const skv_entry *entry, char text[64])
+{
+    switch (entry->kind) {
+    case SKV_ENTRY_NULL:
+        snprintf(text, 64, "null");
+        break;
+    case SKV_ENTRY_BOOLEAN:
+        snprintf(text, 64, "%s", entry->boolean ? "true" : "false");
+        break;
+    case SKV_ENTRY_NUMBER:
+        skv_format_number(entry->number, text);
+        break;
+    case SKV_ENTRY_TEXT:
+        snprintf(text, 64, strlen(entry->text) > 40 ? "\"%.37s...\"" : "\"%s\"", entry->text);
+        break;
+    case SKV_ENTRY_LIST:
+        snprintf(text, 64, "a list");
+        break;
+    case SKV_ENTRY_OBJECT:
+        snprintf(text, 64, "an object");
+        break;
+    }
+}
+
+static bool has_control_character(const char *text)
+{
+    for (; *text != '\0'; text++) {
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            return true;
+    }
+    return false;
+}
+
+/* What is wrong with an entry for a field; null if nothing is. */
+static const char *complaint(const skv_field *field, const skv_entry *entry)
+{
+    bool number = field->type == SKV_FIELD_NUMBER || field->type == SKV_FIELD_INTEGER;
+    if (number && entry->kind != SKV_ENTRY_NUMBER)
+        return "is not a number";
+    if (field->type == SKV_FIELD_BOOLEAN && entry->kind != SKV_ENTRY_BOOLEAN)
+        return "is not true or false";
+    bool text = field->type == SKV_FIELD_TEXT || field->type == SKV_FIELD_CHOICE;
+    if (text && entry->kind != SKV_ENTRY_TEXT)
+        return "is not text";
+
+    if (number && !(entry->number >= field->minimum && entry->number <= field->maximum))
+        return "is out of range";
+    if (field->type == SKV_FIELD_INTEGER && entry->number != floor(entry->number))
+        return "is not a whole number";
+    if (field->type == SKV_FIELD_CHOICE && skv_field_choice(field->choices, entry->text) < 0)
+        return "is not known";
+    if (field->type == SKV_FIELD_TEXT && (double)strlen(entry->text) > field->maximum)
+        return "is too long";
+    if (field->type == SKV_FIELD_TEXT && has_control_character(entry->text))
+        return "holds a control character";
+    return NULL;
+}
+
+/* Checks an entry and stores it in `value`. */
+static skv_result store(const skv_builder *builder, int id, const char *path,
+                        const skv_entry *entry, skv_origin origin, skv_value *value,
+                        skv_error *error)
+{
+    const skv_field *field = &skv_scene_fields(NULL)[id];
+    const char *wrong = complaint(field, entry);
+    if (wrong != NULL) {
+        char what[64], allowed[160];
+        describe(entry, what);
+        skv_field_allowed(field, allowed, sizeof allowed);
+        bool many = id == SKV_F_PARTICLES && entry->kind == SKV_ENTRY_NUMBER &&
+                    entry->number > field->maximum;
+        return skv_builder_fail(builder, origin, path, error,
+                                many ? SKV_ERROR_LIMIT : SKV_ERROR_VALUE, "%s %s; %s", what, wrong,
+                                allowed);
+    }
+    if (field->type == SKV_FIELD_TEXT) {
+        if (!set_text(&value->text, entry->text))
+            return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", builder->label);
+    } else if (field->type == SKV_FIELD_CHOICE) {
+        value->number = skv_field_choice(field->choices, entry->text);
+    } else if (field->type == SKV_FIELD_BOOLEAN) {
+        value->number = entry->boolean;
+    } else {
+        value->number = entry->number;
+    }
+    value->origin = origin;
+    return SKV_OK;
+}
+
+/* ---- Lists of shapes ------------------------------------------------------------------------- */
+
+/* The element `index` of a list, made if it is the next one. Null: `*result` says why. */
+static skv_shape_values *element(skv_builder *builder, bool water, const skv_field_path *path,
+                                 skv_origin origin, const char *text, skv_result *result,
+                                 skv_error *error)
+{
+    skv_shape_list *list = water ? &builder->values.water : &builder->values.solid;
+    const char *name = water ? "water" : "solid";
+    int index = path->index[0];
+    if (index < list->count)
+        return &list->shapes[index];
+    if (index >= SKV_MAX_SHAPES) {
+        *result = skv_builder_fail(builder, origin, text, error, SKV_ERROR_LIMIT,
+                                   "too many shapes; allowed are %d", SKV_MAX_SHAPES);
+        return NULL;
+    }
+    if (index > list->count) {
+        *result = skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE,
+                                   "there is no %s[%d]; the next free one is %s[%d]", name, index,
+                                   name, list->count);
+        return NULL;
+    }
+    skv_shape_values *shape = &list->shapes[list->count++];
+    const skv_field *fields = skv_scene_fields(NULL) + (water ? SKV_F_WATER : SKV_F_SOLID);
+    for (int i = 0; i < (water ? SKV_SHAPE_VY : SKV_SHAPE_CARVE) + 1; i++)
+        set_default(&shape->value[i], &fields[i]);
+    shape->origin = origin;
+    return shape;
+}
+
+/* Makes room for point number `index`; its coordinates are NaN until they are given. */
+static skv_result reserve_point(const skv_builder *builder, skv_shape_list *list,
+                                skv_shape_values *shape, int index, skv_origin origin,
+                                const char *path, skv_error *error)
+{
+    if (index < shape->point_count)
+        return SKV_OK;
+    if (index >= SKV_MAX_POINTS || list->total_points >= SKV_MAX_TOTAL_POINTS)
+        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_LIMIT,
+                                "too many points; allowed are %d in a shape and %d in all",
+                                SKV_MAX_POINTS, SKV_MAX_TOTAL_POINTS);
+    if (index > shape->point_count)
+        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_VALUE,
+                                "there is no point %d; the next free one is %d", index,
+                                shape->point_count);
+    if (shape->points == NULL)
+        shape->points = skv_calloc(SKV_MAX_POINTS, 2 * sizeof *shape->points);
+    if (shape->points == NULL)
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", builder->label);
+    shape->points[2 * index] = (double)NAN;
+    shape->points[2 * index + 1] = (double)NAN;
+    shape->point_count++;
+    list->total_points++;
+    return SKV_OK;
+}
+
+/* Accepts an entry at or below an element of a list. `id` is -1 for one of its lists. */
+static skv_result accept_shape(skv_builder *builder, const skv_field_path *path, int id,
+                               const char *text, const skv_entry *entry, skv_origin origin,
+                               skv_error *error)
+{
+    bool water = strncmp(path->pattern, "water", 5) == 0;
+    skv_result result = SKV_OK;
+    skv_shape_values *shape = element(builder, water, path, origin, text, &result, error);
+    if (shape == NULL)
+        return result;
+    if (path->index_count >= 2) {
+        result = reserve_point(builder, water ? &builder->values.water : &builder->values.solid,
+                               shape, path->index[1], origin, text, error);
+        if (result != SKV_OK)
+            return result;
+    }
+    if (id < 0)
+        return SKV_OK;
+    skv_value *value = &shape->value[id - (water ? SKV_F_WATER : SKV_F_SOLID)];
+    if (path->index_count == 3 && path->index[2] > 1)
+        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE,
+                                "one value too many; a point is a pair [x, y]");
+    result = store(builder, id, text, entry, origin, value, error);
+    if (result == SKV_OK && path->index_count == 3)
+        shape->points[2 * path->index[1] + path->index[2]] = value->number;
+    return result;
+}
+
+/* ---- Entries --------------------------------------------------------------------------------- */
+
+/* Accepts an entry where no field is: an object or a list, or a mistake. */
+static skv_result accept_group(skv_builder *builder, const skv_field_path *path, const char *text,
+                               const skv_entry *entry, skv_origin origin, skv_error *error)
+{
+    bool object = skv_field_is_object(path->pattern), list = skv_field_is_list(path->pattern);
+    if (!object && !list) {
+        char hint[200];
+        skv_field_suggest(path->pattern, hint, sizeof hint);
+        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "unknown field%s",
+                                hint);
+    }
+    if (entry->kind == (list ? SKV_ENTRY_LIST : SKV_ENTRY_OBJECT))
+        return path->index_count > 0 ? accept_shape(builder, path, -1, text, entry, origin, error)
+                                     : SKV_OK;
+    char what[64];
+    describe(entry, what);
+    if (origin.source == SKV_FROM_SETTING)
+        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE,
+                                "holds several values; set one of them");
+    return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "%s is not %s; %s", what,
+                            list ? "a list" : "an object",
+                            list ? "allowed is [ ... ]" : "allowed is { \"name\": value, ... }");
+}
+
+static skv_result accept(skv_builder *builder, const char *text, const skv_entry *entry,
+                         skv_origin origin, skv_error *error)
+{
+    skv_field_path path;
+    if (!skv_field_parse_path(text, &path))
+        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "unknown field");
+    int id = skv_field_find(path.pattern);
+    if (id < 0)
+        return accept_group(builder, &path, text, entry, origin, error);
+    if (id >= SKV_F_SINGLE)
+        return accept_shape(builder, &path, id, text, entry, origin, error);
+    return store(builder, id, text, entry, origin, &builder->values.value[id], error);
+}
+
+skv_result skv_builder_accept(skv_builder *builder, const char *path, const skv_entry *entry,
+                              int line, skv_error *error)
+{
+    return accept(builder, path, entry, (skv_origin){SKV_FROM_FILE, line}, error);
+}
+
+/* What a setting's text means for a field of this type. */
+static skv_entry read_setting(skv_field_type type, const char *text)
+{
+    skv_entry entry = {.kind = SKV_ENTRY_TEXT, .text = text};
+    bool number = type == SKV_FIELD_NUMBER || type == SKV_FIELD_INTEGER;
+    if (number && skv_parse_number(text, &entry.number))
+        entry.kind = SKV_ENTRY_NUMBER;
+    if (type == SKV_FIELD_BOOLEAN && (strcmp(text, "true") == 0 || strcmp(text, "false") == 0)) {
+        entry.kind = SKV_ENTRY_BOOLEAN;
+        entry.boolean = text[0] == 't';
+    }
+    return entry;
+}
+
+skv_result skv_builder_set(skv_builder *builder, const skv_setting *setting, skv_error *error)
+{
+    skv_field_path path;
+    int id = skv_field_parse_path(setting->path, &path) ? skv_field_find(path.pattern) : -1;
+    skv_field_type type = id >= 0 ? skv_scene_fields(NULL)[id].type : SKV_FIELD_TEXT;
+    skv_entry entry = read_setting(type, setting->value);
+    return accept(builder, setting->path, &entry, (skv_origin){SKV_FROM_SETTING, 0}, error);
+}
+
+skv_result skv_builder_options(skv_builder *builder, const skv_scene_options *options,
+                               skv_error *error)
+{
+    for (int i = 0; i < options->setting_count; i++) {
+        skv_result result = skv_builder_set(builder, &options->settings[i], error);
+        if (result != SKV_OK)
+            return result;
+    }
+    if (options->particles == 0)
+        return SKV_OK;
+    skv_entry entry = {.kind = SKV_ENTRY_NUMBER, .number = options->particles};
+    return accept(builder, "particles", &entry, (skv_origin){SKV_FROM_OPTION, 0}, error);
+}

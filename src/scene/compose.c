@@ -1,0 +1,445 @@
+/* Composer: from checked values to a scene.
+ *
+ * Invariant: a scene that comes out can build its world: its walls leave air, its fluid lies in it,
+ * and its spacing gives the number of particles that it reports.
+ */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "scene/raster.h"
+#include "scene/scene_data.h"
+#include "scene/shapes.h"
+
+/* Everything a composing function needs. */
+typedef struct composer {
+    const skv_builder *builder;
+    const skv_value *value; /* the builder's single values */
+    skv_scene *scene;
+    bool pictured;
+    const char *picture_label;
+    skv_error *error;
+} composer;
+
+static bool is_given(const composer *c, skv_field_id id)
+{
+    return c->value[id].origin.source != SKV_FROM_DEFAULT;
+}
+
+/* Fails for a field, where it was given. */
+static skv_result fail(const composer *c, skv_field_id id, skv_result code, const char *message)
+{
+    return skv_builder_fail(c->builder, c->value[id].origin, skv_scene_fields(NULL)[id].path,
+                            c->error, code, "%s", message);
+}
+
+static skv_result fail_memory(const composer *c)
+{
+    return skv_fail(c->error, SKV_ERROR_MEMORY, "%s: out of memory", c->builder->label);
+}
+
+static char *copy_text(const char *text, size_t length)
+{
+    char *copy = skv_calloc(length + 1, 1);
+    if (copy != NULL)
+        memcpy(copy, text, length);
+    return copy;
+}
+
+void skv_scene_note(skv_scene *scene, const char *format, ...)
+{
+    char text[200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    for (int i = 0; i < SKV_MAX_NOTICES; i++) {
+        if (scene->notices[i] == NULL) {
+            scene->notices[i] = copy_text(text, strlen(text));
+            return;
+        }
+    }
+}
+
+/* ---- Texts ----------------------------------------------------------------------------------- */
+
+/* The file's name without folder and ending. */
+static char *name_of_file(const char *label)
+{
+    const char *slash = strrchr(label, '/');
+    const char *name = slash != NULL ? slash + 1 : label;
+    const char *point = strrchr(name, '.');
+    return copy_text(name, point != NULL ? (size_t)(point - name) : strlen(name));
+}
+
+static skv_result compose_texts(composer *c)
+{
+    skv_scene *scene = c->scene;
+    const char *name = c->value[SKV_F_NAME].text, *title = c->value[SKV_F_TITLE].text;
+    const char *description = c->value[SKV_F_DESCRIPTION].text;
+    scene->name = name != NULL && name[0] != '\0' ? copy_text(name, strlen(name))
+                                                  : name_of_file(c->builder->label);
+    if (title == NULL || title[0] == '\0')
+        title = scene->name;
+    scene->title = title != NULL ? copy_text(title, strlen(title)) : NULL;
+    scene->description = copy_text(description != NULL ? description : "",
+                                   description != NULL ? strlen(description) : 0);
+    scene->seconds = c->value[SKV_F_SECONDS].number;
+    bool complete = scene->name != NULL && scene->title != NULL && scene->description != NULL;
+    return complete ? SKV_OK : fail_memory(c);
+}
+
+/* ---- Walls ----------------------------------------------------------------------------------- */
+
+/* Takes size, coverage and paint over from a picture. */
+static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
+{
+    static const skv_field_id own[] = {SKV_F_WORLD_HEIGHT, SKV_F_WORLD_PIXEL};
+    for (int i = 0; i < 2; i++) {
+        if (is_given(c, own[i]))
+            return fail(c, own[i], SKV_ERROR_VALUE,
+                        "has no place beside a picture; its size follows from world.width");
+    }
+    skv_image image;
+    skv_painting painting;
+    skv_result result = skv_png_read(data, size, c->picture_label, &image, c->error);
+    if (result != SKV_OK)
+        return result;
+    result = skv_paint_read(&image, c->picture_label, &painting, c->error);
+    skv_free(image.pixels);
+    if (result != SKV_OK)
+        return result;
+    skv_scene *scene = c->scene;
+    scene->width = painting.width;
+    scene->height = painting.height;
+    scene->coverage = painting.coverage;
+    scene->paint = painting.paint;
+    for (int i = 0; i < 4; i++)
+        scene->marked[i] = painting.count[i];
+    scene->pixel_size = c->value[SKV_F_WORLD_WIDTH].number / scene->width;
+    double height = scene->pixel_size * scene->height;
+    if (height > skv_scene_fields(NULL)[SKV_F_WORLD_HEIGHT].maximum) {
+        char message[120], text[32];
+        skv_format_number(height, text);
+        snprintf(message, sizeof message,
+                 "makes the picture %s m high; allowed are 16 m, so choose a smaller width", text);
+        return fail(c, SKV_F_WORLD_WIDTH, SKV_ERROR_VALUE, message);
+    }
+    return SKV_OK;
+}
+
+/* Whole pixels of a side; the pixel size fits the width exactly. */
+static skv_result compose_blank(composer *c)
+{
+    double width = c->value[SKV_F_WORLD_WIDTH].number;
+    double height = c->value[SKV_F_WORLD_HEIGHT].number;
+    double pixel = c->value[SKV_F_WORLD_PIXEL].number;
+    double columns = floor(width / pixel + 0.5);
+    double rows = columns > 0.0 ? floor(height / (width / columns) + 0.5) : 0.0;
+    double least = columns < rows ? columns : rows, most = columns > rows ? columns : rows;
+    if (least < SKV_TERRAIN_MIN_PIXELS || most > SKV_TERRAIN_MAX_PIXELS) {
+        char message[120];
+        snprintf(message, sizeof message,
+                 "makes the world %.0f x %.0f pixels; allowed are %d to %d each way", columns, rows,
+                 SKV_TERRAIN_MIN_PIXELS, SKV_TERRAIN_MAX_PIXELS);
+        return fail(c, SKV_F_WORLD_PIXEL, SKV_ERROR_VALUE, message);
+    }
+    skv_scene *scene = c->scene;
+    scene->width = (int)columns;
+    scene->height = (int)rows;
+    scene->pixel_size = width / columns;
+    scene->coverage = skv_calloc((size_t)scene->width * (size_t)scene->height, 1);
+    return scene->coverage != NULL ? SKV_OK : fail_memory(c);
+}
+
+/* Makes the shapes of a list; their points move to `points`. */
+static skv_result compose_list(composer *c, bool water, skv_shape **shapes, int *count,
+                               double **points)
+{
+    const skv_shape_list *list = water ? &c->builder->values.water : &c->builder->values.solid;
+    if (list->count == 0)
+        return SKV_OK;
+    skv_scene *scene = c->scene;
+    *shapes = skv_calloc((size_t)list->count, sizeof **shapes);
+    if (*shapes == NULL)
+        return fail_memory(c);
+    *count = list->count;
+    skv_result result = skv_shapes_make(c->builder, water, scene->width * scene->pixel_size,
+                                        scene->height * scene->pixel_size, *shapes, c->error);
+    for (int i = 0; result == SKV_OK && i < list->count; i++) {
+        skv_shape *shape = &(*shapes)[i];
+        size_t size = 2 * (size_t)shape->point_count;
+        if (size > 0)
+            memcpy(*points, shape->points, size * sizeof **points);
+        shape->points = *points;
+        *points += size;
+    }
+    return result;
+}
+
+static bool has_air(const skv_scene *scene)
+{
+    size_t pixels = (size_t)scene->width * (size_t)scene->height;
+    for (size_t i = 0; i < pixels; i++) {
+        if (scene->coverage[i] < 128)
+            return true;
+    }
+    return false;
+}
+
+static skv_result compose_walls(composer *c)
+{
+    skv_scene *scene = c->scene;
+    const skv_values *values = &c->builder->values;
+    int total = values->solid.total_points + values->water.total_points;
+    scene->points = skv_calloc((size_t)total + 1, 2 * sizeof *scene->points);
+    if (scene->points == NULL)
+        return fail_memory(c);
+    double *points = scene->points;
+    skv_result result = compose_list(c, false, &scene->solids, &scene->solid_count, &points);
+    if (result == SKV_OK)
+        result = compose_list(c, true, &scene->water.shapes, &scene->water.shape_count, &points);
+    if (result == SKV_OK && scene->solid_count > 0)
+        result = skv_raster_solids(scene->solids, scene->solid_count, scene->width, scene->height,
+                                   scene->pixel_size, scene->coverage, c->error);
+    if (result != SKV_OK)
+        return result;
+    if (!has_air(scene)) {
+        if (c->pictured && scene->solid_count == 0)
+            return skv_fail(c->error, SKV_ERROR_VALUE,
+                            "%s: no pixel is free; paint air dark and fluid blue",
+                            c->picture_label);
+        return skv_builder_fail(c->builder, values->solid.shapes[0].origin, "solid", c->error,
+                                SKV_ERROR_VALUE, "fills the whole world; leave some air");
+    }
+    for (int i = 0; i < 4; i++) {
+        static const unsigned sides[] = {SKV_SIDE_LEFT, SKV_SIDE_RIGHT, SKV_SIDE_BOTTOM,
+                                         SKV_SIDE_TOP};
+        if (c->value[SKV_F_OPEN_LEFT + i].number != 0.0)
+            scene->open_sides |= sides[i];
+    }
+    return SKV_OK;
+}
+
+skv_result skv_scene_terrain(const skv_scene *scene, skv_terrain **terrain, skv_error *error)
+{
+    skv_terrain_def def = skv_default_terrain_def();
+    def.width = scene->width;
+    def.height = scene->height;
+    def.coverage = scene->coverage;
+    def.pixel_size = (float)scene->pixel_size;
+    def.open_sides = scene->open_sides;
+    return skv_terrain_create(&def, terrain, error);
+}
+
+/* ---- Fluid ----------------------------------------------------------------------------------- */
+
+/* The law's own defaults, then what was given. */
+static void compose_fluid(composer *c)
+{
+    skv_law law = (skv_law)c->value[SKV_F_FLUID_LAW].number;
+    skv_fluid_def fluid = skv_default_fluid_def(law);
+    const struct {
+        skv_field_id id;
+        float *target;
+    } numbers[] = {
+        {SKV_F_FLUID_SPACING, &fluid.spacing},
+        {SKV_F_FLUID_RADIUS_RATIO, &fluid.radius_ratio},
+        {SKV_F_FLUID_DENSITY, &fluid.density},
+        {SKV_F_FLUID_VISCOSITY_LINEAR, &fluid.viscosity_linear},
+        {SKV_F_FLUID_VISCOSITY_QUADRATIC, &fluid.viscosity_quadratic},
+        {SKV_F_FLUID_NEAR_STIFFNESS, &fluid.near_stiffness},
+        {SKV_F_FLUID_COHESION, &fluid.cohesion},
+        {SKV_F_FLUID_RELAXATION, &fluid.relaxation},
+        {SKV_F_FLUID_CLAVET_STIFFNESS, &fluid.clavet_stiffness},
+        {SKV_F_FLUID_CLAVET_NEAR_STIFFNESS, &fluid.clavet_near_stiffness},
+        {SKV_F_FLUID_CLAVET_REST_DENSITY, &fluid.clavet_rest_density},
+        {SKV_F_FLUID_WALL_FRICTION, &fluid.wall_friction},
+        {SKV_F_FLUID_WALL_SOFTNESS, &fluid.wall_softness},
+        {SKV_F_FLUID_CONTACT_DISTANCE, &fluid.contact_distance},
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        if (is_given(c, numbers[i].id))
+            *numbers[i].target = (float)c->value[numbers[i].id].number;
+    }
+    if (is_given(c, SKV_F_FLUID_ITERATIONS))
+        fluid.iterations = (int)c->value[SKV_F_FLUID_ITERATIONS].number;
+    c->scene->fluid = fluid;
+    c->scene->gravity_x = c->value[SKV_F_GRAVITY_X].number;
+    c->scene->gravity_y = c->value[SKV_F_GRAVITY_Y].number;
+    c->scene->substeps = (int)c->value[SKV_F_SUBSTEPS].number;
+}
+
+/* Where the fluid starts. */
+static skv_result compose_water(composer *c, const skv_terrain *terrain)
+{
+    skv_scene *scene = c->scene;
+    skv_water *water = &scene->water;
+    water->width = scene->width;
+    water->height = scene->height;
+    water->pixel_size = scene->pixel_size;
+    if (scene->marked[SKV_PAINT_FLUID] > 0) {
+        water->paint = scene->paint;
+    } else if (water->shape_count == 0) {
+        if (!c->pictured)
+            return skv_fail(c->error, SKV_ERROR_VALUE,
+                            "%s: water: is missing; say where the fluid starts, such as "
+                            "[ { \"shape\": \"box\", \"y1\": 0.45 } ]",
+                            c->builder->label);
+        float low, high;
+        skv_terrain_free_range(terrain, &low, &high);
+        water->level = (double)low + 0.4 * ((double)high - (double)low);
+        skv_scene_note(scene, "no blue pixel: the lower part starts as water");
+    }
+    skv_water_set_bounds(water);
+    return SKV_OK;
+}
+
+static skv_result fail_no_fit(const composer *c)
+{
+    const skv_water *water = &c->scene->water;
+    if (water->paint != NULL && water->shape_count == 0)
+        return skv_fail(c->error, SKV_ERROR_VALUE,
+                        "%s: the blue (fluid) pixels have no room for a particle; paint more blue "
+                        "or make the passages wider",
+                        c->picture_label);
+    if (c->pictured && water->shape_count == 0)
+        return skv_fail(c->error, SKV_ERROR_VALUE,
+                        "%s: the dark (air) pixels have no room for a particle; make the passages "
+                        "wider",
+                        c->picture_label);
+    skv_origin origin = c->builder->values.water.shapes[0].origin;
+    return skv_builder_fail(c->builder, origin, "water", c->error, SKV_ERROR_VALUE,
+                            "has no room for a particle; it lies in solid or is too small");
+}
+
+/* The spacing was given: the number of particles follows. */
+static skv_result count_particles(composer *c, const skv_terrain *terrain)
+{
+    skv_scene *scene = c->scene;
+    scene->particles = skv_water_count(&scene->water, terrain, scene->fluid.spacing);
+    if (scene->particles <= SKV_MAX_PARTICLES)
+        return scene->particles > 0 ? SKV_OK : fail_no_fit(c);
+    char message[120];
+    snprintf(message, sizeof message, "makes %d particles; allowed are %d", scene->particles,
+             SKV_MAX_PARTICLES);
+    return fail(c, SKV_F_FLUID_SPACING, SKV_ERROR_LIMIT, message);
+}
+
+/* The number of particles is wanted: the spacing follows. A number that nobody asked for gives way
+ * where it does not fit: the spacing is then 1/400 of the width (a few blue pixels), or the largest
+ * allowed. */
+static skv_result choose_spacing(composer *c, const skv_terrain *terrain)
+{
+    skv_scene *scene = c->scene;
+    const skv_field *spacing = &skv_scene_fields(NULL)[SKV_F_FLUID_SPACING];
+    bool asked = is_given(c, SKV_F_PARTICLES);
+    int wanted = (int)c->value[SKV_F_PARTICLES].number, count;
+    double least = spacing->minimum, width = c->value[SKV_F_WORLD_WIDTH].number;
+    if (!asked && width / 400.0 > least)
+        least = width / 400.0;
+    skv_result result = skv_water_choose_spacing(&scene->water, terrain, wanted, (float)least,
+                                                 &scene->fluid.spacing, &count);
+    char message[160];
+    if (count == 0)
+        return fail_no_fit(c);
+    if (asked && result != SKV_OK) {
+        snprintf(message, sizeof message,
+                 "%d are too few for this much fluid; allowed are %d to %d", wanted, count,
+                 SKV_MAX_PARTICLES);
+        return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE, message);
+    }
+    if (asked && count < wanted) {
+        snprintf(message, sizeof message,
+                 "%d do not fit into this little fluid; allowed are 1 to %d", wanted, count);
+        return fail(c, SKV_F_PARTICLES, SKV_ERROR_LIMIT, message);
+    }
+    scene->particles = result == SKV_OK && count > wanted ? wanted : count;
+    return SKV_OK;
+}
+
+static skv_result compose_particles(composer *c, const skv_terrain *terrain)
+{
+    skv_source number = c->value[SKV_F_PARTICLES].origin.source;
+    skv_source spacing = c->value[SKV_F_FLUID_SPACING].origin.source;
+    bool both_set = number >= SKV_FROM_SETTING && spacing >= SKV_FROM_SETTING;
+    if (spacing != SKV_FROM_DEFAULT && (number == spacing || both_set))
+        return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE,
+                    "follows from fluid.spacing; give only one of them");
+    return spacing > number ? count_particles(c, terrain) : choose_spacing(c, terrain);
+}
+
+/* The deepest fluid to expect. Gravity that is not vertical may pile it up anywhere. */
+static void compose_depth(composer *c, const skv_terrain *terrain)
+{
+    skv_scene *scene = c->scene;
+    float low, high;
+    skv_terrain_free_range(terrain, &low, &high);
+    double width = scene->width * scene->pixel_size, height = scene->height * scene->pixel_size;
+    double depth = c->value[SKV_F_DEPTH].number;
+    if (depth == 0.0 && scene->gravity_x != 0.0)
+        depth = width > height ? width : height;
+    else if (depth == 0.0)
+        depth = scene->gravity_y <= 0.0 ? (double)scene->water.y1 - (double)low
+                                        : (double)high - (double)scene->water.y0;
+    double least = (double)scene->fluid.spacing;
+    scene->depth = depth > least ? depth : least;
+}
+
+static void note_marks(skv_scene *scene)
+{
+    if (scene->marked[SKV_PAINT_EMITTER] > 0)
+        skv_scene_note(scene, "%lld emitter pixels (green) are kept but do nothing yet",
+                       (long long)scene->marked[SKV_PAINT_EMITTER]);
+    if (scene->marked[SKV_PAINT_DRAIN] > 0)
+        skv_scene_note(scene, "%lld drain pixels (red) are kept but do nothing yet",
+                       (long long)scene->marked[SKV_PAINT_DRAIN]);
+}
+
+/* ---- All of it ------------------------------------------------------------------------------- */
+
+static skv_result compose(composer *c, const uint8_t *picture, size_t picture_size)
+{
+    skv_terrain *terrain = NULL;
+    skv_result result = compose_texts(c);
+    if (result == SKV_OK)
+        result = c->pictured ? compose_picture(c, picture, picture_size) : compose_blank(c);
+    if (result == SKV_OK)
+        result = compose_walls(c);
+    if (result == SKV_OK)
+        result = skv_scene_terrain(c->scene, &terrain, c->error);
+    if (result != SKV_OK)
+        return result;
+    compose_fluid(c);
+    result = compose_water(c, terrain);
+    if (result == SKV_OK)
+        result = compose_particles(c, terrain);
+    if (result == SKV_OK) {
+        compose_depth(c, terrain);
+        note_marks(c->scene);
+    }
+    skv_terrain_destroy(terrain);
+    return result;
+}
+
+skv_result skv_scene_compose(const skv_builder *builder, const uint8_t *picture,
+                             size_t picture_size, const char *picture_label, skv_scene **scene,
+                             skv_error *error)
+{
+    composer c = {.builder = builder,
+                  .value = builder->values.value,
+                  .scene = skv_calloc(1, sizeof *c.scene),
+                  .pictured = picture != NULL,
+                  .picture_label = picture_label,
+                  .error = error};
+    if (c.scene == NULL)
+        return fail_memory(&c);
+    skv_result result = compose(&c, picture, picture_size);
+    if (result == SKV_OK)
+        *scene = c.scene;
+    else
+        skv_scene_destroy(c.scene);
+    return result;
+}

@@ -1,0 +1,49 @@
+/* Whole files into memory.
+ *
+ * Invariant: what is no regular file (a directory, a pipe, a device) is refused before it is
+ * opened, and no more is read than the size that was found and allowed.
+ */
+#include "scene/file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/memory.h"
+
+static skv_result read_open(FILE *file, const char *path, size_t size, uint8_t **data,
+                            skv_error *error)
+{
+    uint8_t *bytes = skv_calloc(size + 1, 1);
+    if (bytes == NULL)
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", path);
+    if (fread(bytes, 1, size, file) != size) {
+        skv_free(bytes);
+        return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be read: %s", path,
+                        ferror(file) ? strerror(errno) : "it became shorter");
+    }
+    *data = bytes;
+    return SKV_OK;
+}
+
+skv_result skv_file_read(const char *path, uint8_t **data, size_t *size, skv_error *error)
+{
+    struct stat status;
+    if (stat(path, &status) != 0)
+        return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be opened: %s", path, strerror(errno));
+    if (S_ISDIR(status.st_mode))
+        return skv_fail(error, SKV_ERROR_FILE, "%s: is a directory; a file is needed", path);
+    if (!S_ISREG(status.st_mode))
+        return skv_fail(error, SKV_ERROR_FILE, "%s: is not a regular file", path);
+    if (status.st_size > SKV_MAX_FILE)
+        return skv_fail(error, SKV_ERROR_LIMIT, "%s: has %lld bytes; allowed are %d", path,
+                        (long long)status.st_size, SKV_MAX_FILE);
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be opened: %s", path, strerror(errno));
+    *size = (size_t)status.st_size;
+    skv_result result = read_open(file, path, *size, data, error);
+    fclose(file);
+    return result;
+}

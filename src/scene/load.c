@@ -1,0 +1,196 @@
+/* Loading: finds out what was named, reads it, and hands it from reader to builder to composer.
+ *
+ * Invariant: on failure nothing is left behind and the message has named the file.
+ */
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "scene/builtin.h"
+#include "scene/file.h"
+#include "scene/json.h"
+#include "scene/scene_data.h"
+
+#define OPTIONS_COOKIE 0x5ce0e
+
+skv_scene_options skv_default_scene_options(void)
+{
+    return (skv_scene_options){.cookie = OPTIONS_COOKIE};
+}
+
+static bool ends_with(const char *text, const char *ending)
+{
+    size_t length = strlen(text), cut = strlen(ending);
+    return length > cut && strcasecmp(text + length - cut, ending) == 0;
+}
+
+/* ---- Pictures -------------------------------------------------------------------------------- */
+
+/* Whether a picture's path stays in the scene's folder. */
+static bool is_below(const char *path)
+{
+    if (path[0] == '/' || strpbrk(path, "\\:") != NULL)
+        return false;
+    for (const char *part = path; part != NULL;) {
+        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == '\0'))
+            return false;
+        part = strchr(part, '/');
+        part = part != NULL ? part + 1 : NULL;
+    }
+    return true;
+}
+
+/* Composes a scene whose values name a picture beside the file. */
+static skv_result compose_with_picture(const skv_builder *builder, skv_scene **scene,
+                                       skv_error *error)
+{
+    const skv_value *picture = &builder->values.value[SKV_F_WORLD_PICTURE];
+    const char *wrong = NULL;
+    if (builder->folder == NULL)
+        wrong = "needs a scene in a file; a picture is looked for in its folder";
+    else if (!is_below(picture->text))
+        wrong = "leaves the scene's folder; allowed is a path below it";
+    else if (!ends_with(picture->text, ".png"))
+        wrong = "is not a PNG; allowed is a name that ends in .png";
+    if (wrong != NULL)
+        return skv_builder_fail(builder, picture->origin, "world.picture", error, SKV_ERROR_VALUE,
+                                "\"%s\" %s", picture->text, wrong);
+    char path[4096];
+    int length = snprintf(path, sizeof path, "%s%s", builder->folder, picture->text);
+    skv_error cause;
+    uint8_t *data = NULL;
+    size_t size = 0;
+    if (length >= (int)sizeof path)
+        return skv_fail(error, SKV_ERROR_FILE, "%s: the path is too long", builder->label);
+    skv_result result = skv_file_read(path, &data, &size, &cause);
+    if (result != SKV_OK)
+        return skv_builder_fail(builder, picture->origin, "world.picture", error, result, "%s",
+                                cause.text);
+    result = skv_scene_compose(builder, data, size, path, scene, error);
+    skv_free(data);
+    return result;
+}
+
+/* ---- Memory ---------------------------------------------------------------------------------- */
+
+/* `folder` is where a picture may be, or null. */
+static skv_result load_json(const void *data, size_t size, const char *label, const char *folder,
+                            const skv_scene_options *options, skv_scene **scene, skv_error *error)
+{
+    skv_builder builder;
+    skv_result result = skv_builder_begin(&builder, label, folder, error);
+    if (result != SKV_OK)
+        return result;
+    result = skv_json_read(&builder, data, size, error);
+    if (result == SKV_OK)
+        result = skv_builder_options(&builder, options, error);
+    const char *picture = builder.values.value[SKV_F_WORLD_PICTURE].text;
+    if (result == SKV_OK && picture != NULL && picture[0] != '\0')
+        result = compose_with_picture(&builder, scene, error);
+    else if (result == SKV_OK)
+        result = skv_scene_compose(&builder, NULL, 0, NULL, scene, error);
+    skv_builder_end(&builder);
+    return result;
+}
+
+static skv_result load_png(const void *data, size_t size, const char *label,
+                           const skv_scene_options *options, skv_scene **scene, skv_error *error)
+{
+    skv_builder builder;
+    skv_result result = skv_builder_begin(&builder, label, NULL, error);
+    if (result != SKV_OK)
+        return result;
+    result = skv_builder_options(&builder, options, error);
+    const skv_value *picture = &builder.values.value[SKV_F_WORLD_PICTURE];
+    if (result == SKV_OK && picture->text != NULL)
+        result = skv_builder_fail(&builder, picture->origin, "world.picture", error,
+                                  SKV_ERROR_VALUE, "the scene is a picture itself");
+    if (result == SKV_OK)
+        result = skv_scene_compose(&builder, data, size, label, scene, error);
+    skv_builder_end(&builder);
+    return result;
+}
+
+skv_result skv_scene_load_memory(const void *data, size_t size, const char *format,
+                                 const char *label, const skv_scene_options *options,
+                                 skv_scene **scene, skv_error *error)
+{
+    SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
+    *scene = NULL;
+    SKV_ASSERT_OR(data != NULL && format != NULL && label != NULL, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(options == NULL || options->cookie == OPTIONS_COOKIE, SKV_ERROR_VALUE);
+    skv_scene_options none = skv_default_scene_options();
+    if (options == NULL)
+        options = &none;
+    if (size > SKV_MAX_FILE)
+        return skv_fail(error, SKV_ERROR_LIMIT, "%s: has %zu bytes; allowed are %d", label, size,
+                        SKV_MAX_FILE);
+    if (strcmp(format, "json") == 0)
+        return load_json(data, size, label, NULL, options, scene, error);
+    if (strcmp(format, "png") == 0)
+        return load_png(data, size, label, options, scene, error);
+    return skv_fail(error, SKV_ERROR_FORMAT, "%s: the format is %s; allowed are json and png",
+                    label, format);
+}
+
+/* ---- Names and paths ------------------------------------------------------------------------- */
+
+const skv_scene_info *skv_builtin_scene(int i)
+{
+    return i >= 0 && i < skv_builtin_count ? &skv_builtins[i].info : NULL;
+}
+
+static skv_result load_builtin(const char *name, const skv_scene_options *options,
+                               skv_scene **scene, skv_error *error)
+{
+    char names[256];
+    size_t used = 0;
+    for (int i = 0; i < skv_builtin_count; i++) {
+        const skv_builtin *b = &skv_builtins[i];
+        if (strcmp(b->info.name, name) == 0)
+            return load_json(b->text, b->size, b->info.name, NULL, options, scene, error);
+        if (used < sizeof names)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "",
+                                     b->info.name);
+    }
+    return skv_fail(error, SKV_ERROR_FILE,
+                    "%.200s: is no scene; allowed are a file that ends in .json or .png, or one of "
+                    "%s",
+                    name, names);
+}
+
+skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *options,
+                          skv_scene **scene, skv_error *error)
+{
+    SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
+    *scene = NULL;
+    SKV_ASSERT_OR(name_or_path != NULL, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(options == NULL || options->cookie == OPTIONS_COOKIE, SKV_ERROR_VALUE);
+    skv_scene_options none = skv_default_scene_options();
+    if (options == NULL)
+        options = &none;
+    bool json = ends_with(name_or_path, ".json");
+    if (!json && !ends_with(name_or_path, ".png"))
+        return load_builtin(name_or_path, options, scene, error);
+
+    uint8_t *data;
+    size_t size;
+    skv_result result = skv_file_read(name_or_path, &data, &size, error);
+    if (result != SKV_OK)
+        return result;
+    char folder[4096];
+    const char *slash = strrchr(name_or_path, '/');
+    int length = slash != NULL ? (int)(slash + 1 - name_or_path) : 0;
+    if (length >= (int)sizeof folder)
+        result = skv_fail(error, SKV_ERROR_FILE, "%s: the path is too long", name_or_path);
+    else if (json) {
+        snprintf(folder, sizeof folder, "%.*s", length, name_or_path);
+        result = load_json(data, size, name_or_path, folder, options, scene, error);
+    } else {
+        result = load_png(data, size, name_or_path, options, scene, error);
+    }
+    skv_free(data);
+    return result;
+}

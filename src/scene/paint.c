@@ -1,0 +1,285 @@
+/* Painted worlds: colours to coverage and paint.
+ *
+ * A painter's edges are blends: of light and dark (a sub-pixel wall), of paint and light (water at
+ * a wall), of paint and dark (a surface), of two paints. Grey has no chroma, so the chroma of a
+ * blend tells how much paint is in it, and its darkest channel what is left for light:
+ *
+ *     paint share b = chroma(p) / chroma(B)         B: the purest paint around p
+ *     solid share   = (min(p) - b min(B)) / 255
+ *
+ * Invariant: every pixel gets its meaning from its own 3 x 3 neighbourhood in the picture, so the
+ * result does not depend on the order in which pixels are read.
+ */
+#include "scene/paint.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+#define COLOURED_CHROMA 40  /* from here on a pixel can be coloured */
+#define LIGHT           128 /* from here on a grey pixel is light */
+#define FLAT            24  /* channels that differ by less belong to one flat area */
+
+/* What a pixel is on its own. The first four are skv_paint. */
+enum { WRONG = 4 };
+
+typedef struct colour {
+    int r, g, b;
+} colour;
+
+/* Position in the picture, top row first. */
+typedef struct place {
+    const skv_image *image;
+    int x, y;
+} place;
+
+static colour colour_at(const skv_image *image, int x, int y)
+{
+    const uint8_t *p = image->pixels + 4 * ((size_t)y * (size_t)image->width + (size_t)x);
+    return (colour){p[0], p[1], p[2]};
+}
+
+static int lowest(colour c)
+{
+    int low = c.r < c.g ? c.r : c.g;
+    return low < c.b ? low : c.b;
+}
+
+static int highest(colour c)
+{
+    int high = c.r > c.g ? c.r : c.g;
+    return high > c.b ? high : c.b;
+}
+
+static int chroma(colour c)
+{
+    return highest(c) - lowest(c);
+}
+
+static int value(colour c)
+{
+    return (c.r + c.g + c.b + 1) / 3;
+}
+
+/* Hue in degrees, 0..360; the chroma is not 0. */
+static double hue(colour c)
+{
+    double range = chroma(c), h;
+    if (highest(c) == c.r)
+        h = 60.0 * (c.g - c.b) / range;
+    else if (highest(c) == c.g)
+        h = 120.0 + 60.0 * (c.b - c.r) / range;
+    else
+        h = 240.0 + 60.0 * (c.r - c.g) / range;
+    return h < 0.0 ? h + 360.0 : h;
+}
+
+/* A pixel's meaning by its own colour: a skv_paint or WRONG. */
+static int classify(colour c)
+{
+    if (chroma(c) < COLOURED_CHROMA || chroma(c) * 5 < highest(c))
+        return SKV_PAINT_NONE;
+    double h = hue(c);
+    if (h <= 30.0 || h >= 330.0)
+        return SKV_PAINT_DRAIN;
+    if (h >= 75.0 && h <= 165.0)
+        return SKV_PAINT_EMITTER;
+    if (h >= 170.0 && h <= 270.0)
+        return SKV_PAINT_FLUID;
+    return WRONG;
+}
+
+/* The 3 x 3 neighbourhood of a place, cut at the picture's sides; the place itself is included. */
+#define FOR_NEIGHBOURS(p, nx, ny)                                                                  \
+    for (int ny = (p).y > 0 ? (p).y - 1 : 0; ny <= (p).y + 1 && ny < (p).image->height; ny++)      \
+        for (int nx = (p).x > 0 ? (p).x - 1 : 0; nx <= (p).x + 1 && nx < (p).image->width; nx++)
+
+static int difference(colour a, colour b)
+{
+    int r = abs(a.r - b.r), g = abs(a.g - b.g), blue = abs(a.b - b.b);
+    int most = r > g ? r : g;
+    return most > blue ? most : blue;
+}
+
+/* ---- Wrong colours --------------------------------------------------------------------------- */
+
+/* Whether a 2 x 2 block of one colour holds the place: then somebody meant that colour. */
+static bool is_flat(place p)
+{
+    colour own = colour_at(p.image, p.x, p.y);
+    for (int corner = 0; corner < 4; corner++) {
+        int x0 = p.x - (corner & 1), y0 = p.y - (corner >> 1);
+        if (x0 < 0 || y0 < 0 || x0 + 1 >= p.image->width || y0 + 1 >= p.image->height)
+            continue;
+        bool same = true;
+        for (int i = 0; i < 4; i++)
+            same = same && difference(own, colour_at(p.image, x0 + (i & 1), y0 + (i >> 1))) < FLAT;
+        if (same)
+            return true;
+    }
+    return false;
+}
+
+/* What a pixel of a wrong hue is: the most similar paint around it, if paints from both sides of
+ * its hue meet there and it is their blend; WRONG otherwise. */
+static int resolve(place p)
+{
+    colour own = colour_at(p.image, p.x, p.y);
+    double h = hue(own);
+    int before = h < 75.0 ? SKV_PAINT_DRAIN : h < 170.0 ? SKV_PAINT_EMITTER : SKV_PAINT_FLUID;
+    int after = h < 75.0 ? SKV_PAINT_EMITTER : h < 170.0 ? SKV_PAINT_FLUID : SKV_PAINT_DRAIN;
+    bool found_before = false, found_after = false;
+    int nearest = WRONG, least = 256;
+    FOR_NEIGHBOURS(p, x, y)
+    {
+        colour c = colour_at(p.image, x, y);
+        int class = classify(c);
+        found_before = found_before || class == before;
+        found_after = found_after || class == after;
+        if ((class == before || class == after) && difference(own, c) < least) {
+            least = difference(own, c);
+            nearest = class;
+        }
+    }
+    return found_before && found_after && !is_flat(p) ? nearest : WRONG;
+}
+
+static const char *hue_name(double h)
+{
+    return h < 45.0    ? "orange"
+           : h < 75.0  ? "yellow"
+           : h < 170.0 ? "between green and blue"
+           : h < 300.0 ? "violet"
+                       : "magenta";
+}
+
+static skv_result fail_wrong(place p, const char *label, skv_error *error)
+{
+    colour c = colour_at(p.image, p.x, p.y);
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "%s: pixel (%d, %d) is %s (#%02x%02x%02x); allowed are light (solid), dark "
+                    "(air), blue (fluid), green (emitter) and red (drain)",
+                    label, p.x, p.y, hue_name(hue(c)), (unsigned)c.r, (unsigned)c.g, (unsigned)c.b);
+}
+
+/* ---- Coverage -------------------------------------------------------------------------------- */
+
+/* What the neighbourhood holds besides the pixel: the purest paint in it, light and dark. */
+typedef struct surroundings {
+    colour purest;
+    int purest_chroma; /* 0: there is no paint */
+    bool light, dark;
+} surroundings;
+
+/* `only`: the paint to look for, or SKV_PAINT_NONE for any. */
+static surroundings look_around(place p, int only)
+{
+    surroundings s = {0};
+    FOR_NEIGHBOURS(p, x, y)
+    {
+        colour c = colour_at(p.image, x, y);
+        int class = classify(c);
+        if (class == SKV_PAINT_NONE) {
+            s.light = s.light || value(c) >= LIGHT;
+            s.dark = s.dark || value(c) < LIGHT;
+        } else if (class != WRONG && (only == SKV_PAINT_NONE || class == only) &&
+                   chroma(c) > s.purest_chroma) {
+            s.purest = c;
+            s.purest_chroma = chroma(c);
+        }
+    }
+    return s;
+}
+
+static uint8_t clamp_byte(double v)
+{
+    return v <= 0.0 ? 0 : v >= 255.0 ? 255 : (uint8_t)(v + 0.5);
+}
+
+/* How much of a pixel is solid. Away from any edge it is all or nothing, so that a wall painted in
+ * light grey, or a background in dark grey, is as solid or as free as it looks. */
+static uint8_t solid_share(place p, int class)
+{
+    colour own = colour_at(p.image, p.x, p.y);
+    surroundings around = look_around(p, class);
+    if (class != SKV_PAINT_NONE && !around.light)
+        return 0;
+    if (around.purest_chroma > 0 && chroma(own) > 0) {
+        double b = (double)chroma(own) / around.purest_chroma;
+        double share = lowest(own) - (b < 1.0 ? b : 1.0) * lowest(around.purest);
+        if (class != SKV_PAINT_NONE || around.light)
+            return clamp_byte(share);
+    }
+    if (around.light && around.dark)
+        return (uint8_t)value(own);
+    return value(own) >= LIGHT ? 255 : 0;
+}
+
+/* ---- Reading --------------------------------------------------------------------------------- */
+
+/* Whether all pixels around a place are the same: most of any picture, and quick to tell. */
+static bool is_uniform(place p)
+{
+    uint32_t own, other;
+    size_t stride = (size_t)p.image->width;
+    const uint8_t *centre = p.image->pixels + 4 * ((size_t)p.y * stride + (size_t)p.x);
+    memcpy(&own, centre, 4);
+    FOR_NEIGHBOURS(p, x, y)
+    {
+        memcpy(&other, p.image->pixels + 4 * ((size_t)y * stride + (size_t)x), 4);
+        if (other != own)
+            return false;
+    }
+    return true;
+}
+
+/* A uniform place is read the short way, with what solid_share would find. */
+static uint8_t uniform_share(place p, int class)
+{
+    bool light = value(colour_at(p.image, p.x, p.y)) >= LIGHT;
+    return class == SKV_PAINT_NONE && light ? 255 : 0;
+}
+
+static skv_result read_pixels(const skv_image *image, const char *label, skv_painting *painting,
+                              skv_error *error)
+{
+    for (int y = 0; y < image->height; y++) {
+        size_t row = (size_t)(image->height - 1 - y) * (size_t)image->width;
+        for (int x = 0; x < image->width; x++) {
+            place p = {image, x, y};
+            int class = classify(colour_at(image, x, y));
+            if (class == WRONG)
+                class = resolve(p);
+            if (class == WRONG)
+                return fail_wrong(p, label, error);
+            painting->paint[row + (size_t)x] = (uint8_t)class;
+            painting->count[class]++;
+            painting->coverage[row + (size_t)x] =
+                is_uniform(p) ? uniform_share(p, class) : solid_share(p, class);
+        }
+    }
+    return SKV_OK;
+}
+
+skv_result skv_paint_read(const skv_image *image, const char *label, skv_painting *painting,
+                          skv_error *error)
+{
+    *painting = (skv_painting){.width = image->width, .height = image->height};
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    painting->coverage = skv_calloc(pixels, 1);
+    painting->paint = skv_calloc(pixels, 1);
+    skv_result result = painting->coverage != NULL && painting->paint != NULL
+                            ? read_pixels(image, label, painting, error)
+                            : skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+    if (result != SKV_OK)
+        skv_painting_free(painting);
+    return result;
+}
+
+void skv_painting_free(skv_painting *painting)
+{
+    skv_free(painting->coverage);
+    skv_free(painting->paint);
+    *painting = (skv_painting){0};
+}

@@ -1,0 +1,157 @@
+/* A loaded scene: its facts, and the worlds it builds.
+ *
+ * Invariant: nothing here changes a scene, so every world of it starts the same.
+ */
+#include "base/assert.h"
+#include "base/memory.h"
+#include "scene/scene_data.h"
+
+void skv_scene_destroy(skv_scene *scene)
+{
+    if (scene == NULL)
+        return;
+    skv_free(scene->name);
+    skv_free(scene->title);
+    skv_free(scene->description);
+    skv_free(scene->coverage);
+    skv_free(scene->paint);
+    skv_free(scene->solids);
+    skv_free(scene->water.shapes);
+    skv_free(scene->points);
+    for (int i = 0; i < SKV_MAX_NOTICES; i++)
+        skv_free(scene->notices[i]);
+    skv_free(scene);
+}
+
+/* ---- Worlds ---------------------------------------------------------------------------------- */
+
+/* The shape whose speed a particle takes. A fresh lattice is slightly shaken, so a particle may
+ * have left its shape by a hundredth of a spacing. */
+static const skv_shape *shape_near(const skv_water *water, float x, float y, float slack)
+{
+    const skv_shape *shape = skv_water_shape_at(water, x, y);
+    for (int i = 0; shape == NULL && i < 4; i++)
+        shape =
+            skv_water_shape_at(water, i & 1 ? x + slack : x - slack, i & 2 ? y + slack : y - slack);
+    return shape;
+}
+
+/* Sets the fluid of shapes with a speed in motion. */
+static skv_result add_speeds(const skv_scene *scene, skv_world *world, skv_error *error)
+{
+    bool moving = false;
+    for (int i = 0; i < scene->water.shape_count; i++)
+        moving |= scene->water.shapes[i].vx != 0.0 || scene->water.shapes[i].vy != 0.0;
+    if (!moving)
+        return SKV_OK;
+    skv_particles particles = skv_world_particles(world);
+    float slack = 0.02f * scene->fluid.spacing;
+    for (int i = 0; i < particles.count; i++) {
+        const skv_shape *shape = shape_near(&scene->water, particles.x[i], particles.y[i], slack);
+        if (shape == NULL || (shape->vx == 0.0 && shape->vy == 0.0))
+            continue;
+        skv_result result =
+            skv_world_add_velocity(world, i, 1, (float)shape->vx, (float)shape->vy, error);
+        if (result != SKV_OK)
+            return result;
+    }
+    return SKV_OK;
+}
+
+/* Puts the particles into an empty world. */
+static skv_result fill(const skv_scene *scene, skv_world *world, skv_error *error)
+{
+    skv_water water = scene->water; /* the callback's user pointer is not constant */
+    skv_result result = skv_world_fill(world, water.x0, water.y0, water.x1, water.y1,
+                                       skv_water_inside, &water, scene->particles, NULL, error);
+    return result == SKV_OK ? add_speeds(scene, world, error) : result;
+}
+
+skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world **world,
+                                  skv_error *error)
+{
+    SKV_ASSERT_OR(world != NULL, SKV_ERROR_VALUE);
+    *world = NULL;
+    SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
+    skv_world_def def = skv_default_world_def();
+    skv_result result = skv_scene_terrain(scene, &def.terrain, error);
+    if (result != SKV_OK)
+        return result;
+    def.fluid = scene->fluid;
+    def.gravity_x = (float)scene->gravity_x;
+    def.gravity_y = (float)scene->gravity_y;
+    def.depth = (float)scene->depth;
+    def.substeps = scene->substeps;
+    def.threads = threads;
+    def.capacity = scene->particles;
+    result = skv_world_create(&def, world, error);
+    if (result != SKV_OK) {
+        skv_terrain_destroy(def.terrain);
+        return result;
+    }
+    result = fill(scene, *world, error);
+    if (result != SKV_OK) {
+        skv_world_destroy(*world);
+        *world = NULL;
+    }
+    return result;
+}
+
+/* ---- Facts ----------------------------------------------------------------------------------- */
+
+const char *skv_scene_name(const skv_scene *scene)
+{
+    SKV_ASSERT_OR(scene != NULL, "");
+    return scene->name;
+}
+
+const char *skv_scene_title(const skv_scene *scene)
+{
+    SKV_ASSERT_OR(scene != NULL, "");
+    return scene->title;
+}
+
+const char *skv_scene_description(const skv_scene *scene)
+{
+    SKV_ASSERT_OR(scene != NULL, "");
+    return scene->description;
+}
+
+int skv_scene_particles(const skv_scene *scene)
+{
+    SKV_ASSERT_OR(scene != NULL, 0);
+    return scene->particles;
+}
+
+double skv_scene_seconds(const skv_scene *scene)
+{
+    SKV_ASSERT_OR(scene != NULL, 0.0);
+    return scene->seconds;
+}
+
+const char *skv_scene_notice(const skv_scene *scene, int i)
+{
+    SKV_ASSERT_OR(scene != NULL, NULL);
+    return i >= 0 && i < SKV_MAX_NOTICES ? scene->notices[i] : NULL;
+}
+
+int skv_scene_marked_pixels(const skv_scene *scene, bool drain, float *points, int capacity)
+{
+    SKV_ASSERT_OR(scene != NULL, 0);
+    if (scene->paint == NULL)
+        return 0;
+    int wanted = drain ? SKV_PAINT_DRAIN : SKV_PAINT_EMITTER, count = 0;
+    for (int y = 0; y < scene->height; y++) {
+        const uint8_t *row = scene->paint + (size_t)y * (size_t)scene->width;
+        for (int x = 0; x < scene->width; x++) {
+            if (row[x] != wanted)
+                continue;
+            if (points != NULL && count < capacity) {
+                points[2 * count] = (float)((x + 0.5) * scene->pixel_size);
+                points[2 * count + 1] = (float)((y + 0.5) * scene->pixel_size);
+            }
+            count++;
+        }
+    }
+    return count;
+}

@@ -1,0 +1,45 @@
+/* A loaded scene. Immutable: worlds are built from it as often as wanted. */
+#ifndef SKV_SCENE_DATA_H
+#define SKV_SCENE_DATA_H
+
+#include "scene/builder.h"
+#include "scene/paint.h"
+#include "scene/water.h"
+
+#define SKV_MAX_NOTICES 8
+
+struct skv_scene {
+    char *name, *title, *description; /* never null */
+    double seconds;
+    int width, height; /* pixels */
+    double pixel_size; /* m */
+    unsigned open_sides;
+    uint8_t *coverage; /* width * height, row 0 at the bottom */
+    uint8_t *paint;    /* likewise, skv_paint; null if no picture was painted */
+    int64_t marked[4]; /* pixels of each skv_paint */
+    skv_shape *solids;
+    int solid_count;
+    skv_water water;
+    double *points; /* of all shapes */
+    skv_fluid_def fluid;
+    double gravity_x, gravity_y;
+    double depth;
+    int substeps;
+    int particles;
+    char *notices[SKV_MAX_NOTICES];
+};
+
+/* Makes the scene that a builder's values describe. `picture` (null: none, or the file that
+ * world.picture names) is a PNG's content. On failure `*scene` is null. */
+skv_result skv_scene_compose(const skv_builder *builder, const uint8_t *picture,
+                             size_t picture_size, const char *picture_label, skv_scene **scene,
+                             skv_error *error);
+
+/* Says something without failing; cut to fit. */
+void skv_scene_note(skv_scene *scene, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The terrain of a scene. */
+skv_result skv_scene_terrain(const skv_scene *scene, skv_terrain **terrain, skv_error *error);
+
+#endif

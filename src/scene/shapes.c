@@ -1,0 +1,176 @@
+/* Shape values to shapes.
+ *
+ * Invariant: a shape that comes out has everything its kind needs, nothing of another kind, and a
+ * box that is not empty.
+ */
+#include "scene/shapes.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Which fields beside the shape itself a kind has, and which of them it needs. */
+typedef struct kind_fields {
+    const char *name;
+    unsigned has, needs;
+} kind_fields;
+
+#define BIT(field) (1u << (field))
+#define ANY_KIND   (BIT(SKV_SHAPE_KIND) | BIT(SKV_SHAPE_VX) | BIT(SKV_SHAPE_VY))
+
+static const kind_fields kinds[] = {
+    [SKV_SHAPE_BOX] =
+        {"box", BIT(SKV_SHAPE_X0) | BIT(SKV_SHAPE_Y0) | BIT(SKV_SHAPE_X1) | BIT(SKV_SHAPE_Y1), 0},
+    [SKV_SHAPE_CIRCLE] = {"circle", BIT(SKV_SHAPE_X) | BIT(SKV_SHAPE_Y) | BIT(SKV_SHAPE_RADIUS),
+                          BIT(SKV_SHAPE_X) | BIT(SKV_SHAPE_Y) | BIT(SKV_SHAPE_RADIUS)},
+    [SKV_SHAPE_POLYGON] = {"polygon", BIT(SKV_SHAPE_POINTS), BIT(SKV_SHAPE_POINTS)},
+    [SKV_SHAPE_LINE] = {"line", BIT(SKV_SHAPE_POINTS) | BIT(SKV_SHAPE_THICKNESS),
+                        BIT(SKV_SHAPE_POINTS)},
+};
+
+/* What a message needs to name a field of a shape. */
+typedef struct context {
+    const skv_builder *builder;
+    const skv_shape_values *values;
+    const char *list; /* "water" */
+    int index;
+    int base; /* SKV_F_WATER */
+    skv_error *error;
+} context;
+
+/* The last key of a shape's field: "radius". */
+static const char *key_of(const context *c, int field)
+{
+    const char *path = skv_scene_fields(NULL)[c->base + field].path;
+    return path + 8; /* behind "water[]." or "solid[]." */
+}
+
+/* Fails for one field, or for the whole shape if `field` is negative. */
+static skv_result fail(const context *c, int field, const char *message)
+{
+    char path[SKV_PATH_SIZE];
+    snprintf(path, sizeof path, "%s[%d]", c->list, c->index);
+    if (field >= 0) {
+        const char *key = key_of(c, field);
+        int length = field == SKV_SHAPE_POINTS ? 6 : 20; /* "points[][]" without its indices */
+        snprintf(path, sizeof path, "%s[%d].%.*s", c->list, c->index, length, key);
+    }
+    skv_origin origin = c->values->origin;
+    if (field >= 0 && c->values->value[field].origin.source != SKV_FROM_DEFAULT)
+        origin = c->values->value[field].origin;
+    return skv_builder_fail(c->builder, origin, path, c->error, SKV_ERROR_VALUE, "%s", message);
+}
+
+/* Every field that is given belongs to the kind, and every one the kind needs is given. */
+static skv_result check_fields(const context *c, const kind_fields *kind)
+{
+    char message[120];
+    bool water = c->base == SKV_F_WATER;
+    int fields = (water ? SKV_SHAPE_VY : SKV_SHAPE_CARVE) + 1;
+    for (int i = 0; i < fields; i++) {
+        bool given = c->values->value[i].origin.source != SKV_FROM_DEFAULT ||
+                     (i == SKV_SHAPE_POINTS && c->values->point_count > 0);
+        if (given && !((kind->has | ANY_KIND) & BIT(i))) {
+            snprintf(message, sizeof message, "a %s has no %.*s", kind->name,
+                     i == SKV_SHAPE_POINTS ? 6 : 20, key_of(c, i));
+            return fail(c, i, message);
+        }
+        if (!given && (kind->needs & BIT(i))) {
+            snprintf(message, sizeof message, "is missing; a %s needs it", kind->name);
+            return fail(c, i, message);
+        }
+    }
+    return SKV_OK;
+}
+
+static skv_result check_points(const context *c, skv_shape_kind kind)
+{
+    const skv_shape_values *values = c->values;
+    for (int i = 0; i < 2 * values->point_count; i++) {
+        if (isnan(values->points[i]))
+            return fail(c, SKV_SHAPE_POINTS, "a point lacks a value; a point is a pair [x, y]");
+    }
+    if (kind == SKV_SHAPE_POLYGON && values->point_count < 3)
+        return fail(c, SKV_SHAPE_POINTS, "a polygon needs at least 3 points");
+    if (kind == SKV_SHAPE_LINE && values->point_count < 2)
+        return fail(c, SKV_SHAPE_POINTS, "a line needs at least 2 points");
+    return SKV_OK;
+}
+
+/* Fills in the box. */
+static skv_result make_box(const context *c, double width, double height, skv_shape *shape)
+{
+    const skv_value *value = c->values->value;
+    bool has_x1 = value[SKV_SHAPE_X1].origin.source != SKV_FROM_DEFAULT;
+    bool has_y1 = value[SKV_SHAPE_Y1].origin.source != SKV_FROM_DEFAULT;
+    shape->x0 = value[SKV_SHAPE_X0].number;
+    shape->y0 = value[SKV_SHAPE_Y0].number;
+    shape->x1 = has_x1 ? value[SKV_SHAPE_X1].number : width;
+    shape->y1 = has_y1 ? value[SKV_SHAPE_Y1].number : height;
+    if (shape->x0 >= shape->x1)
+        return fail(c, has_x1 ? SKV_SHAPE_X1 : SKV_SHAPE_X0,
+                    "the box is empty; x0 must be smaller than x1");
+    if (shape->y0 >= shape->y1)
+        return fail(c, has_y1 ? SKV_SHAPE_Y1 : SKV_SHAPE_Y0,
+                    "the box is empty; y0 must be smaller than y1");
+    return SKV_OK;
+}
+
+static skv_result make_shape(const context *c, double width, double height, skv_shape *shape)
+{
+    const skv_value *value = c->values->value;
+    if (value[SKV_SHAPE_KIND].origin.source == SKV_FROM_DEFAULT)
+        return fail(c, SKV_SHAPE_KIND, "is missing; allowed is box, circle, polygon or line");
+    skv_shape_kind kind = (skv_shape_kind)value[SKV_SHAPE_KIND].number;
+    bool water = c->base == SKV_F_WATER;
+    skv_result result = check_fields(c, &kinds[kind]);
+    if (result == SKV_OK)
+        result = check_points(c, kind);
+    if (result != SKV_OK)
+        return result;
+    *shape = (skv_shape){
+        .kind = kind,
+        .x = value[SKV_SHAPE_X].number,
+        .y = value[SKV_SHAPE_Y].number,
+        .radius = kind == SKV_SHAPE_LINE ? 0.5 * value[SKV_SHAPE_THICKNESS].number
+                                         : value[SKV_SHAPE_RADIUS].number,
+        .points = c->values->points,
+        .point_count = c->values->point_count,
+        .carve = !water && value[SKV_SHAPE_CARVE].number != 0.0,
+        .vx = water ? value[SKV_SHAPE_VX].number : 0.0,
+        .vy = water ? value[SKV_SHAPE_VY].number : 0.0,
+    };
+    if (kind == SKV_SHAPE_BOX)
+        result = make_box(c, width, height, shape);
+    else
+        skv_shape_set_bounds(shape);
+    if (result != SKV_OK)
+        return result;
+    if (water &&
+        (shape->x1 <= 0.0 || shape->y1 <= 0.0 || shape->x0 >= width || shape->y0 >= height)) {
+        char message[160], x[32], y[32];
+        skv_format_number(width, x);
+        skv_format_number(height, y);
+        snprintf(message, sizeof message,
+                 "lies outside the world; it reaches from 0, 0 to %s, %s m", x, y);
+        return fail(c, -1, message);
+    }
+    return SKV_OK;
+}
+
+skv_result skv_shapes_make(const skv_builder *builder, bool water, double width, double height,
+                           skv_shape *shapes, skv_error *error)
+{
+    const skv_shape_list *list = water ? &builder->values.water : &builder->values.solid;
+    for (int i = 0; i < list->count; i++) {
+        context c = {.builder = builder,
+                     .values = &list->shapes[i],
+                     .list = water ? "water" : "solid",
+                     .index = i,
+                     .base = water ? SKV_F_WATER : SKV_F_SOLID,
+                     .error = error};
+        skv_result result = make_shape(&c, width, height, &shapes[i]);
+        if (result != SKV_OK)
+            return result;
+    }
+    return SKV_OK;
+}

@@ -1,0 +1,153 @@
+/* Water at the start, and the spacing that makes it hold a wanted number of particles.
+ *
+ * Invariant: the same water, terrain and spacing give the same particles here and in the world,
+ * because both ask skv_water_inside through the same lattice.
+ */
+#include "scene/water.h"
+
+#include <math.h>
+
+#include "scene/fields.h"
+#include "scene/paint.h"
+
+static bool is_painted(const skv_water *water, double x, double y)
+{
+    int column = (int)floor(x / water->pixel_size), row = (int)floor(y / water->pixel_size);
+    if (column < 0 || row < 0 || column >= water->width || row >= water->height)
+        return false;
+    size_t pixel = (size_t)row * (size_t)water->width + (size_t)column;
+    return water->paint[pixel] == SKV_PAINT_FLUID;
+}
+
+const skv_shape *skv_water_shape_at(const skv_water *water, float x, float y)
+{
+    for (int i = water->shape_count - 1; i >= 0; i--) {
+        if (skv_shape_contains(&water->shapes[i], (double)x, (double)y))
+            return &water->shapes[i];
+    }
+    return NULL;
+}
+
+bool skv_water_inside(float x, float y, void *user)
+{
+    const skv_water *water = user;
+    return (double)y < water->level || skv_water_shape_at(water, x, y) != NULL ||
+           (water->paint != NULL && is_painted(water, (double)x, (double)y));
+}
+
+/* ---- Bounds ---------------------------------------------------------------------------------- */
+
+typedef struct box {
+    double x0, y0, x1, y1;
+} box;
+
+static void extend(box *bounds, double x0, double y0, double x1, double y1)
+{
+    bounds->x0 = x0 < bounds->x0 ? x0 : bounds->x0;
+    bounds->y0 = y0 < bounds->y0 ? y0 : bounds->y0;
+    bounds->x1 = x1 > bounds->x1 ? x1 : bounds->x1;
+    bounds->y1 = y1 > bounds->y1 ? y1 : bounds->y1;
+}
+
+static void extend_by_paint(box *bounds, const skv_water *water)
+{
+    double size = water->pixel_size;
+    for (int row = 0; row < water->height; row++) {
+        const uint8_t *paint = water->paint + (size_t)row * (size_t)water->width;
+        int first = 0, last = water->width - 1;
+        while (first < water->width && paint[first] != SKV_PAINT_FLUID)
+            first++;
+        if (first == water->width)
+            continue;
+        while (paint[last] != SKV_PAINT_FLUID)
+            last--;
+        extend(bounds, first * size, row * size, (last + 1) * size, (row + 1) * size);
+    }
+}
+
+void skv_water_set_bounds(skv_water *water)
+{
+    double width = water->width * water->pixel_size, height = water->height * water->pixel_size;
+    box bounds = {width, height, 0.0, 0.0};
+    if (water->level > 0.0)
+        extend(&bounds, 0.0, 0.0, width, water->level);
+    for (int i = 0; i < water->shape_count; i++) {
+        const skv_shape *shape = &water->shapes[i];
+        extend(&bounds, shape->x0, shape->y0, shape->x1, shape->y1);
+    }
+    if (water->paint != NULL)
+        extend_by_paint(&bounds, water);
+    water->x0 = (float)(bounds.x0 > 0.0 ? bounds.x0 : 0.0);
+    water->y0 = (float)(bounds.y0 > 0.0 ? bounds.y0 : 0.0);
+    water->x1 = (float)(bounds.x1 < width ? bounds.x1 : width);
+    water->y1 = (float)(bounds.y1 < height ? bounds.y1 : height);
+}
+
+/* ---- Spacing --------------------------------------------------------------------------------- */
+
+int skv_water_count(const skv_water *water, const skv_terrain *terrain, float spacing)
+{
+    skv_water copy = *water; /* the callback's user pointer is not constant */
+    return skv_fill_count(terrain, spacing, water->x0, water->y0, water->x1, water->y1,
+                          skv_water_inside, &copy);
+}
+
+/* Finds a spacing at or above `least` that holds at least `wanted`, starting from `spacing`, which
+ * may hold less; false if there is none. Steps by the area that seems to be there. */
+static bool shrink_until_enough(const skv_water *water, const skv_terrain *terrain, int wanted,
+                                float least, float *spacing, int *count)
+{
+    while (*count < wanted) {
+        if (*spacing <= least)
+            return false;
+        double factor = *count > 0 ? sqrt((double)*count / wanted) : 0.5;
+        *spacing *= (float)(factor < 0.98 ? factor : 0.98);
+        if (*spacing < least)
+            *spacing = least;
+        *count = skv_water_count(water, terrain, *spacing);
+    }
+    return true;
+}
+
+/* Between `low`, which holds enough, and `high`, which does not: keeps the best spacing seen, the
+ * widest of equals, in *spacing and *count. */
+static void bisect(const skv_water *water, const skv_terrain *terrain, int wanted, float low,
+                   float high, float *spacing, int *count)
+{
+    for (int i = 0; i < 40 && *count != wanted; i++) {
+        float middle = 0.5f * (low + high);
+        if (middle <= low || middle >= high)
+            return;
+        int there = skv_water_count(water, terrain, middle);
+        if (there < wanted) {
+            high = middle;
+            continue;
+        }
+        low = middle;
+        if (there <= *count) {
+            *count = there;
+            *spacing = middle;
+        }
+    }
+}
+
+skv_result skv_water_choose_spacing(const skv_water *water, const skv_terrain *terrain, int wanted,
+                                    float least, float *spacing, int *count)
+{
+    const float most = (float)skv_scene_fields(NULL)[SKV_F_FLUID_SPACING].maximum;
+    double area = ((double)water->x1 - (double)water->x0) * ((double)water->y1 - (double)water->y0);
+    float high = (float)sqrt(area / wanted) * 1.1f;
+    high = high > most ? most : high < least ? least : high;
+    *spacing = high;
+    *count = skv_water_count(water, terrain, high);
+    while (*count > wanted) {
+        if (high >= most)
+            return SKV_ERROR_VALUE;
+        high = high * 1.2f > most ? most : high * 1.2f;
+        *spacing = high;
+        *count = skv_water_count(water, terrain, high);
+    }
+    if (shrink_until_enough(water, terrain, wanted, least, spacing, count))
+        bisect(water, terrain, wanted, *spacing, high, spacing, count);
+    return SKV_OK;
+}

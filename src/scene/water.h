@@ -1,0 +1,36 @@
+/* Where the fluid is at the start: shapes, painted pixels, or everything up to a level. */
+#ifndef SKV_SCENE_WATER_H
+#define SKV_SCENE_WATER_H
+
+#include "scene/shape.h"
+#include "skvalp/world.h"
+
+typedef struct skv_water {
+    skv_shape *shapes;
+    int shape_count;
+    const uint8_t *paint; /* width * height skv_paint, row 0 at the bottom; null: not painted */
+    int width, height;
+    double pixel_size;
+    double level;         /* fluid up to here, whatever the rest says; below the world: none */
+    float x0, y0, x1, y1; /* a box around all of it, within the world */
+} skv_water;
+
+/* Sets the box from everything else. Empty (x0 > x1) if nothing lies within the world. */
+void skv_water_set_bounds(skv_water *water);
+
+/* An skv_inside; `user` is a const skv_water. */
+bool skv_water_inside(float x, float y, void *user);
+
+/* The last shape that holds a point, whose speed its particle takes; null for painted fluid. */
+const skv_shape *skv_water_shape_at(const skv_water *water, float x, float y);
+
+/* The spacing at which `wanted` particles fill the water exactly, or else the one with the smallest
+ * surplus. `least` is a lower limit: if fewer fit at it, *spacing is `least` and *count says how
+ * many. SKV_ERROR_VALUE, with *count set, if even the largest spacing allowed holds more. */
+skv_result skv_water_choose_spacing(const skv_water *water, const skv_terrain *terrain, int wanted,
+                                    float least, float *spacing, int *count);
+
+/* skv_fill_count over the water. */
+int skv_water_count(const skv_water *water, const skv_terrain *terrain, float spacing);
+
+#endif
