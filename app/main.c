@@ -1,0 +1,54 @@
+/* skvalp-play: reads the command line and starts the application. Invariant: a scene that cannot be
+ * opened never keeps the window from opening; only a wrong command line does. */
+#include <stdio.h>
+
+#include "actions.h"
+#include "window.h"
+
+#define USAGE                                                                                      \
+    "Usage: skvalp-play [SCENE]\n"                                                                 \
+    "Shows a scene live: a built-in name such as dam-break, or a .json or .png file.\n"            \
+    "\n"                                                                                           \
+    "  -h, --help     this text\n"                                                                 \
+    "      --version  the version\n"                                                               \
+    "\n"                                                                                           \
+    "In the window: hold fluid with the mouse or with several fingers; arrow keys turn\n"          \
+    "gravity; Space pauses, S steps, R resets, T shows tracers; Ctrl+? lists all keys.\n"
+
+static void on_startup(GtkApplication *application)
+{
+    adw_style_manager_set_color_scheme(adw_style_manager_get_default(),
+                                       ADW_COLOR_SCHEME_PREFER_DARK);
+    play_actions_set_keys(application);
+}
+
+static void on_activate(GtkApplication *application, const char *scene)
+{
+    gtk_window_present(play_window_new(application, scene));
+}
+
+int main(int argc, char **argv)
+{
+    const char *scene = argc > 1 ? argv[1] : NULL;
+    if (scene && (g_str_equal(scene, "--help") || g_str_equal(scene, "-h"))) {
+        fputs(USAGE, stdout);
+        return 0;
+    }
+    if (scene && g_str_equal(scene, "--version")) {
+        printf("skvalp-play %s\n", skv_version());
+        return 0;
+    }
+    if (argc > 2 || (scene && scene[0] == '-')) {
+        fprintf(stderr, "skvalp-play: %s; try: skvalp-play --help\n",
+                argc > 2 ? "one scene at a time" : "unknown option");
+        return 2;
+    }
+
+    /* Each process is its own: two windows may show two scenes. */
+    AdwApplication *application = adw_application_new("org.skvalp.Play", G_APPLICATION_NON_UNIQUE);
+    g_signal_connect(application, "startup", G_CALLBACK(on_startup), NULL);
+    g_signal_connect(application, "activate", G_CALLBACK(on_activate), (gpointer)scene);
+    int status = g_application_run(G_APPLICATION(application), 1, argv);
+    g_object_unref(application);
+    return status;
+}
