@@ -1,0 +1,118 @@
+/* Water at rest on slanted walls: black and white staircases neither make it creep nor heat it,
+ * and no layer is stacked on them. */
+#include "support/fixture.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+enum { WIDTH = 320, HEIGHT = 180 };
+
+/* A closed tank whose floor rises to the right at `degrees`, through (0.4 m, 0): a staircase of
+ * black and white pixels. Filled to `level`. */
+static skv_world *slanted_pool(double degrees, float level)
+{
+    double slope = tan(degrees * acos(-1) / 180), pixel = 1.6 / WIDTH;
+    uint8_t *coverage = calloc(WIDTH * HEIGHT, 1);
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            double floor = ((x + 0.5) * pixel - 0.4) * slope;
+            coverage[y * WIDTH + x] = (y + 0.5) * pixel < floor ? 255 : 0;
+        }
+    }
+    skv_terrain_def picture = skv_default_terrain_def();
+    picture.width = WIDTH;
+    picture.height = HEIGHT;
+    picture.pixel_size = (float)pixel;
+    picture.coverage = coverage;
+    skv_world_def def = skv_default_world_def();
+    def.fluid.spacing = 0.0155f;
+    def.depth = level;
+    def.threads = 2;
+    skv_world *world;
+    assert_int_equal(skv_terrain_create(&picture, &def.terrain, NULL), SKV_OK);
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    assert_int_equal(skv_world_fill(world, 0, 0, 1.6f, level, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    free(coverage);
+    return world;
+}
+
+typedef struct rest {
+    double creep; /* m/s: mean drift along the wall of the particles within h of it */
+    double rms;   /* m/s: of all particles, over the time of measuring */
+    double layer; /* particles within one spacing of the wall, per spacing of wall, against rest */
+} rest;
+
+static rest measure(skv_world *world, double degrees, float level, int frames)
+{
+    double angle = degrees * acos(-1) / 180, tx = cos(angle), ty = sin(angle);
+    int n = skv_world_particle_count(world);
+    float h = skv_world_radius(world), s = skv_world_spacing(world);
+    float *x = malloc((size_t)n * sizeof *x), *y = malloc((size_t)n * sizeof *y);
+    int near_wall = 0, layer = 0;
+    rest result = {0};
+    const skv_terrain *terrain = skv_world_terrain(world);
+    skv_particles p = skv_world_particles(world);
+    for (int i = 0; i < n; i++) {
+        x[i] = p.x[i];
+        y[i] = p.y[i];
+    }
+    for (int f = 0; f < frames; f++) {
+        fixture_run(world, 1);
+        double speed = skv_world_stats(world).rms_speed;
+        result.rms += speed * speed / frames;
+    }
+    result.rms = sqrt(result.rms);
+    p = skv_world_particles(world);
+    /* The part of the slope that is under water and clear of both ends. */
+    double x0 = 0.4 + 3 * (double)h,
+           x1 = fmin(1.6, 0.4 + (double)level / tan(angle)) - 6 * (double)h;
+    for (int i = 0; i < n; i++) {
+        if ((double)x[i] < x0 || (double)x[i] > x1)
+            continue;
+        float distance = skv_terrain_distance(terrain, x[i], y[i]);
+        if (distance < h) {
+            near_wall++;
+            result.creep += (double)(p.x[i] - x[i]) * tx + (double)(p.y[i] - y[i]) * ty;
+        }
+        layer += distance < s;
+    }
+    result.creep /= near_wall * (frames / 60.0);
+    result.layer = layer * (double)s / ((x1 - x0) / cos(angle));
+    free(x);
+    free(y);
+    return result;
+}
+
+static void staircases_neither_creep_nor_heat(void **unused)
+{
+    (void)unused;
+    const double angles[] = {10, 30, 45};
+    for (int a = 0; a < 3; a++) {
+        float level = 0.5f;
+        skv_world *world = slanted_pool(angles[a], level);
+        fixture_run(world, 6 * 60);
+        rest r = measure(world, angles[a], level, 3 * 60);
+        printf("%2.0f degrees: creep %+.5f m/s, rms speed %.5f m/s, layer %.3f\n", angles[a],
+               r.creep, r.rms, r.layer);
+        assert_true(fabs(r.creep) <= 0.001);
+        assert_true(r.rms <= 0.01);
+        assert_true(fabs(r.layer - 1) < 0.15);
+        assert_int_equal(skv_world_stats(world).escaped, 0);
+        skv_world_destroy(world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(staircases_neither_creep_nor_heat),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
