@@ -20,8 +20,13 @@ static bool finite_particle(const skv_state *s, int i)
 
 static bool has_escaped(const skv_world *world, float x, float y)
 {
-    /* Beyond an open side is on the way out, not an escape. */
-    return skv_terrain_distance(world->terrain, x, y) < -world->h;
+    const skv_terrain *terrain = world->terrain;
+    unsigned open = skv_terrain_open_sides(terrain);
+    bool leaving = ((open & SKV_SIDE_LEFT) && x < 0) ||
+                   ((open & SKV_SIDE_RIGHT) && x > skv_terrain_width(terrain)) ||
+                   ((open & SKV_SIDE_BOTTOM) && y < 0) ||
+                   ((open & SKV_SIDE_TOP) && y > skv_terrain_height(terrain));
+    return !leaving && skv_terrain_distance(terrain, x, y) < -world->h;
 }
 
 /* Sums over one particle's surroundings, as pass A of the solver sees them. */
