@@ -1,0 +1,64 @@
+/* What --help and help print. The options come from their table, the settings from the scene
+ * layer's registry, so neither can fall behind. */
+#include "commands.h"
+
+void help_print(void)
+{
+    puts("skvalp - a real-time 2D particle fluid\n"
+         "\n"
+         "usage: skvalp COMMAND [OPTION...]\n"
+         "\n"
+         "  run SCENE     simulate a scene; write numbers, tables, pictures, a video\n"
+         "  check SCENE   load a scene and say what it is, or what is wrong with it\n"
+         "  scenes        list the built-in scenes\n"
+         "  help set      list the fields that --set can change\n"
+         "\n"
+         "SCENE is a built-in name, a .json or a .png. 'skvalp COMMAND --help' lists the options.\n"
+         "Exit status: 0 done, 1 a check failed, 2 bad usage or bad input.");
+}
+
+void help_print_command(command which)
+{
+    switch (which) {
+    case COMMAND_RUN:
+        puts("usage: skvalp run SCENE [OPTION...]\n\nSimulates a scene and reports on it.\n");
+        break;
+    case COMMAND_SCENES:
+        puts("usage: skvalp scenes [OPTION...]\n\nLists the built-in scenes.\n");
+        break;
+    case COMMAND_CHECK:
+        puts("usage: skvalp check SCENE [OPTION...]\n\n"
+             "Loads and validates a scene without running it.\n");
+        break;
+    }
+    options_print_help(which, stdout);
+}
+
+void help_print_settings(void)
+{
+    int count = 0;
+    const skv_field *fields = skv_scene_fields(&count);
+    puts("Fields of a scene, for --set PATH=VALUE and for scene files:\n");
+    for (int i = 0; i < count; i++) {
+        const skv_field *field = &fields[i];
+        printf("%s  ", field->path);
+        switch (field->type) {
+        case SKV_FIELD_NUMBER:
+        case SKV_FIELD_INTEGER:
+            printf("%.10g..%.10g%s%s", field->minimum, field->maximum, *field->unit ? " " : "",
+                   field->unit);
+            break;
+        case SKV_FIELD_TEXT:
+            printf("text, at most %.10g bytes", field->maximum);
+            break;
+        case SKV_FIELD_CHOICE:
+            fputs(field->choices, stdout);
+            break;
+        case SKV_FIELD_BOOLEAN:
+            fputs("true|false", stdout);
+            break;
+        }
+        printf("%s%s\n    %s\n", *field->default_text ? ", default " : "", field->default_text,
+               field->help);
+    }
+}

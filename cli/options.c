@@ -1,0 +1,421 @@
+/* Reads argv by one table of options.
+ *
+ * Invariant: the table is the only place that knows an option; parsing, range messages, suggestions
+ * and help all walk it. Values are checked here as far as they can be without a scene, so that bad
+ * usage ends before any work begins.
+ */
+#include "options.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef enum kind {
+    KIND_FLAG,    /* bool */
+    KIND_NUMBER,  /* double, minimum..maximum */
+    KIND_INTEGER, /* int, minimum..maximum */
+    KIND_FILE,    /* const char * */
+    KIND_SIZE,    /* WxH into width and height */
+    KIND_LAW,     /* a setting of fluid.law */
+    KIND_SETTING  /* path=value */
+} kind;
+
+typedef struct option_rule {
+    const char *name;     /* without the dashes */
+    const char *argument; /* as the help calls it; null for a flag */
+    unsigned commands;
+    kind kind;
+    size_t offset; /* into cli_options */
+    double minimum, maximum;
+    const char *unit;
+    const char *help;
+} option_rule;
+
+#define AT(field)      offsetof(cli_options, field)
+#define SCENE_COMMANDS (COMMAND_RUN | COMMAND_CHECK)
+#define ALL_COMMANDS   (COMMAND_RUN | COMMAND_SCENES | COMMAND_CHECK)
+
+static const option_rule rules[] = {
+    {"seconds", "T", COMMAND_RUN, KIND_NUMBER, AT(seconds), 0, 86400, " s",
+     "simulated time; default: what the scene suggests"},
+    {"particles", "N", SCENE_COMMANDS, KIND_INTEGER, AT(particles), 1, SKV_MAX_PARTICLES, "",
+     "wanted number of particles; default: the scene's"},
+    {"threads", "K", COMMAND_RUN, KIND_INTEGER, AT(threads), 0, SKV_MAX_THREADS, "",
+     "threads to compute on; 0, the default: one per core"},
+    {"law", "LAW", SCENE_COMMANDS, KIND_LAW, 0, 0, 0, "",
+     "pressure law: calibrated or clavet; same as --set fluid.law=LAW"},
+    {"set", "PATH=VALUE", SCENE_COMMANDS, KIND_SETTING, 0, 0, 0, "",
+     "override a field of the scene, see 'skvalp help set'; may be repeated"},
+    {"png", "FILE", COMMAND_RUN, KIND_FILE, AT(png), 0, 0, "", "write a picture of the end"},
+    {"video", "FILE.mp4", COMMAND_RUN, KIND_FILE, AT(video), 0, 0, "",
+     "write a video, 60 pictures a second (needs ffmpeg)"},
+    {"size", "WxH", COMMAND_RUN, KIND_SIZE, 0, PICTURE_MIN, PICTURE_MAX, "",
+     "pixels of picture and video; default: the world's shape, longer side 1280"},
+    {"tracers", NULL, COMMAND_RUN, KIND_FLAG, AT(tracers), 0, 0, "",
+     "draw every tenth particle white"},
+    {"csv", "FILE", COMMAND_RUN, KIND_FILE, AT(csv), 0, 0, "",
+     "write energies, momentum, speeds and volume of every frame; - is stdout"},
+    {"trace", "FILE.csv", COMMAND_RUN, KIND_FILE, AT(trace), 0, 0, "",
+     "write t,id,x,y,vx,vy,pressure of every particle; - is stdout"},
+    {"trace-every", "S", COMMAND_RUN, KIND_NUMBER, AT(trace_every), 0.001, 86400, " s",
+     "time between the moments of --trace; default 0.1"},
+    {"json", NULL, COMMAND_RUN | COMMAND_SCENES, KIND_FLAG, AT(json), 0, 0, "",
+     "print the result as JSON"},
+    {"quiet", NULL, ALL_COMMANDS, KIND_FLAG, AT(quiet), 0, 0, "",
+     "print errors and what was asked for, nothing else"},
+    {"help", NULL, ALL_COMMANDS, KIND_FLAG, AT(help), 0, 0, "", "show this help"},
+};
+enum { RULE_COUNT = (int)(sizeof rules / sizeof rules[0]) };
+
+static const char *command_name(command which)
+{
+    return which == COMMAND_RUN ? "run" : which == COMMAND_SCENES ? "scenes" : "check";
+}
+
+/* Levenshtein distance; names longer than the table are not similar to any option. */
+static int edit_distance(const char *a, const char *b)
+{
+    enum { LONGEST = 40 };
+    size_t length_a = strlen(a), length_b = strlen(b);
+    if (length_a > LONGEST || length_b > LONGEST) {
+        return LONGEST;
+    }
+    int row[LONGEST + 1];
+    for (size_t j = 0; j <= length_b; j++) {
+        row[j] = (int)j;
+    }
+    for (size_t i = 1; i <= length_a; i++) {
+        int diagonal = row[0];
+        row[0] = (int)i;
+        for (size_t j = 1; j <= length_b; j++) {
+            int best = diagonal + (a[i - 1] != b[j - 1]);
+            diagonal = row[j];
+            best = row[j] + 1 < best ? row[j] + 1 : best;
+            row[j] = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
+        }
+    }
+    return row[length_b];
+}
+
+const char *nearest_name(const char *text, const char *const *candidates, int count)
+{
+    const char *best = NULL;
+    int best_distance = 2 + (int)strlen(text) / 3;
+    for (int i = 0; i < count; i++) {
+        /* Whoever stopped typing early means the whole word. */
+        bool begins = strlen(text) >= 2 && strncmp(text, candidates[i], strlen(text)) == 0;
+        int distance = begins ? 1 : edit_distance(text, candidates[i]);
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = candidates[i];
+        }
+    }
+    return best;
+}
+
+static skv_result unknown_option(command which, const char *name, skv_error *error)
+{
+    const char *candidates[RULE_COUNT];
+    int count = 0;
+    for (int i = 0; i < RULE_COUNT; i++) {
+        if (rules[i].commands & which) {
+            candidates[count++] = rules[i].name;
+        } else if (strcmp(rules[i].name, name) == 0) {
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "--%s: '%s' does not take it; see 'skvalp %s --help'", name,
+                            command_name(which), command_name(which));
+        }
+    }
+    const char *nearest = nearest_name(name, candidates, count);
+    if (nearest) {
+        return skv_fail(error, SKV_ERROR_VALUE, "--%s: no such option; did you mean --%s?", name,
+                        nearest);
+    }
+    return skv_fail(error, SKV_ERROR_VALUE, "--%s: no such option; see 'skvalp %s --help'", name,
+                    command_name(which));
+}
+
+static skv_result out_of_range(const option_rule *rule, const char *text, skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "--%s: '%s' is out of range; allowed is %.10g to %.10g%s", rule->name, text,
+                    rule->minimum, rule->maximum, rule->unit);
+}
+
+/* Plain decimal numbers only: strtod alone would take "nan", "0x1p3" and leading spaces. */
+static skv_result parse_number(const option_rule *rule, const char *text, double *value,
+                               skv_error *error)
+{
+    char *end;
+    if (!*text || text[strspn(text, "+-.0123456789eE")] != '\0') {
+        end = (char *)text;
+    } else {
+        *value = strtod(text, &end);
+    }
+    if (end == text || *end != '\0') {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--%s: '%s' is not a number; allowed is %.10g to %.10g%s", rule->name, text,
+                        rule->minimum, rule->maximum, rule->unit);
+    }
+    if (!(*value >= rule->minimum && *value <= rule->maximum)) {
+        return out_of_range(rule, text, error);
+    }
+    return SKV_OK;
+}
+
+static skv_result parse_integer(const option_rule *rule, const char *text, int *value,
+                                skv_error *error)
+{
+    size_t sign = *text == '-' || *text == '+';
+    size_t digits = strspn(text + sign, "0123456789");
+    if (digits == 0 || text[sign + digits] != '\0') {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--%s: '%s' is not a whole number; allowed is %.10g to %.10g", rule->name,
+                        text, rule->minimum, rule->maximum);
+    }
+    errno = 0;
+    long long number = strtoll(text, NULL, 10);
+    if (errno || (double)number < rule->minimum || (double)number > rule->maximum) {
+        return out_of_range(rule, text, error);
+    }
+    *value = (int)number;
+    return SKV_OK;
+}
+
+static skv_result parse_size(const option_rule *rule, const char *text, cli_options *result,
+                             skv_error *error)
+{
+    size_t first = strspn(text, "0123456789");
+    size_t second = text[first] == 'x' ? strspn(text + first + 1, "0123456789") : 0;
+    if (first == 0 || second == 0 || text[first + 1 + second] != '\0') {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--size: '%s' is not WIDTHxHEIGHT; say for example 1280x720", text);
+    }
+    double width = strtod(text, NULL), height = strtod(text + first + 1, NULL);
+    if (!(fmin(width, height) >= rule->minimum && fmax(width, height) <= rule->maximum)) {
+        return out_of_range(rule, text, error);
+    }
+    result->width = (int)width;
+    result->height = (int)height;
+    return SKV_OK;
+}
+
+static skv_result parse_setting(const char *text, cli_options *result, skv_error *error)
+{
+    const char *equals = strchr(text, '=');
+    if (!equals || equals == text) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--set: '%s' is not PATH=VALUE; see 'skvalp help set' for the paths", text);
+    }
+    size_t size = strlen(text) + 1;
+    char *path = malloc(size);
+    if (!path) {
+        return skv_fail(error, SKV_ERROR_MEMORY, "--set: out of memory");
+    }
+    memcpy(path, text, size);
+    path[equals - text] = '\0';
+    result->settings[result->setting_count++] =
+        (skv_setting){.path = path, .value = path + (equals - text) + 1};
+    return SKV_OK;
+}
+
+static skv_result parse_law(const char *text, cli_options *result, skv_error *error)
+{
+    char setting[64];
+    if (strcmp(text, skv_law_name(SKV_LAW_CALIBRATED)) != 0 &&
+        strcmp(text, skv_law_name(SKV_LAW_CLAVET)) != 0) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--law: '%s' is no pressure law; allowed is %s or %s", text,
+                        skv_law_name(SKV_LAW_CALIBRATED), skv_law_name(SKV_LAW_CLAVET));
+    }
+    snprintf(setting, sizeof setting, "fluid.law=%s", text);
+    return parse_setting(setting, result, error);
+}
+
+static skv_result apply(const option_rule *rule, const char *text, cli_options *result,
+                        skv_error *error)
+{
+    void *field = (char *)result + rule->offset;
+    switch (rule->kind) {
+    case KIND_FLAG:
+        *(bool *)field = true;
+        return SKV_OK;
+    case KIND_NUMBER:
+        return parse_number(rule, text, field, error);
+    case KIND_INTEGER:
+        return parse_integer(rule, text, field, error);
+    case KIND_FILE:
+        if (!*text) {
+            return skv_fail(error, SKV_ERROR_VALUE, "--%s: the name is empty; name a file",
+                            rule->name);
+        }
+        *(const char **)field = text;
+        return SKV_OK;
+    case KIND_SIZE:
+        return parse_size(rule, text, result, error);
+    case KIND_LAW:
+        return parse_law(text, result, error);
+    case KIND_SETTING:
+        return parse_setting(text, result, error);
+    }
+    return SKV_ERROR_VALUE;
+}
+
+/* Reads the option at arguments[*i], which begins with "--", and its value, which may follow. */
+static skv_result parse_option(command which, int count, char **arguments, int *i,
+                               cli_options *result, skv_error *error)
+{
+    const char *name = arguments[*i] + 2;
+    size_t length = strcspn(name, "=");
+    const option_rule *rule = NULL;
+    for (int k = 0; k < RULE_COUNT && !rule; k++) {
+        bool same = strlen(rules[k].name) == length && strncmp(rules[k].name, name, length) == 0;
+        rule = same && (rules[k].commands & which) ? &rules[k] : NULL;
+    }
+    if (!rule) {
+        char bare[64];
+        snprintf(bare, sizeof bare, "%.*s", (int)(length < 60 ? length : 60), name);
+        return unknown_option(which, bare, error);
+    }
+    const char *value = name[length] == '=' ? name + length + 1 : NULL;
+    if (!rule->argument && value) {
+        return skv_fail(error, SKV_ERROR_VALUE, "--%s: it takes no value; leave '=%s' away",
+                        rule->name, value);
+    }
+    if (rule->argument && !value) {
+        if (*i + 1 >= count || strncmp(arguments[*i + 1], "--", 2) == 0) {
+            return skv_fail(error, SKV_ERROR_VALUE, "--%s: the value is missing; say --%s %s",
+                            rule->name, rule->name, rule->argument);
+        }
+        value = arguments[++*i];
+    }
+    return apply(rule, value, result, error);
+}
+
+static bool is_dash(const char *name)
+{
+    return name && strcmp(name, "-") == 0;
+}
+
+bool options_use_stdout(const cli_options *options)
+{
+    return is_dash(options->csv) || is_dash(options->trace);
+}
+
+static bool ends_with_mp4(const char *name)
+{
+    size_t length = strlen(name);
+    return length > 4 && strcmp(name + length - 4, ".mp4") == 0;
+}
+
+/* What no single option can know: whether they fit together. */
+static skv_result check_together(command which, const cli_options *given, skv_error *error)
+{
+    bool pictures = given->png || given->video;
+    if (which != COMMAND_SCENES && !given->scene) {
+        return skv_fail(
+            error, SKV_ERROR_VALUE,
+            "%s: SCENE is missing; name a built-in scene (see 'skvalp scenes'), a .json "
+            "or a .png",
+            command_name(which));
+    }
+    if (given->trace_every > 0 && !given->trace) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--trace-every: there is no trace; add --trace FILE.csv");
+    }
+    if ((given->width || given->tracers) && !pictures) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--%s: there is no picture; add --png FILE or --video FILE.mp4",
+                        given->width ? "size" : "tracers");
+    }
+    if (given->video && !ends_with_mp4(given->video)) {
+        return skv_fail(error, SKV_ERROR_VALUE, "--video: '%s' is no .mp4; name it FILE.mp4",
+                        given->video);
+    }
+    if (given->video && (given->width % 2 || given->height % 2)) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--size: %dx%d has an odd side, which no mp4 can hold; say %dx%d",
+                        given->width, given->height, given->width & ~1, given->height & ~1);
+    }
+    if (is_dash(given->csv) + is_dash(given->trace) + given->json > 1) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--%s: '-' and --%s would both write to stdout; name a file for one",
+                        is_dash(given->trace) ? "trace" : "csv", given->json ? "json" : "csv");
+    }
+    if (is_dash(given->png)) {
+        return skv_fail(error, SKV_ERROR_VALUE, "--png: '-' is not supported; name a file");
+    }
+    return SKV_OK;
+}
+
+skv_result options_parse(command which, int count, char **arguments, cli_options *result,
+                         skv_error *error)
+{
+    *result = (cli_options){.seconds = -1};
+    result->settings = calloc((size_t)count + 1, sizeof *result->settings);
+    if (!result->settings) {
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", command_name(which));
+    }
+    bool only_names = false;
+    for (int i = 0; i < count; i++) {
+        const char *text = arguments[i];
+        if (!only_names && strcmp(text, "--") == 0) {
+            only_names = true;
+        } else if (!only_names && strcmp(text, "-h") == 0) {
+            result->help = true;
+        } else if (!only_names && strncmp(text, "--", 2) == 0) {
+            skv_result parsed = parse_option(which, count, arguments, &i, result, error);
+            if (parsed) {
+                return parsed;
+            }
+        } else if (!only_names && text[0] == '-') {
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "%s: no such option; options have two dashes, see 'skvalp %s --help'",
+                            text, command_name(which));
+        } else if (which == COMMAND_SCENES) {
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "scenes: it takes no name, but got '%s'; to look into one, use check",
+                            text);
+        } else if (result->scene) {
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "%s: one scene at a time, but got '%s' and '%s'; leave one away",
+                            command_name(which), result->scene, text);
+        } else {
+            result->scene = text;
+        }
+    }
+    return result->help ? SKV_OK : check_together(which, result, error);
+}
+
+void options_free(cli_options *options)
+{
+    for (int i = 0; i < options->setting_count; i++) {
+        free((char *)options->settings[i].path);
+    }
+    free(options->settings);
+    options->settings = NULL;
+    options->setting_count = 0;
+}
+
+skv_scene_options options_for_scene(const cli_options *options)
+{
+    skv_scene_options result = skv_default_scene_options();
+    result.particles = options->particles;
+    result.settings = options->settings;
+    result.setting_count = options->setting_count;
+    return result;
+}
+
+void options_print_help(command which, FILE *out)
+{
+    for (int i = 0; i < RULE_COUNT; i++) {
+        if (rules[i].commands & which) {
+            char left[40];
+            snprintf(left, sizeof left, "--%s %s", rules[i].name,
+                     rules[i].argument ? rules[i].argument : "");
+            fprintf(out, "  %-19s %s\n", left, rules[i].help);
+        }
+    }
+}

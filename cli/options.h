@@ -1,0 +1,48 @@
+/* What a command line asks for, read from argv by one table of options that also writes the help.
+ */
+#ifndef CLI_OPTIONS_H
+#define CLI_OPTIONS_H
+
+#include <stdio.h>
+
+#include "skvalp/scene.h"
+
+/* The commands, as bits, so that the table can say which options belong to which. */
+typedef enum command { COMMAND_RUN = 1, COMMAND_SCENES = 2, COMMAND_CHECK = 4 } command;
+
+/* Smallest and largest side of a picture in pixels. */
+#define PICTURE_MIN 16
+#define PICTURE_MAX 8192
+
+typedef struct cli_options {
+    const char *scene;                     /* null for `scenes` */
+    double seconds;                        /* negative: what the scene says */
+    double trace_every;                    /* s; 0: --trace-every was not given */
+    int particles;                         /* 0: what the scene says */
+    int threads;                           /* 0: one per core */
+    int width, height;                     /* of pictures; 0: chosen from the world's shape */
+    const char *png, *video, *csv, *trace; /* null: not wanted */
+    bool json, tracers, quiet, help;
+    skv_setting *settings; /* --law and --set, in the order of the command line; owned */
+    int setting_count;
+} cli_options;
+
+/* Reads the arguments that follow the command's name. `result` needs options_free afterwards, also
+ * on failure. With --help the rest is not required to make sense. */
+skv_result options_parse(command which, int count, char **arguments, cli_options *result,
+                         skv_error *error);
+void options_free(cli_options *options);
+
+/* The part of the options that changes a scene while it is loaded. */
+skv_scene_options options_for_scene(const cli_options *options);
+
+/* Whether a table goes to stdout, which must then hold nothing else. */
+bool options_use_stdout(const cli_options *options);
+
+/* One line per option of a command, for its help. */
+void options_print_help(command which, FILE *out);
+
+/* The candidate that `text` is probably a misspelling of, or null. */
+const char *nearest_name(const char *text, const char *const *candidates, int count);
+
+#endif

@@ -1,0 +1,288 @@
+/* skvalp run: simulates a scene and writes what was asked for.
+ *
+ * Invariants: looking never changes the run, the state is only read between steps; the time of the
+ * simulation is that of skv_world_step alone; no output gets its name before the run is over.
+ */
+#include "commands.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "cleanup.h"
+#include "json.h"
+#include "output_png.h"
+#include "output_table.h"
+#include "output_video.h"
+#include "progress.h"
+#include "skvalp/render.h"
+#include "timeline.h"
+
+typedef struct cli_run {
+    const cli_options *options;
+    skv_scene *scene;
+    skv_world *world;
+    run_timeline timeline;
+    double step_seconds; /* wall time inside skv_world_step */
+    output_file csv, trace, png;
+    output_video video;
+    /* Pictures; null without --png and --video. */
+    skv_offscreen *offscreen;
+    skv_render_style style;
+    int width, height;
+    uint8_t *rgb;
+} cli_run;
+
+/* Opens every file before anything costs time. */
+static skv_result open_outputs(cli_run *run, skv_error *error)
+{
+    const cli_options *options = run->options;
+    struct {
+        const char *name;
+        output_file *file;
+    } wanted[] = {{options->csv, &run->csv},
+                  {options->trace, &run->trace},
+                  {options->png, &run->png},
+                  {options->video, &run->video.file}};
+    for (int i = 0; i < 4; i++) {
+        bool video = wanted[i].file == &run->video.file;
+        if (!wanted[i].name) {
+            continue;
+        }
+        skv_result result = video ? video_open(&run->video, wanted[i].name, error)
+                                  : output_file_open(wanted[i].file, wanted[i].name, error);
+        if (result) {
+            return result;
+        }
+        for (int k = 0; k < i; k++) {
+            if (output_file_same(wanted[i].file, wanted[k].file)) {
+                return skv_fail(error, SKV_ERROR_VALUE,
+                                "%s: two outputs would go there; name a second file",
+                                wanted[i].name);
+            }
+        }
+    }
+    return SKV_OK;
+}
+
+/* The size asked for, or the world's shape with 1280 pixels along; even, for the video's sake. */
+static void choose_size(cli_run *run)
+{
+    const skv_terrain *terrain = skv_world_terrain(run->world);
+    double width = (double)skv_terrain_width(terrain), height = (double)skv_terrain_height(terrain);
+    double scale = 1280 / fmax(width, height);
+    run->width = run->options->width;
+    run->height = run->options->height;
+    if (!run->width) {
+        run->width = (int)fmax(PICTURE_MIN, 2 * floor(width * scale / 2 + 0.5));
+        run->height = (int)fmax(PICTURE_MIN, 2 * floor(height * scale / 2 + 0.5));
+    }
+}
+
+static skv_result open_pictures(cli_run *run, skv_error *error)
+{
+    if (!run->options->png && !run->options->video) {
+        return SKV_OK;
+    }
+    choose_size(run);
+    run->style = skv_default_render_style();
+    run->style.tracers = run->options->tracers;
+    run->rgb = malloc((size_t)run->width * (size_t)run->height * 3);
+    if (!run->rgb) {
+        return skv_fail(error, SKV_ERROR_MEMORY,
+                        "--size: no memory for %d x %d pixels; ask for less", run->width,
+                        run->height);
+    }
+    skv_result result = skv_offscreen_create(run->width, run->height, &run->offscreen, error);
+    if (!result && run->options->video) {
+        result = video_start(&run->video, run->width, run->height, error);
+    }
+    return result;
+}
+
+static skv_result open_run(cli_run *run, skv_error *error)
+{
+    const cli_options *options = run->options;
+    skv_scene_options wanted = options_for_scene(options);
+    skv_result result = skv_scene_load(options->scene, &wanted, &run->scene, error);
+    if (result) {
+        return result;
+    }
+    result = open_outputs(run, error);
+    if (!result) {
+        result = skv_scene_create_world(run->scene, options->threads, &run->world, error);
+    }
+    if (!result) {
+        result = open_pictures(run, error);
+    }
+    if (!result) {
+        double end = options->seconds < 0 ? skv_scene_seconds(run->scene) : options->seconds;
+        double every = options->trace_every > 0 ? options->trace_every : 0.1;
+        run->timeline = timeline_start(end, options->trace ? every : 0);
+        if (!options->quiet) {
+            print_notices(run->scene);
+        }
+        if (options->csv) {
+            series_head(&run->csv);
+        }
+        if (options->trace) {
+            trace_head(&run->trace);
+        }
+    }
+    return result;
+}
+
+/* Writes what belongs to the present moment. */
+static skv_result record(cli_run *run, skv_error *error)
+{
+    const run_timeline *now = &run->timeline;
+    skv_result result = SKV_OK;
+    if (run->csv.stream && (now->at_frame || now->at_end)) {
+        skv_stats stats = skv_world_stats(run->world);
+        series_row(&run->csv, &stats, now->time);
+        result = output_file_check(&run->csv, error);
+    }
+    if (!result && run->trace.stream && (now->at_trace || now->at_end)) {
+        trace_rows(&run->trace, run->world, now->time);
+        result = output_file_check(&run->trace, error);
+    }
+    /* A picture lasts until the next frame: the end has none, or the video would be too long. */
+    bool picture = now->at_frame && (!now->at_end || now->frame == 0);
+    if (!result && run->video.process && picture) {
+        result = skv_offscreen_render(run->offscreen, run->world, &run->style, run->rgb, error);
+        if (!result) {
+            result = video_add(&run->video, run->rgb, error);
+        }
+    }
+    return result;
+}
+
+static skv_result simulate(cli_run *run, skv_error *error)
+{
+    progress_line progress =
+        progress_start(skv_scene_name(run->scene), run->timeline.end, run->options->quiet);
+    skv_result result = record(run, error);
+    while (!result && !run->timeline.at_end) {
+        float step = timeline_next(&run->timeline);
+        double before = clock_seconds();
+        result = skv_world_step(run->world, step);
+        run->step_seconds += clock_seconds() - before;
+        if (result) {
+            skv_fail(error, result, "%s: the step at %g s failed: %s", run->options->scene,
+                     run->timeline.time, skv_result_text(result));
+            break;
+        }
+        result = record(run, error);
+        progress_update(&progress, run->timeline.time);
+    }
+    progress_end(&progress);
+    return result;
+}
+
+/* Draws the last picture, completes every file. */
+static skv_result finish(cli_run *run, skv_error *error)
+{
+    skv_result result = SKV_OK;
+    if (run->options->png) {
+        result = skv_offscreen_render(run->offscreen, run->world, &run->style, run->rgb, error);
+        if (!result) {
+            result = png_write(&run->png, run->rgb, run->width, run->height, error);
+        }
+    }
+    if (!result) {
+        result = video_commit(&run->video, error);
+    }
+    output_file *const files[] = {&run->csv, &run->trace, &run->png};
+    for (int i = 0; i < 3 && !result; i++) {
+        result = output_file_commit(files[i], error);
+    }
+    return result;
+}
+
+static void print_json(const cli_run *run, const skv_stats *stats)
+{
+    int64_t steps = skv_world_steps(run->world);
+    fputs("{\"scene\": ", stdout);
+    json_text(stdout, skv_scene_name(run->scene));
+    printf(", \"particles\": %d, \"substeps\": %d, \"steps\": %" PRId64 ", \"sim_seconds\": ",
+           stats->particles, skv_world_substeps(run->world), steps);
+    json_number(stdout, run->timeline.time);
+    fputs(", \"ms_per_step\": ", stdout);
+    json_number(stdout, steps ? 1000 * run->step_seconds / (double)steps : NAN);
+    fputs(", \"neighbours\": ", stdout);
+    json_number(stdout, stats->neighbours);
+    printf(", \"hash\": \"%016" PRIx64 "\", \"escaped\": %d, \"nan\": %d, \"kinetic_energy\": ",
+           skv_world_hash(run->world), stats->escaped, stats->not_finite);
+    json_number(stdout, stats->kinetic_energy);
+    fputs(", \"volume_ratio\": ", stdout);
+    json_number(stdout, stats->volume_ratio);
+    puts("}");
+}
+
+static void print_summary(const cli_run *run, const skv_stats *stats)
+{
+    double simulated = run->timeline.time;
+    int64_t steps = skv_world_steps(run->world);
+    printf("%s: %d particles, %.4g s simulated in %.3g s", skv_scene_title(run->scene),
+           stats->particles, simulated, run->step_seconds);
+    if (steps) {
+        printf(" (%.3gx real time)\n  %" PRId64 " substeps of %.3g ms, %d a frame",
+               simulated / run->step_seconds, steps, 1000 * run->step_seconds / (double)steps,
+               skv_world_substeps(run->world));
+    }
+    printf("\n  %.1f neighbours, volume ratio %.3f, speed %.3g m/s (rms), kinetic energy %.4g J/m\n"
+           "  %d escaped, %d not finite, hash %016" PRIx64 "\n",
+           stats->neighbours, stats->volume_ratio, stats->rms_speed, stats->kinetic_energy,
+           stats->escaped, stats->not_finite, skv_world_hash(run->world));
+}
+
+/* Prints the result, and judges it. */
+static int report(const cli_run *run, skv_error *error)
+{
+    const cli_options *options = run->options;
+    skv_stats stats = skv_world_stats(run->world);
+    if (options->json) {
+        print_json(run, &stats);
+    } else if (!options->quiet && !options_use_stdout(options)) {
+        print_summary(run, &stats);
+    }
+    if (stats.escaped || stats.not_finite) {
+        skv_fail(error, SKV_ERROR_VALUE,
+                 "%s: the fluid went wrong: %d particles escaped, %d are not finite; take more "
+                 "substeps (--set)",
+                 options->scene, stats.escaped, stats.not_finite);
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+static void close_run(cli_run *run)
+{
+    video_discard(&run->video);
+    output_file_discard(&run->csv);
+    output_file_discard(&run->trace);
+    output_file_discard(&run->png);
+    skv_offscreen_destroy(run->offscreen);
+    free(run->rgb);
+    skv_world_destroy(run->world);
+    skv_scene_destroy(run->scene);
+}
+
+int run_command(const cli_options *options, skv_error *error)
+{
+    cli_run run = {.options = options};
+    int status = STATUS_BAD;
+    cleanup_install();
+    skv_result result = open_run(&run, error);
+    if (!result) {
+        result = simulate(&run, error);
+    }
+    if (!result) {
+        result = finish(&run, error);
+    }
+    if (!result) {
+        status = report(&run, error);
+    }
+    close_run(&run);
+    return status;
+}
