@@ -1,0 +1,304 @@
+/* What run reports: the JSON contract, the same hash however it is run, and the two tables. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <jansson.h>
+
+#include "program.h"
+
+/* Parses stdout as exactly one JSON object without duplicate keys. */
+static json_t *parse(const program_result *result)
+{
+    json_error_t error;
+    json_t *object = json_loads(result->out, JSON_REJECT_DUPLICATES, &error);
+    if (!json_is_object(object)) {
+        fail_msg("%s in '%s', stderr '%s'", error.text, result->out, result->err);
+    }
+    return object;
+}
+
+static json_t *run_json(const char *folder, const char *const *arguments)
+{
+    program_result result = program_run(folder, arguments);
+    assert_int_equal(result.status, 0);
+    assert_string_equal(result.err, "");
+    json_t *object = parse(&result);
+    program_free(&result);
+    return object;
+}
+#define RUN_JSON(folder, ...)                                                                      \
+    run_json((folder), (const char *const[]){"skvalp", "run", __VA_ARGS__, "--json", NULL})
+
+static double number(const json_t *object, const char *key)
+{
+    const json_t *value = json_object_get(object, key);
+    if (!json_is_number(value)) {
+        fail_msg("%s is no number", key);
+    }
+    return json_number_value(value);
+}
+
+static void test_contract(void **state)
+{
+    static const char *const keys[] = {
+        "scene",   "particles", "substeps",    "steps",      "sim_seconds",    "hash",
+        "escaped", "nan",       "ms_per_step", "neighbours", "kinetic_energy", "volume_ratio"};
+    json_t *object = RUN_JSON(*state, "dam-break", "--seconds", "0.5", "--particles", "500");
+    assert_int_equal(json_object_size(object), sizeof keys / sizeof keys[0]);
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        assert_non_null(json_object_get(object, keys[i]));
+    }
+    assert_string_equal(json_string_value(json_object_get(object, "scene")), "dam-break");
+    static const char *const whole[] = {"particles", "substeps", "steps", "escaped", "nan"};
+    for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++) {
+        assert_true(json_is_integer(json_object_get(object, whole[i])));
+    }
+    assert_in_range((int)number(object, "particles"), 450, 550);
+    assert_int_equal((int)number(object, "steps"), 30 * (int)number(object, "substeps"));
+    assert_true(number(object, "sim_seconds") == 0.5);
+    assert_true(number(object, "ms_per_step") > 0);
+    assert_true(number(object, "neighbours") > 5 && number(object, "neighbours") < 60);
+    assert_int_equal((int)number(object, "escaped"), 0);
+    assert_int_equal((int)number(object, "nan"), 0);
+    assert_true(number(object, "kinetic_energy") > 0);
+    assert_true(number(object, "volume_ratio") > 0.5 && number(object, "volume_ratio") < 1.5);
+    const char *hash = json_string_value(json_object_get(object, "hash"));
+    assert_int_equal(strlen(hash), 16);
+    assert_int_equal(strspn(hash, "0123456789abcdef"), 16);
+    json_decref(object);
+}
+
+/* No step, no time a step: null, not NaN. */
+static void test_nothing_to_do(void **state)
+{
+    json_t *object = RUN_JSON(*state, "pool", "--seconds", "0", "--particles", "300");
+    assert_int_equal((int)number(object, "steps"), 0);
+    assert_true(number(object, "sim_seconds") == 0);
+    assert_true(json_is_null(json_object_get(object, "ms_per_step")));
+    json_decref(object);
+}
+
+/* The end need not lie on a frame. */
+static void test_exact_end(void **state)
+{
+    json_t *object = RUN_JSON(*state, "pool", "--seconds=0.11", "--particles=300");
+    assert_true(fabs(number(object, "sim_seconds") - 0.11) < 1e-9);
+    /* Six whole frames and six tenths of one. */
+    assert_true(number(object, "steps") > 6 * number(object, "substeps"));
+    assert_true(number(object, "steps") <= 7 * number(object, "substeps"));
+    json_decref(object);
+}
+
+static void hash_of(const char *folder, const char *const *extra, char *hash)
+{
+    const char *arguments[16] = {"skvalp", "run",         "dam-break", "--seconds",
+                                 "0.5",    "--particles", "400",       "--json"};
+    for (int i = 0; extra[i]; i++) {
+        arguments[8 + i] = extra[i];
+    }
+    json_t *object = run_json(folder, arguments);
+    snprintf(hash, 17, "%s", json_string_value(json_object_get(object, "hash")));
+    json_decref(object);
+}
+#define HASH(hash, ...) hash_of(*state, (const char *const[]){__VA_ARGS__, NULL}, hash)
+
+static void test_same_hash(void **state)
+{
+    char first[17], other[17];
+    HASH(first, "--threads", "1");
+    HASH(other, "--threads", "1");
+    assert_string_equal(first, other);
+    static const char *const threads[] = {"0", "2", "3", "7"};
+    for (int i = 0; i < 4; i++) {
+        HASH(other, "--threads", threads[i]);
+        assert_string_equal(first, other);
+    }
+    /* Looking does not change the run. */
+    HASH(other, "--csv", "a.csv", "--trace", "t.csv", "--trace-every", "0.25");
+    assert_string_equal(first, other);
+    /* But what is simulated does. */
+    HASH(other, "--law", "clavet");
+    assert_string_not_equal(first, other);
+    char set[17];
+    HASH(set, "--set", "fluid.law=clavet");
+    assert_string_equal(other, set);
+    HASH(set, "--law=calibrated", "--set=fluid.law=clavet");
+    assert_string_equal(other, set);
+}
+
+/* Numbers of one CSV line; returns how many. */
+static int read_row(const char *line, double *values, int capacity)
+{
+    int count = 0;
+    const char *end = line + strcspn(line, "\n");
+    while (line < end && count < capacity) {
+        char *after;
+        values[count++] = strtod(line, &after);
+        assert_true(after > line && (*after == ',' || *after == '\n'));
+        line = after + 1;
+    }
+    return count;
+}
+
+static const char *next_line(const char *line)
+{
+    const char *feed = strchr(line, '\n');
+    assert_non_null(feed);
+    return feed + 1;
+}
+
+/* Rows of a trace come as blocks of one per particle, at the expected moments. */
+static void expect_trace(const char *text, int particles, const double *times, int moments)
+{
+    double row[8];
+    assert_memory_equal(text, "t,id,x,y,vx,vy,pressure\n", 24);
+    const char *line = next_line(text);
+    for (int m = 0; m < moments; m++) {
+        for (int i = 0; i < particles; i++, line = next_line(line)) {
+            assert_int_equal(read_row(line, row, 8), 7);
+            assert_true(fabs(row[0] - times[m]) < 1e-8);
+            assert_int_equal((int)row[1], i);
+            assert_true(row[2] > 0 && row[2] < 1.6 && row[3] > 0 && row[3] < 0.9);
+            assert_true(isfinite(row[4]) && isfinite(row[5]) && isfinite(row[6]));
+            if (m == 0) {
+                assert_true(row[6] == 0);
+            }
+        }
+    }
+    assert_int_equal(*line, '\0');
+}
+
+static void test_trace(void **state)
+{
+    static const struct {
+        const char *seconds, *every;
+        int moments;
+        double times[8];
+    } cases[] = {
+        {"0.5", "0.1", 6, {0, 0.1, 0.2, 0.3, 0.4, 0.5}},        /* on frames, the end on a moment */
+        {"0.5", "0.2", 4, {0, 0.2, 0.4, 0.5}},                  /* the end is no moment */
+        {"0.05", "0.01", 6, {0, 0.01, 0.02, 0.03, 0.04, 0.05}}, /* between frames */
+        {"0.1", "7", 2, {0, 0.1}},                              /* start and end only */
+        {"0", "0.1", 1, {0}},                                   /* which are the same */
+        {"0.025", "0.025", 2, {0, 0.025}},                      /* the end between frames */
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        json_t *object =
+            RUN_JSON(*state, "pool", "--particles", "200", "--seconds", cases[i].seconds, "--trace",
+                     "t.csv", "--trace-every", cases[i].every);
+        char *text = file_read(*state, "t.csv");
+        assert_non_null(text);
+        expect_trace(text, (int)number(object, "particles"), cases[i].times, cases[i].moments);
+        free(text);
+        json_decref(object);
+    }
+}
+
+/* Reading back gives the very floats: kinetic energy from the trace is that of the JSON. */
+static void test_trace_is_the_state(void **state)
+{
+    json_t *object = RUN_JSON(*state, "dam-break", "--particles", "200", "--seconds", "0.2",
+                              "--trace", "t.csv", "--trace-every", "0.2");
+    char *text = file_read(*state, "t.csv");
+    int particles = (int)number(object, "particles");
+    const char *line = next_line(text);
+    for (int i = 0; i < particles; i++) {
+        line = next_line(line);
+    }
+    uint64_t hash = 14695981039346656037u;
+    for (int i = 0; i < particles; i++, line = next_line(line)) {
+        double row[8];
+        assert_int_equal(read_row(line, row, 8), 7);
+        for (int k = 2; k < 6; k++) {
+            float value = (float)row[k];
+            unsigned char bytes[4];
+            memcpy(bytes, &value, 4);
+            for (int b = 0; b < 4; b++) {
+                hash = (hash ^ bytes[b]) * 1099511628211u;
+            }
+        }
+    }
+    char expected[17];
+    snprintf(expected, sizeof expected, "%016llx", (unsigned long long)hash);
+    assert_string_equal(json_string_value(json_object_get(object, "hash")), expected);
+    free(text);
+    json_decref(object);
+}
+
+static void test_series(void **state)
+{
+    json_t *object =
+        RUN_JSON(*state, "dam-break", "--particles", "200", "--seconds", "0.25", "--csv", "s.csv");
+    char *text = file_read(*state, "s.csv");
+    static const char head[] =
+        "t,particles,kinetic_energy,potential_energy,momentum_x,momentum_y,rms_speed,max_speed,"
+        "volume_ratio,centre_x,centre_y\n";
+    assert_memory_equal(text, head, sizeof head - 1);
+    const char *line = next_line(text);
+    double row[12];
+    for (int frame = 0; frame <= 15; frame++, line = next_line(line)) {
+        assert_int_equal(read_row(line, row, 12), 11);
+        assert_true(fabs(row[0] - frame / 60.0) < 1e-8);
+        assert_true(row[1] == number(object, "particles"));
+    }
+    assert_int_equal(*line, '\0');
+    double kinetic = number(object, "kinetic_energy");
+    assert_true(fabs(row[2] - kinetic) <= 1e-8 * kinetic);
+    free(text);
+    json_decref(object);
+}
+
+/* "-" gives the table and nothing else. */
+static void test_tables_on_stdout(void **state)
+{
+    program_result result =
+        SKVALP(*state, "run", "pool", "--particles", "200", "--seconds", "0.1", "--csv", "-");
+    assert_int_equal(result.status, 0);
+    assert_string_equal(result.err, "");
+    assert_int_equal(count_lines(result.out), 1 + 7);
+    assert_memory_equal(result.out, "t,particles,", 12);
+    program_free(&result);
+    result = SKVALP(*state, "run", "pool", "--particles", "200", "--seconds", "0", "--trace", "-");
+    assert_int_equal(result.status, 0);
+    assert_memory_equal(result.out, "t,id,x,y,vx,vy,pressure\n0,0,", 28);
+    program_free(&result);
+    assert_int_equal(folder_entries(*state), 0);
+}
+
+static void test_summary(void **state)
+{
+    program_result result = SKVALP(*state, "run", "--seconds", "0.1", "pool", "--particles", "200");
+    assert_int_equal(result.status, 0);
+    assert_string_equal(result.err, "");
+    assert_non_null(strstr(result.out, "0.1 s simulated"));
+    assert_non_null(strstr(result.out, "hash "));
+    program_free(&result);
+    result =
+        SKVALP(*state, "run", "--quiet", "--seconds", "0.1", "--particles", "200", "--", "pool");
+    assert_int_equal(result.status, 0);
+    assert_string_equal(result.out, "");
+    program_free(&result);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_contract, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_nothing_to_do, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_exact_end, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_same_hash, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_trace, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_trace_is_the_state, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_series, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_tables_on_stdout, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_summary, folder_setup, folder_teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
