@@ -3,18 +3,16 @@
 
 void print_notices(const skv_scene *scene)
 {
-    for (int i = 0; skv_scene_notice(scene, i); i++) {
+    for (int i = 0; skv_scene_notice(scene, i); i++)
         fprintf(stderr, "skvalp: note: %s\n", skv_scene_notice(scene, i));
-    }
 }
 
 static void print_summary(const skv_scene *scene, const skv_world *world)
 {
     const skv_terrain *terrain = skv_world_terrain(world);
     int notices = 0;
-    while (skv_scene_notice(scene, notices)) {
+    while (skv_scene_notice(scene, notices))
         notices++;
-    }
     printf("%s: ok, %.4g x %.4g m, %d x %d pixels, %d particles, spacing %.3g mm, %d substeps a "
            "frame, %d notice%s\n",
            skv_scene_name(scene), (double)skv_terrain_width(terrain),
@@ -30,9 +28,8 @@ int check_command(const cli_options *options, skv_error *error)
     skv_scene *scene = NULL;
     skv_world *world = NULL;
     skv_result result = skv_scene_load(options->scene, &wanted, &scene, error);
-    if (!result) {
+    if (!result)
         result = skv_scene_create_world(scene, 1, &world, error);
-    }
     if (!result && !options->quiet) {
         print_notices(scene);
         print_summary(scene, world);

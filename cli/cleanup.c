@@ -34,17 +34,14 @@ static void stop(int signal_number)
         while (waitpid(child_process, NULL, 0) == -1 && errno == EINTR) {
         }
     }
-    for (int i = 0; i < SLOTS; i++) {
-        if (files[i].used) {
+    for (int i = 0; i < SLOTS; i++)
+        if (files[i].used)
             unlink(files[i].path);
-        }
-    }
     if (line_shown) {
         char blank[CLEANUP_LINE + 2];
         blank[0] = blank[CLEANUP_LINE + 1] = '\r';
-        for (int i = 1; i <= CLEANUP_LINE; i++) {
+        for (int i = 1; i <= CLEANUP_LINE; i++)
             blank[i] = ' ';
-        }
         ssize_t ignored = write(STDERR_FILENO, blank, sizeof blank);
         (void)ignored;
     }
@@ -59,10 +56,8 @@ void cleanup_install(void)
     struct sigaction action = {.sa_handler = stop}, old;
     sigfillset(&action.sa_mask);
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        if (signals[i] == SIGHUP && sigaction(SIGHUP, NULL, &old) == 0 &&
-            old.sa_handler == SIG_IGN) {
+        if (signals[i] == SIGHUP && sigaction(SIGHUP, NULL, &old) == 0 && old.sa_handler == SIG_IGN)
             continue;
-        }
         sigaction(signals[i], &action, NULL);
     }
 }
@@ -70,9 +65,8 @@ void cleanup_install(void)
 int cleanup_create_file(const char *folder, int *slot)
 {
     *slot = 0;
-    while (*slot < SLOTS && files[*slot].used) {
+    while (*slot < SLOTS && files[*slot].used)
         ++*slot;
-    }
     if (*slot == SLOTS) {
         errno = EMFILE;
         return -1;

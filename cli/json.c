@@ -21,17 +21,13 @@ static size_t sequence_length(const unsigned char *text)
         {0xF0, 0xF0, 0x90, 0xBF, 4}, {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4},
     };
     for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
-        if (text[0] < forms[i].first || text[0] > forms[i].last) {
+        if (text[0] < forms[i].first || text[0] > forms[i].last)
             continue;
-        }
-        if (forms[i].length > 1 && (text[1] < forms[i].low || text[1] > forms[i].high)) {
+        if (forms[i].length > 1 && (text[1] < forms[i].low || text[1] > forms[i].high))
             return 0;
-        }
-        for (size_t k = 2; k < forms[i].length; k++) {
-            if ((text[k] & 0xC0) != 0x80) {
+        for (size_t k = 2; k < forms[i].length; k++)
+            if ((text[k] & 0xC0) != 0x80)
                 return 0;
-            }
-        }
         return forms[i].length;
     }
     return 0;
@@ -60,9 +56,8 @@ void json_text(FILE *out, const char *text)
 
 void json_number(FILE *out, double value)
 {
-    if (isfinite(value)) {
+    if (isfinite(value))
         fprintf(out, "%.12g", value);
-    } else {
+    else
         fputs("null", out);
-    }
 }

@@ -40,9 +40,8 @@ static int run_one(int index, int count, char **arguments, skv_error *error)
 static int find_command(const char *name)
 {
     int index = COMMAND_COUNT - 1;
-    while (index >= 0 && strcmp(commands[index].name, name) != 0) {
+    while (index >= 0 && strcmp(commands[index].name, name) != 0)
         index--;
-    }
     return index;
 }
 
@@ -89,12 +88,10 @@ static int dispatch(int count, char **arguments, skv_error *error)
     }
     const char *name = arguments[1];
     int index = find_command(name);
-    if (index >= 0) {
+    if (index >= 0)
         return run_one(index, count - 2, arguments + 2, error);
-    }
-    if (strcmp(name, "help") == 0 || strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
+    if (strcmp(name, "help") == 0 || strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0)
         return help(count - 2, arguments + 2, error);
-    }
     if (strcmp(name, "--version") == 0) {
         printf("skvalp %s\n", skv_version());
         return STATUS_DONE;
@@ -107,9 +104,8 @@ int main(int count, char **arguments)
     /* With a standard stream closed, the next file opened would take its place. */
     while (fcntl(STDERR_FILENO, F_GETFD) == -1 || fcntl(STDOUT_FILENO, F_GETFD) == -1 ||
            fcntl(STDIN_FILENO, F_GETFD) == -1) {
-        if (open("/dev/null", O_RDONLY) == -1) {
+        if (open("/dev/null", O_RDONLY) == -1)
             return STATUS_BAD;
-        }
     }
     skv_error error = {.code = SKV_OK};
     int status = dispatch(count, arguments, &error);
@@ -117,8 +113,7 @@ int main(int count, char **arguments)
         skv_fail(&error, SKV_ERROR_FILE, "standard output: %s; send it elsewhere", strerror(errno));
         status = STATUS_BAD;
     }
-    if (status != STATUS_DONE) {
+    if (status != STATUS_DONE)
         fprintf(stderr, "skvalp: %s\n", error.text);
-    }
     return status;
 }

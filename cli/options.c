@@ -79,13 +79,11 @@ static int edit_distance(const char *a, const char *b)
 {
     enum { LONGEST = 40 };
     size_t length_a = strlen(a), length_b = strlen(b);
-    if (length_a > LONGEST || length_b > LONGEST) {
+    if (length_a > LONGEST || length_b > LONGEST)
         return LONGEST;
-    }
     int row[LONGEST + 1];
-    for (size_t j = 0; j <= length_b; j++) {
+    for (size_t j = 0; j <= length_b; j++)
         row[j] = (int)j;
-    }
     for (size_t i = 1; i <= length_a; i++) {
         int diagonal = row[0];
         row[0] = (int)i;
@@ -149,19 +147,17 @@ static skv_result parse_number(const option_rule *rule, const char *text, double
                                skv_error *error)
 {
     char *end;
-    if (!*text || text[strspn(text, "+-.0123456789eE")] != '\0') {
+    if (!*text || text[strspn(text, "+-.0123456789eE")] != '\0')
         end = (char *)text;
-    } else {
+    else
         *value = strtod(text, &end);
-    }
     if (end == text || *end != '\0') {
         return skv_fail(error, SKV_ERROR_VALUE,
                         "--%s: '%s' is not a number; allowed is %.10g to %.10g%s", rule->name, text,
                         rule->minimum, rule->maximum, rule->unit);
     }
-    if (!(*value >= rule->minimum && *value <= rule->maximum)) {
+    if (!(*value >= rule->minimum && *value <= rule->maximum))
         return out_of_range(rule, text, error);
-    }
     return SKV_OK;
 }
 
@@ -177,9 +173,8 @@ static skv_result parse_integer(const option_rule *rule, const char *text, int *
     }
     errno = 0;
     long long number = strtoll(text, NULL, 10);
-    if (errno || (double)number < rule->minimum || (double)number > rule->maximum) {
+    if (errno || (double)number < rule->minimum || (double)number > rule->maximum)
         return out_of_range(rule, text, error);
-    }
     *value = (int)number;
     return SKV_OK;
 }
@@ -194,9 +189,8 @@ static skv_result parse_size(const option_rule *rule, const char *text, cli_opti
                         "--size: '%s' is not WIDTHxHEIGHT; say for example 1280x720", text);
     }
     double width = strtod(text, NULL), height = strtod(text + first + 1, NULL);
-    if (!(fmin(width, height) >= rule->minimum && fmax(width, height) <= rule->maximum)) {
+    if (!(fmin(width, height) >= rule->minimum && fmax(width, height) <= rule->maximum))
         return out_of_range(rule, text, error);
-    }
     result->width = (int)width;
     result->height = (int)height;
     return SKV_OK;
@@ -211,9 +205,8 @@ static skv_result parse_setting(const char *text, cli_options *result, skv_error
     }
     size_t size = strlen(text) + 1;
     char *path = malloc(size);
-    if (!path) {
+    if (!path)
         return skv_fail(error, SKV_ERROR_MEMORY, "--set: out of memory");
-    }
     memcpy(path, text, size);
     path[equals - text] = '\0';
     result->settings[result->setting_count++] =
@@ -344,9 +337,8 @@ static skv_result check_together(command which, const cli_options *given, skv_er
                         "--%s: '-' and --%s would both write to stdout; name a file for one",
                         is_dash(given->trace) ? "trace" : "csv", given->json ? "json" : "csv");
     }
-    if (is_dash(given->png)) {
+    if (is_dash(given->png))
         return skv_fail(error, SKV_ERROR_VALUE, "--png: '-' is not supported; name a file");
-    }
     return SKV_OK;
 }
 
@@ -355,9 +347,8 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
 {
     *result = (cli_options){.seconds = -1};
     result->settings = calloc((size_t)count + 1, sizeof *result->settings);
-    if (!result->settings) {
+    if (!result->settings)
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", command_name(which));
-    }
     bool only_names = false;
     for (int i = 0; i < count; i++) {
         const char *text = arguments[i];
@@ -367,9 +358,8 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
             result->help = true;
         } else if (!only_names && strncmp(text, "--", 2) == 0) {
             skv_result parsed = parse_option(which, count, arguments, &i, result, error);
-            if (parsed) {
+            if (parsed)
                 return parsed;
-            }
         } else if (!only_names && text[0] == '-') {
             return skv_fail(error, SKV_ERROR_VALUE,
                             "%s: no such option; options have two dashes, see 'skvalp %s --help'",
@@ -391,9 +381,8 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
 
 void options_free(cli_options *options)
 {
-    for (int i = 0; i < options->setting_count; i++) {
+    for (int i = 0; i < options->setting_count; i++)
         free((char *)options->settings[i].path);
-    }
     free(options->settings);
     options->settings = NULL;
     options->setting_count = 0;

@@ -32,9 +32,8 @@ static skv_result cannot_write(const char *name, int reason, skv_error *error)
 static char *resolve(const char *name, bool exists)
 {
     char folder[PATH_MAX];
-    if (exists) {
+    if (exists)
         return realpath(name, NULL);
-    }
     const char *slash = strrchr(name, '/');
     const char *base = slash ? slash + 1 : name;
     size_t length = slash ? (size_t)(base - name) : 0;
@@ -47,9 +46,8 @@ static char *resolve(const char *name, bool exists)
     char *real = realpath(length ? folder : ".", NULL);
     size_t size = real ? strlen(real) + strlen(base) + 2 : 0;
     char *path = real ? malloc(size) : NULL;
-    if (path) {
+    if (path)
         snprintf(path, size, "%s/%s", strcmp(real, "/") == 0 ? "" : real, base);
-    }
     int reason = errno;
     free(real);
     errno = reason;
@@ -68,9 +66,8 @@ static bool open_beside(output_file *file)
     memcpy(folder, file->target, length);
     folder[length] = '\0';
     int descriptor = cleanup_create_file(folder, &file->slot);
-    if (descriptor == -1) {
+    if (descriptor == -1)
         return false;
-    }
     file->stream = fdopen(descriptor, "wb");
     if (!file->stream) {
         int reason = errno;
@@ -92,12 +89,10 @@ skv_result output_file_open(output_file *file, const char *name, skv_error *erro
     }
     struct stat status;
     bool exists = stat(name, &status) == 0;
-    if (exists ? S_ISDIR(status.st_mode) : name[strlen(name) - 1] == '/') {
+    if (exists ? S_ISDIR(status.st_mode) : name[strlen(name) - 1] == '/')
         return cannot_write(name, EISDIR, error);
-    }
-    if (exists && access(name, W_OK) != 0) {
+    if (exists && access(name, W_OK) != 0)
         return cannot_write(name, errno, error);
-    }
     if (exists && !S_ISREG(status.st_mode)) {
         file->stream = fopen(name, "wb");
         return file->stream ? SKV_OK : cannot_write(name, errno, error);
@@ -119,13 +114,11 @@ bool output_file_same(const output_file *a, const output_file *b)
 
 skv_result output_file_check(output_file *file, skv_error *error)
 {
-    if (!file->stream) {
+    if (!file->stream)
         return SKV_OK;
-    }
     errno = 0;
-    if (fflush(file->stream) != 0 || ferror(file->stream)) {
+    if (fflush(file->stream) != 0 || ferror(file->stream))
         return cannot_write(file->name, errno ? errno : EIO, error);
-    }
     return SKV_OK;
 }
 
@@ -137,13 +130,11 @@ skv_result output_file_commit(output_file *file, skv_error *error)
         return result;
     }
     int reason = 0;
-    if (file->stream != stdout && fclose(file->stream) != 0) {
+    if (file->stream != stdout && fclose(file->stream) != 0)
         reason = errno;
-    }
     file->stream = NULL;
-    if (!reason && file->target && rename(cleanup_path(file->slot), file->target) != 0) {
+    if (!reason && file->target && rename(cleanup_path(file->slot), file->target) != 0)
         reason = errno;
-    }
     if (reason) {
         result = cannot_write(file->name, reason, error);
     } else if (file->target) {
@@ -157,9 +148,8 @@ skv_result output_file_commit(output_file *file, skv_error *error)
 
 void output_file_discard(output_file *file)
 {
-    if (file->stream && file->stream != stdout) {
+    if (file->stream && file->stream != stdout)
         fclose(file->stream);
-    }
     if (file->target) {
         unlink(cleanup_path(file->slot));
         cleanup_forget_file(file->slot);

@@ -34,13 +34,11 @@ static skv_result spawn_ffmpeg(const char *const *arguments, int in, int out, in
     sigfillset(&defaults);
     posix_spawn_file_actions_init(&actions);
     posix_spawnattr_init(&attributes);
-    for (int i = 0; i < 3; i++) {
-        if (streams[i] == -1) {
+    for (int i = 0; i < 3; i++)
+        if (streams[i] == -1)
             posix_spawn_file_actions_addopen(&actions, i, "/dev/null", O_RDWR, 0);
-        } else {
+        else
             posix_spawn_file_actions_adddup2(&actions, streams[i], i);
-        }
-    }
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF |
                                               POSIX_SPAWN_SETSIGMASK);
     posix_spawnattr_setpgroup(&attributes, 0);
@@ -68,11 +66,9 @@ static bool wait_for(pid_t pid)
     while (waitid(P_PID, (id_t)pid, &ended, WEXITED | WNOWAIT) == -1 && errno == EINTR) {
     }
     cleanup_set_child(0);
-    while (waitpid(pid, &status, 0) == -1) {
-        if (errno != EINTR) {
+    while (waitpid(pid, &status, 0) == -1)
+        if (errno != EINTR)
             return false;
-        }
-    }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
@@ -99,9 +95,8 @@ static skv_result choose_encoder(const char **encoder, skv_error *error)
         rewind(list);
         while (fgets(line, sizeof line, list)) {
             /* " V....D libx264   description" */
-            for (int i = 0; i < best && sscanf(line, " V%*s %63s", name) == 1; i++) {
+            for (int i = 0; i < best && sscanf(line, " V%*s %63s", name) == 1; i++)
                 best = strcmp(name, wanted[i]) == 0 ? i : best;
-            }
         }
     }
     fclose(list);
@@ -120,9 +115,8 @@ skv_result video_open(output_video *video, const char *name, skv_error *error)
 {
     *video = (output_video){0};
     skv_result result = choose_encoder(&video->encoder, error);
-    if (!result) {
+    if (!result)
         result = output_file_open(&video->file, name, error);
-    }
     if (!result && !video->file.target) {
         video_discard(video);
         result = skv_fail(error, SKV_ERROR_FILE,
@@ -178,9 +172,8 @@ skv_result video_start(output_video *video, int width, int height, skv_error *er
 /* Lets go of ffmpeg; true if it ended well. */
 static bool end_encoder(output_video *video)
 {
-    if (video->process == 0) {
+    if (video->process == 0)
         return false;
-    }
     close(video->frames);
     bool good = wait_for(video->process);
     video->process = 0;
@@ -193,9 +186,8 @@ static skv_result report(output_video *video, skv_error *error)
     char line[256] = "it ended early";
     end_encoder(video);
     rewind(video->messages);
-    if (fgets(line, sizeof line, video->messages)) {
+    if (fgets(line, sizeof line, video->messages))
         line[strcspn(line, "\n")] = '\0';
-    }
     return skv_fail(error, SKV_ERROR_DEVICE, "%s: ffmpeg failed: %s; check room and rights there",
                     video->file.name, line);
 }
@@ -204,9 +196,8 @@ skv_result video_add(output_video *video, const uint8_t *rgb, skv_error *error)
 {
     for (size_t sent = 0; sent < video->frame_bytes;) {
         ssize_t part = send(video->frames, rgb + sent, video->frame_bytes - sent, MSG_NOSIGNAL);
-        if (part == -1 && errno != EINTR) {
+        if (part == -1 && errno != EINTR)
             return report(video, error);
-        }
         sent += part > 0 ? (size_t)part : 0;
     }
     return SKV_OK;
@@ -229,9 +220,8 @@ void video_discard(output_video *video)
         kill(video->process, SIGKILL);
         end_encoder(video);
     }
-    if (video->messages) {
+    if (video->messages)
         fclose(video->messages);
-    }
     output_file_discard(&video->file);
     *video = (output_video){0};
 }

@@ -24,9 +24,8 @@ static int columns(void)
 {
     struct winsize size;
     int width = CLEANUP_LINE;
-    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1) {
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1)
         width = size.ws_col - 1;
-    }
     return width < CLEANUP_LINE ? width : CLEANUP_LINE;
 }
 
@@ -43,9 +42,8 @@ progress_line progress_start(const char *label, double total, bool quiet)
 void progress_update(progress_line *progress, double simulated)
 {
     double now = progress->wanted ? clock_seconds() : 0;
-    if (!progress->wanted || now - progress->updated < 0.1) {
+    if (!progress->wanted || now - progress->updated < 0.1)
         return;
-    }
     double speed = simulated / (now - progress->started);
     double left = speed > 0 ? (progress->total - simulated) / speed : 0;
     char line[256];

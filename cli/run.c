@@ -46,14 +46,12 @@ static skv_result open_outputs(cli_run *run, skv_error *error)
                   {options->video, &run->video.file}};
     for (int i = 0; i < 4; i++) {
         bool video = wanted[i].file == &run->video.file;
-        if (!wanted[i].name) {
+        if (!wanted[i].name)
             continue;
-        }
         skv_result result = video ? video_open(&run->video, wanted[i].name, error)
                                   : output_file_open(wanted[i].file, wanted[i].name, error);
-        if (result) {
+        if (result)
             return result;
-        }
         for (int k = 0; k < i; k++) {
             if (output_file_same(wanted[i].file, wanted[k].file)) {
                 return skv_fail(error, SKV_ERROR_VALUE,
@@ -81,9 +79,8 @@ static void choose_size(cli_run *run)
 
 static skv_result open_pictures(cli_run *run, skv_error *error)
 {
-    if (!run->options->png && !run->options->video) {
+    if (!run->options->png && !run->options->video)
         return SKV_OK;
-    }
     choose_size(run);
     run->style = skv_default_render_style();
     run->style.tracers = run->options->tracers;
@@ -94,9 +91,8 @@ static skv_result open_pictures(cli_run *run, skv_error *error)
                         run->height);
     }
     skv_result result = skv_offscreen_create(run->width, run->height, &run->offscreen, error);
-    if (!result && run->options->video) {
+    if (!result && run->options->video)
         result = video_start(&run->video, run->width, run->height, error);
-    }
     return result;
 }
 
@@ -105,29 +101,23 @@ static skv_result open_run(cli_run *run, skv_error *error)
     const cli_options *options = run->options;
     skv_scene_options wanted = options_for_scene(options);
     skv_result result = skv_scene_load(options->scene, &wanted, &run->scene, error);
-    if (result) {
+    if (result)
         return result;
-    }
     result = open_outputs(run, error);
-    if (!result) {
+    if (!result)
         result = skv_scene_create_world(run->scene, options->threads, &run->world, error);
-    }
-    if (!result) {
+    if (!result)
         result = open_pictures(run, error);
-    }
     if (!result) {
         double end = options->seconds < 0 ? skv_scene_seconds(run->scene) : options->seconds;
         double every = options->trace_every > 0 ? options->trace_every : 0.1;
         run->timeline = timeline_start(end, options->trace ? every : 0);
-        if (!options->quiet) {
+        if (!options->quiet)
             print_notices(run->scene);
-        }
-        if (options->csv) {
+        if (options->csv)
             series_head(&run->csv);
-        }
-        if (options->trace) {
+        if (options->trace)
             trace_head(&run->trace);
-        }
     }
     return result;
 }
@@ -150,9 +140,8 @@ static skv_result record(cli_run *run, skv_error *error)
     bool picture = now->at_frame && (!now->at_end || now->frame == 0);
     if (!result && run->video.process && picture) {
         result = skv_offscreen_render(run->offscreen, run->world, &run->style, run->rgb, error);
-        if (!result) {
+        if (!result)
             result = video_add(&run->video, run->rgb, error);
-        }
     }
     return result;
 }
@@ -185,17 +174,14 @@ static skv_result finish(cli_run *run, skv_error *error)
     skv_result result = SKV_OK;
     if (run->options->png) {
         result = skv_offscreen_render(run->offscreen, run->world, &run->style, run->rgb, error);
-        if (!result) {
+        if (!result)
             result = png_write(&run->png, run->rgb, run->width, run->height, error);
-        }
     }
-    if (!result) {
+    if (!result)
         result = video_commit(&run->video, error);
-    }
     output_file *const files[] = {&run->csv, &run->trace, &run->png};
-    for (int i = 0; i < 3 && !result; i++) {
+    for (int i = 0; i < 3 && !result; i++)
         result = output_file_commit(files[i], error);
-    }
     return result;
 }
 
@@ -241,15 +227,14 @@ static int report(const cli_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
     skv_stats stats = skv_world_stats(run->world);
-    if (options->json) {
+    if (options->json)
         print_json(run, &stats);
-    } else if (!options->quiet && !options_use_stdout(options)) {
+    else if (!options->quiet && !options_use_stdout(options))
         print_summary(run, &stats);
-    }
     if (stats.escaped || stats.not_finite) {
         skv_fail(error, SKV_ERROR_VALUE,
-                 "%s: the fluid went wrong: %d particles escaped, %d are not finite; take more "
-                 "substeps (--set)",
+                 "%s: the fluid went wrong: %d particles escaped, %d are not finite; "
+                 "take more substeps, --set substeps=N",
                  options->scene, stats.escaped, stats.not_finite);
         return STATUS_FAILED;
     }
@@ -274,15 +259,12 @@ int run_command(const cli_options *options, skv_error *error)
     int status = STATUS_BAD;
     cleanup_install();
     skv_result result = open_run(&run, error);
-    if (!result) {
+    if (!result)
         result = simulate(&run, error);
-    }
-    if (!result) {
+    if (!result)
         result = finish(&run, error);
-    }
-    if (!result) {
+    if (!result)
         status = report(&run, error);
-    }
     close_run(&run);
     return status;
 }

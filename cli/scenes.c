@@ -28,18 +28,16 @@ static void print_table(void)
         int length = (int)strlen(skv_builtin_scene(i)->name);
         width = length > width ? length : width;
     }
-    for (int i = 0; skv_builtin_scene(i); i++) {
+    for (int i = 0; skv_builtin_scene(i); i++)
         printf("%-*s  %s\n", width, skv_builtin_scene(i)->name, skv_builtin_scene(i)->title);
-    }
 }
 
 int scenes_command(const cli_options *options, skv_error *error)
 {
     (void)error;
-    if (options->json) {
+    if (options->json)
         print_json();
-    } else {
+    else
         print_table();
-    }
     return STATUS_DONE;
 }

@@ -27,9 +27,8 @@ static pid_t start(const char *folder, const char *const *arguments, int out, in
         dup2(null, STDIN_FILENO);
         dup2(out >= 0 ? out : null, STDOUT_FILENO);
         dup2(err >= 0 ? err : null, STDERR_FILENO);
-        if (folder && chdir(folder) != 0) {
+        if (folder && chdir(folder) != 0)
             _exit(126);
-        }
         bool own = strcmp(arguments[0], "skvalp") == 0;
         execvp(own ? SKV_BINARY_DIR "/skvalp" : arguments[0], (char *const *)arguments);
         _exit(127);
@@ -52,9 +51,8 @@ static char *read_all(FILE *file, size_t *size)
     assert_non_null(text);
     assert_int_equal(fread(text, 1, (size_t)length, file), length);
     text[length] = '\0';
-    if (size) {
+    if (size)
         *size = (size_t)length;
-    }
     return text;
 }
 
@@ -65,9 +63,8 @@ program_result program_run(const char *folder, const char *const *arguments)
     int status;
     assert_true(out && err);
     pid_t pid = start(folder, arguments, fileno(out), fileno(err));
-    while (waitpid(pid, &status, 0) == -1) {
+    while (waitpid(pid, &status, 0) == -1)
         assert_int_equal(errno, EINTR);
-    }
     result.status = status_of(status);
     result.out = read_all(out, &result.out_size);
     result.err = read_all(err, NULL);
@@ -93,9 +90,8 @@ int program_wait(pid_t pid, double seconds)
     const struct timespec pause = {.tv_nsec = 10000000};
     int status;
     for (int i = 0; i < (int)(seconds * 100); i++) {
-        if (waitpid(pid, &status, WNOHANG) == pid) {
+        if (waitpid(pid, &status, WNOHANG) == pid)
             return status_of(status);
-        }
         nanosleep(&pause, NULL);
     }
     kill(pid, SIGKILL);
@@ -128,9 +124,8 @@ int folder_entries(const char *folder)
     DIR *directory = opendir(folder);
     int count = -2; /* . and .. */
     assert_non_null(directory);
-    while (readdir(directory)) {
+    while (readdir(directory))
         count++;
-    }
     closedir(directory);
     return count;
 }
@@ -154,9 +149,8 @@ char *file_read(const char *folder, const char *name)
     path_in(path, folder, name);
     FILE *file = fopen(path, "rb");
     char *text = file ? read_all(file, NULL) : NULL;
-    if (file) {
+    if (file)
         fclose(file);
-    }
     return text;
 }
 
@@ -173,8 +167,7 @@ void file_write(const char *folder, const char *name, const char *text)
 int count_lines(const char *text)
 {
     int lines = 0;
-    for (; *text; text++) {
+    for (; *text; text++)
         lines += *text == '\n';
-    }
     return lines;
 }

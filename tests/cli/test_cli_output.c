@@ -38,12 +38,10 @@ static int check_picture(const char *folder, const char *name, unsigned width, u
         unsigned colour =
             (unsigned)pixels[3 * i] << 16 | (unsigned)pixels[3 * i + 1] << 8 | pixels[3 * i + 2];
         int k = 0;
-        while (k < colours && seen[k] != colour) {
+        while (k < colours && seen[k] != colour)
             k++;
-        }
-        if (k == colours) {
+        if (k == colours)
             seen[colours++] = colour;
-        }
     }
     free(pixels);
     return colours;
@@ -192,21 +190,18 @@ static void expect_clean_stop(const char *folder, int signal_number, const char 
                               "t.csv",     "--trace-every", "0.1",       "--png",       "a.png",
                               "--video",   "a.mp4",         "--size",    "320x180",     NULL});
     /* Four temporary files; then let it get into the run. */
-    for (int i = 0; i < 500 && folder_entries(folder) < 4; i++) {
+    for (int i = 0; i < 500 && folder_entries(folder) < 4; i++)
         nanosleep(&pause, NULL);
-    }
     assert_int_equal(folder_entries(folder), 4);
-    for (int i = 0; i < 25; i++) {
+    for (int i = 0; i < 25; i++)
         nanosleep(&pause, NULL);
-    }
     assert_false(file_exists(folder, "a.csv"));
     assert_int_equal(kill(pid, signal_number), 0);
     assert_int_equal(program_wait(pid, 5), 128 + signal_number);
     assert_int_equal(folder_entries(folder), 0);
     /* Nobody brings the video back. */
-    for (int i = 0; i < 10; i++) {
+    for (int i = 0; i < 10; i++)
         nanosleep(&pause, NULL);
-    }
     assert_int_equal(folder_entries(folder), 0);
 }
 
@@ -306,9 +301,8 @@ static void test_progress(void **state)
     assert_non_null(strstr(result.out, " left"));
     /* Cleared: after the last line only blanks come before the summary. */
     char *last = result.out, *at;
-    while ((at = strstr(last + 1, " / 3.00 s"))) {
+    while ((at = strstr(last + 1, " / 3.00 s")))
         last = at;
-    }
     at = strchr(last, '\r');
     assert_non_null(at);
     at += 1 + strspn(at + 1, " ");

@@ -18,9 +18,8 @@ static json_t *parse(const program_result *result)
 {
     json_error_t error;
     json_t *object = json_loads(result->out, JSON_REJECT_DUPLICATES, &error);
-    if (!json_is_object(object)) {
+    if (!json_is_object(object))
         fail_msg("%s in '%s', stderr '%s'", error.text, result->out, result->err);
-    }
     return object;
 }
 
@@ -39,9 +38,8 @@ static json_t *run_json(const char *folder, const char *const *arguments)
 static double number(const json_t *object, const char *key)
 {
     const json_t *value = json_object_get(object, key);
-    if (!json_is_number(value)) {
+    if (!json_is_number(value))
         fail_msg("%s is no number", key);
-    }
     return json_number_value(value);
 }
 
@@ -52,14 +50,12 @@ static void test_contract(void **state)
         "escaped", "nan",       "ms_per_step", "neighbours", "kinetic_energy", "volume_ratio"};
     json_t *object = RUN_JSON(*state, "dam-break", "--seconds", "0.5", "--particles", "500");
     assert_int_equal(json_object_size(object), sizeof keys / sizeof keys[0]);
-    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
         assert_non_null(json_object_get(object, keys[i]));
-    }
     assert_string_equal(json_string_value(json_object_get(object, "scene")), "dam-break");
     static const char *const whole[] = {"particles", "substeps", "steps", "escaped", "nan"};
-    for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++) {
+    for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++)
         assert_true(json_is_integer(json_object_get(object, whole[i])));
-    }
     assert_in_range((int)number(object, "particles"), 450, 550);
     assert_int_equal((int)number(object, "steps"), 30 * (int)number(object, "substeps"));
     assert_true(number(object, "sim_seconds") == 0.5);
@@ -100,9 +96,8 @@ static void hash_of(const char *folder, const char *const *extra, char *hash)
 {
     const char *arguments[16] = {"skvalp", "run",         "dam-break", "--seconds",
                                  "0.5",    "--particles", "400",       "--json"};
-    for (int i = 0; extra[i]; i++) {
+    for (int i = 0; extra[i]; i++)
         arguments[8 + i] = extra[i];
-    }
     json_t *object = run_json(folder, arguments);
     snprintf(hash, 17, "%s", json_string_value(json_object_get(object, "hash")));
     json_decref(object);
@@ -167,9 +162,8 @@ static void expect_trace(const char *text, int particles, const double *times, i
             assert_int_equal((int)row[1], i);
             assert_true(row[2] > 0 && row[2] < 1.6 && row[3] > 0 && row[3] < 0.9);
             assert_true(isfinite(row[4]) && isfinite(row[5]) && isfinite(row[6]));
-            if (m == 0) {
+            if (m == 0)
                 assert_true(row[6] == 0);
-            }
         }
     }
     assert_int_equal(*line, '\0');
@@ -209,9 +203,8 @@ static void test_trace_is_the_state(void **state)
     char *text = file_read(*state, "t.csv");
     int particles = (int)number(object, "particles");
     const char *line = next_line(text);
-    for (int i = 0; i < particles; i++) {
+    for (int i = 0; i < particles; i++)
         line = next_line(line);
-    }
     uint64_t hash = 14695981039346656037u;
     for (int i = 0; i < particles; i++, line = next_line(line)) {
         double row[8];
@@ -220,9 +213,8 @@ static void test_trace_is_the_state(void **state)
             float value = (float)row[k];
             unsigned char bytes[4];
             memcpy(bytes, &value, 4);
-            for (int b = 0; b < 4; b++) {
+            for (int b = 0; b < 4; b++)
                 hash = (hash ^ bytes[b]) * 1099511628211u;
-            }
         }
     }
     char expected[17];

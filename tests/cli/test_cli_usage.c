@@ -90,9 +90,8 @@ static void test_bad_usage(void **state)
 {
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const char *arguments[10] = {"skvalp"};
-        for (int k = 0; k < 8; k++) {
+        for (int k = 0; k < 8; k++)
             arguments[k + 1] = bad[i].arguments[k];
-        }
         program_result result = program_run(*state, arguments);
         const char *line = result.err;
         if (result.status != 2 || count_lines(line) != 1 || line[strlen(line) - 1] != '\n' ||
