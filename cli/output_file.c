@@ -116,9 +116,12 @@ skv_result output_file_check(output_file *file, skv_error *error)
 {
     if (!file->stream)
         return SKV_OK;
-    errno = 0;
-    if (fflush(file->stream) != 0 || ferror(file->stream))
-        return cannot_write(file->name, errno ? errno : EIO, error);
+    /* A write that failed before has left its reason, a flush that fails now brings one. */
+    int reason = ferror(file->stream) ? errno : 0;
+    if (fflush(file->stream) != 0)
+        reason = errno;
+    if (reason || ferror(file->stream))
+        return cannot_write(file->name, reason ? reason : EIO, error);
     return SKV_OK;
 }
 
