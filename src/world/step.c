@@ -251,22 +251,27 @@ static void make_pulls(substep *sub)
     }
 }
 
-/* Takes out what has left through an open side by more than h; the order of the rest is kept. */
-static void remove_leavers(skv_world *world)
+/* True for a particle that has left through an open side: by more than h, or round the corner,
+ * where it would meet a closed side from behind. */
+static bool has_left(const skv_world *world, float x, float y)
 {
     unsigned open = skv_terrain_open_sides(world->terrain);
-    if (!open)
-        return;
-    skv_state *s = &world->state;
     float width = skv_terrain_width(world->terrain), height = skv_terrain_height(world->terrain);
     float h = world->h;
+    bool beside = ((open & SKV_SIDE_LEFT) && x < 0) || ((open & SKV_SIDE_RIGHT) && x > width);
+    bool above_or_below =
+        ((open & SKV_SIDE_BOTTOM) && y < 0) || ((open & SKV_SIDE_TOP) && y > height);
+    return (beside && (x < -h || x > width + h || y < 0 || y > height)) ||
+           (above_or_below && (y < -h || y > height + h || x < 0 || x > width));
+}
+
+/* Takes out who has left; the order of the rest is kept. */
+static void remove_leavers(skv_world *world)
+{
+    skv_state *s = &world->state;
     int kept = 0;
     for (int i = 0; i < s->count; i++) {
-        bool left = ((open & SKV_SIDE_LEFT) && s->x[i] < -h) ||
-                    ((open & SKV_SIDE_RIGHT) && s->x[i] > width + h) ||
-                    ((open & SKV_SIDE_BOTTOM) && s->y[i] < -h) ||
-                    ((open & SKV_SIDE_TOP) && s->y[i] > height + h);
-        if (left)
+        if (has_left(world, s->x[i], s->y[i]))
             continue;
         if (kept < i) {
             s->x[kept] = s->x[i];
@@ -276,7 +281,6 @@ static void remove_leavers(skv_world *world)
             s->pressure[kept] = s->pressure[i];
             s->clear[kept] = s->clear[i];
             s->id[kept] = s->id[i];
-            world->lists_current = false;
         }
         kept++;
     }
@@ -308,8 +312,9 @@ skv_result skv_world_step(skv_world *world, float dt)
         take_substep(&sub);
         world->time += (double)part;
         world->steps++;
+        if (skv_terrain_open_sides(world->terrain))
+            remove_leavers(world);
     }
-    remove_leavers(world);
     return SKV_OK;
 }
 
