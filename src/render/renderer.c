@@ -104,7 +104,7 @@ static double pressure_range(const skv_world *world, const skv_walls *walls)
     double fluid_area = skv_world_particle_count(world) * spacing * spacing;
     double filled = walls->free_area > 0 ? fluid_area / walls->free_area : 1;
     double height = walls->highest - walls->lowest;
-    double depth = fmax(1.45 * sqrt(fmin(filled, 1)), 0.3) * height;
+    double depth = fmax(1.6 * sqrt(fmin(filled, 1)), 0.3) * height;
     double range = skv_world_fluid(world)->density * fmax(gravity, 0.1 * EARTH_GRAVITY) * depth;
     return range > 0 ? range : 1;
 }

@@ -17,6 +17,15 @@
  * this time constant, in simulated seconds. */
 #define PRESSURE_SMOOTHING 0.06
 
+/* The layer of particles that touches a wall, in spacings, carries the wall's push alone and shows
+ * about twice the pressure of the fluid behind it. It counts half, and next to other fluid hardly
+ * at all, so that the colour is the fluid's. */
+#define FIRST_LAYER 0.85f
+#define WALL_SHARE  0.5f
+#define WALL_TRUST  0.05f
+
+#define VERTEX_FLOATS 4
+
 /* Bytes hold at most this many splats on top of each other. */
 #define BYTE_SPLATS 12.0
 
@@ -32,13 +41,13 @@ skv_result skv_splats_create(skv_splats *splats, bool half_float, skv_error *err
     glGenFramebuffers(1, &splats->framebuffer);
     splats->texture = skv_gl_texture();
 
-    GLsizei stride = 3 * sizeof(float);
+    GLsizei stride = VERTEX_FLOATS * sizeof(float);
     glBindVertexArray(splats->attributes);
     glBindBuffer(GL_ARRAY_BUFFER, splats->buffer);
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, (void *)0);
     glEnableVertexAttribArray(1);
-    glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, stride, (void *)(2 * sizeof(float)));
+    glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, (void *)(2 * sizeof(float)));
     glBindVertexArray(0);
     return SKV_OK;
 }
@@ -63,7 +72,7 @@ static skv_result grow(skv_splats *splats, int count, skv_error *error)
     size_t capacity = (size_t)count + (size_t)count / 2;
     uint32_t *ids = skv_calloc(capacity, sizeof *ids);
     float *pressures = skv_calloc(capacity, sizeof *pressures);
-    float *vertices = skv_calloc(capacity, 3 * sizeof *vertices);
+    float *vertices = skv_calloc(capacity, VERTEX_FLOATS * sizeof *vertices);
     if (!ids || !pressures || !vertices) {
         skv_free(ids);
         skv_free(pressures);
@@ -80,7 +89,7 @@ static skv_result grow(skv_splats *splats, int count, skv_error *error)
     splats->capacity = (int)capacity;
     splats->count = 0;
     glBindBuffer(GL_ARRAY_BUFFER, splats->buffer);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(capacity * 3 * sizeof *vertices), NULL,
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(capacity * VERTEX_FLOATS * sizeof *vertices), NULL,
                  GL_STREAM_DRAW);
     return SKV_OK;
 }
@@ -93,6 +102,8 @@ static void refresh(skv_splats *splats, const skv_world *world, double pressure_
     double passed = skv_world_time(world) - splats->time;
     bool known = world == splats->world && passed >= 0;
     float share = known ? (float)(1 - exp(-passed / PRESSURE_SMOOTHING)) : 1;
+    const skv_terrain *terrain = skv_world_terrain(world);
+    float first_layer = FIRST_LAYER * skv_world_spacing(world);
     float to_range = (float)(1 / pressure_range);
     for (int i = 0; i < particles.count; i++) {
         bool same = i < splats->count && splats->ids[i] == particles.id[i];
@@ -101,15 +112,20 @@ static void refresh(skv_splats *splats, const skv_world *world, double pressure_
             pressure = splats->pressures[i] + share * (pressure - splats->pressures[i]);
         splats->ids[i] = particles.id[i];
         splats->pressures[i] = pressure;
-        splats->vertices[3 * i] = particles.x[i];
-        splats->vertices[3 * i + 1] = particles.y[i];
-        splats->vertices[3 * i + 2] = fminf(fmaxf(pressure * to_range, 0), 1.5f);
+        float *vertex = &splats->vertices[VERTEX_FLOATS * i];
+        vertex[0] = particles.x[i];
+        vertex[1] = particles.y[i];
+        bool touches = skv_terrain_distance(terrain, vertex[0], vertex[1]) < first_layer;
+        float shown = pressure * to_range * (touches ? WALL_SHARE : 1);
+        vertex[2] = fminf(fmaxf(shown, 0), 1.5f);
+        vertex[3] = touches ? WALL_TRUST : 1;
     }
     splats->count = particles.count;
     splats->world = world;
     splats->time = skv_world_time(world);
     glBindBuffer(GL_ARRAY_BUFFER, splats->buffer);
-    glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)particles.count * 3 * (GLsizeiptr)sizeof(float),
+    glBufferSubData(GL_ARRAY_BUFFER, 0,
+                    (GLsizeiptr)particles.count * VERTEX_FLOATS * (GLsizeiptr)sizeof(float),
                     splats->vertices);
 }
 
@@ -144,10 +160,10 @@ static skv_result fit(skv_splats *splats, const skv_world *world, const skv_came
         return SKV_OK;
     glBindTexture(GL_TEXTURE_2D, splats->texture);
     if (splats->half_float)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, target.width, target.height, 0, GL_RG,
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, target.width, target.height, 0, GL_RGBA,
                      GL_HALF_FLOAT, NULL);
     else
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, target.width, target.height, 0, GL_RG,
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, target.width, target.height, 0, GL_RGBA,
                      GL_UNSIGNED_BYTE, NULL);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, splats->texture, 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)

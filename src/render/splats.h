@@ -18,7 +18,7 @@ typedef struct skv_splats {
     double time;
     uint32_t *ids;
     float *pressures; /* Pa m, smoothed over a few frames */
-    float *vertices;  /* x, y, share of the pressure range */
+    float *vertices;  /* x, y, share of the pressure range, trust in it */
 } skv_splats;
 
 /* `half_float` false: sums in bytes, for devices that cannot draw into half floats. */

@@ -3,7 +3,7 @@
 precision highp float;
 precision highp sampler2D;
 
-uniform sampler2D u_splats; // sums of (weight * pressure, weight)
+uniform sampler2D u_splats; // sums of pressure, of the trust in it, and (alpha) of weight
 uniform vec2 u_splat_size;  // texels
 uniform float u_texels;     // texels a view pixel
 uniform float u_margin;     // texels around the view
@@ -45,8 +45,8 @@ float smooth_weight(vec2 texel)
     vec2 high = w2 + w3;
     vec2 a = (base - 1.0 + w1 / low) / u_splat_size;
     vec2 b = (base + 1.0 + w3 / high) / u_splat_size;
-    return (texture(u_splats, a).g * low.x + texture(u_splats, vec2(b.x, a.y)).g * high.x) * low.y +
-           (texture(u_splats, vec2(a.x, b.y)).g * low.x + texture(u_splats, b).g * high.x) * high.y;
+    return (texture(u_splats, a).a * low.x + texture(u_splats, vec2(b.x, a.y)).a * high.x) * low.y +
+           (texture(u_splats, vec2(a.x, b.y)).a * low.x + texture(u_splats, b).a * high.x) * high.y;
 }
 
 // Metres to the nearest wall, also outside the picture, where closed sides are solid.
@@ -85,9 +85,9 @@ void main()
     vec2 pixel = gl_FragCoord.xy;
     float wall = wall_distance((pixel - u_origin) / u_scale) * u_scale; // view pixels
     vec2 texel = pixel * u_texels + u_margin;
-    vec2 sums = texture(u_splats, texel / u_splat_size).rg;
+    vec4 sums = texture(u_splats, texel / u_splat_size);
     float lift = 1.0 / free_share(wall);
-    float weight = sums.g * lift;
+    float weight = sums.a * lift;
     float slope = max(fwidth(weight), 0.02 * u_threshold);
 
     // Background, a little darker along walls.
@@ -99,7 +99,7 @@ void main()
             weight = smooth_weight(texel) * lift;
         float depth = (weight - u_threshold) / slope; // pixels below the surface, near it
         float rim = (1.0 - smoothstep(0.5 * u_pixel, 2.5 * u_pixel, depth));
-        vec3 fluid = mix(fluid_color(sums.r / sums.g), u_surface, 0.55 * rim);
+        vec3 fluid = mix(fluid_color(sums.r / max(sums.g, 1.0e-5)), u_surface, 0.55 * rim);
         color = mix(color, fluid, smoothstep(-0.5, 0.5, depth));
     }
 

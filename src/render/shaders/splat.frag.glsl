@@ -1,10 +1,10 @@
 #version 300 es
-// Pass one: adds a soft round spot, 1 in the centre and 0 at the edge, and the pressure times it.
+// Pass one: adds a soft round spot, 1 in the centre and 0 at the edge, and the pressure with it.
 precision highp float;
 
 uniform float u_gain; // below 1 where the buffer cannot hold sums above 1
 
-in float v_pressure;
+in vec2 v_pressure;
 
 out vec4 o_sums;
 
@@ -13,5 +13,6 @@ void main()
     vec2 p = 2.0 * gl_PointCoord - 1.0;
     float rest = max(1.0 - dot(p, p), 0.0);
     float weight = rest * rest * rest * u_gain;
-    o_sums = vec4(weight * v_pressure, weight, 0.0, 0.0);
+    float trusted = weight * v_pressure.y;
+    o_sums = vec4(trusted * v_pressure.x, trusted, 0.0, weight);
 }

@@ -7,9 +7,9 @@ uniform vec2 u_offset;   // clip position of the world's origin
 uniform float u_diameter; // of a splat, texels
 
 layout(location = 0) in vec2 a_position;  // m
-layout(location = 1) in float a_pressure; // share of the pressure shown as white
+layout(location = 1) in vec2 a_pressure; // share of the pressure shown as white, trust in it
 
-out float v_pressure;
+out vec2 v_pressure;
 
 void main()
 {
