@@ -38,7 +38,9 @@ void help_print_settings(void)
 {
     int count = 0;
     const skv_field *fields = skv_scene_fields(&count);
-    puts("Fields of a scene, for --set PATH=VALUE and for scene files:\n");
+    puts("Fields of a scene, for scene files and for --set PATH=VALUE. With --set the brackets of "
+         "a\n"
+         "list hold a number, counted from 0: --set water[0].x1=0.3\n");
     for (int i = 0; i < count; i++) {
         const skv_field *field = &fields[i];
         printf("%s  ", field->path);

@@ -227,14 +227,14 @@ static skv_result parse_law(const char *text, cli_options *result, skv_error *er
     return parse_setting(setting, result, error);
 }
 
+/* Puts the value of an option where it belongs. */
 static skv_result apply(const option_rule *rule, const char *text, cli_options *result,
                         skv_error *error)
 {
     void *field = (char *)result + rule->offset;
     switch (rule->kind) {
-    case KIND_FLAG:
-        *(bool *)field = true;
-        return SKV_OK;
+    case KIND_FLAG: /* has no value */
+        break;
     case KIND_NUMBER:
         return parse_number(rule, text, field, error);
     case KIND_INTEGER:
@@ -273,15 +273,17 @@ static skv_result parse_option(command which, int count, char **arguments, int *
         return unknown_option(which, bare, error);
     }
     const char *value = name[length] == '=' ? name + length + 1 : NULL;
-    if (!rule->argument && value) {
-        return skv_fail(error, SKV_ERROR_VALUE, "--%s: it takes no value; leave '=%s' away",
-                        rule->name, value);
+    if (rule->kind == KIND_FLAG) {
+        if (value)
+            return skv_fail(error, SKV_ERROR_VALUE, "--%s: it takes no value; leave '=%s' away",
+                            rule->name, value);
+        *(bool *)((char *)result + rule->offset) = true;
+        return SKV_OK;
     }
-    if (rule->argument && !value) {
-        if (*i + 1 >= count || strncmp(arguments[*i + 1], "--", 2) == 0) {
+    if (!value) {
+        if (*i + 1 >= count || strncmp(arguments[*i + 1], "--", 2) == 0)
             return skv_fail(error, SKV_ERROR_VALUE, "--%s: the value is missing; say --%s %s",
                             rule->name, rule->name, rule->argument);
-        }
         value = arguments[++*i];
     }
     return apply(rule, value, result, error);

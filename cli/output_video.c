@@ -91,8 +91,7 @@ static skv_result choose_encoder(const char **encoder, skv_error *error)
     }
     int best = WANTED;
     char line[256], name[64];
-    if (wait_for(pid)) {
-        rewind(list);
+    if (wait_for(pid) && fseek(list, 0, SEEK_SET) == 0) {
         while (fgets(line, sizeof line, list)) {
             /* " V....D libx264   description" */
             for (int i = 0; i < best && sscanf(line, " V%*s %63s", name) == 1; i++)
@@ -185,8 +184,7 @@ static skv_result report(output_video *video, skv_error *error)
 {
     char line[256] = "it ended early";
     end_encoder(video);
-    rewind(video->messages);
-    if (fgets(line, sizeof line, video->messages))
+    if (fseek(video->messages, 0, SEEK_SET) == 0 && fgets(line, sizeof line, video->messages))
         line[strcspn(line, "\n")] = '\0';
     return skv_fail(error, SKV_ERROR_DEVICE, "%s: ffmpeg failed: %s; check room and rights there",
                     video->file.name, line);

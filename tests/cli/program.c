@@ -46,7 +46,7 @@ static char *read_all(FILE *file, size_t *size)
     assert_int_equal(fseek(file, 0, SEEK_END), 0);
     long length = ftell(file);
     assert_true(length >= 0);
-    rewind(file);
+    assert_int_equal(fseek(file, 0, SEEK_SET), 0);
     char *text = malloc((size_t)length + 1);
     assert_non_null(text);
     assert_int_equal(fread(text, 1, (size_t)length, file), length);
@@ -82,7 +82,9 @@ void program_free(program_result *result)
 
 pid_t program_start(const char *folder, const char *const *arguments)
 {
-    return start(folder, arguments, -1, -1);
+    pid_t pid = start(folder, arguments, -1, -1);
+    setpgid(pid, pid);
+    return pid;
 }
 
 int program_wait(pid_t pid, double seconds)

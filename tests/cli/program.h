@@ -23,7 +23,8 @@ program_result program_run(const char *folder, const char *const *arguments);
 
 void program_free(program_result *result);
 
-/* Starts skvalp and returns at once; its output goes to /dev/null. */
+/* Starts skvalp in a process group of its own, as a shell with a terminal does, and returns at
+ * once; its output goes to /dev/null. */
 pid_t program_start(const char *folder, const char *const *arguments);
 /* Waits for its end, at most `seconds`; exit status, -signal, or -1000 if it did not end. */
 int program_wait(pid_t pid, double seconds);
