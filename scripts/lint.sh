@@ -41,8 +41,8 @@ tidy() {
 }
 
 install_packages "${packages_build[@]}" "${packages_lint[@]}" libcmocka-dev
-mapfile -t all_c < <(find include src app cli bench examples tests -name '*.[ch]' | sort)
-mapfile -t product_c < <(printf '%s\n' "${all_c[@]}" | grep -E '^(src|cli|app)/.*\.c$')
+mapfile -t all_c < <(find . -path ./build -prune -o -name '*.[ch]' -print | sort)
+mapfile -t product_c < <(printf '%s\n' "${all_c[@]}" | grep -E '^\./(src|cli|app)/.*\.c$')
 mapfile -t shell < <(find scripts tests -name '*.sh' | sort)
 
 check shellcheck shellcheck -x run.sh test.sh .ci/run "${shell[@]}"
