@@ -78,10 +78,7 @@ bites test_readme.sh "a dead link" "leads nowhere"
 printf 'int sin;\n' >"$work/copy/src/base/sin.c"
 bites test_style.sh "a .c file without an opening comment" "opens with a comment"
 
-{
-    printf '/* Long. */\n'
-    yes '' | head -n 600
-} >"$work/copy/src/base/sin.c"
+awk 'BEGIN { print "/* Long. */"; for (i = 0; i < 600; i++) print "" }' >"$work/copy/src/base/sin.c"
 bites test_style.sh "a file of 601 lines" "at most 600"
 
 printf '/* %s: later. */\n' 'TO''DO' >"$work/copy/src/base/sin.c"
