@@ -11,9 +11,11 @@
 
 #include <math.h>
 
-/* Pixels by which a move may undercut its limit, so that rounding does not make a particle stick
- * that slides along a wall. Position rounding is below 1/1000 pixel in the largest picture. */
-#define TOLERANCE (1.0 / 256)
+/* By how much a move may undercut its limit and go on, as a share of the coordinates: four times
+ * what float rounds them by, so that rounding does not make a particle stick that slides along a
+ * wall. A move that falls farther is stopped at the limit itself, so that pushing again and again
+ * gains nothing. */
+#define ROUNDING (4.0 / 16777216)
 
 /* The sampled distance falls by at most sqrt(2) a pixel: each axis by at most one. */
 #define STEEPEST 1.4143
@@ -21,12 +23,20 @@
 /* Pixels over the limit from which on a jump beats going from cell to cell. */
 #define JUMP_FROM 2.0
 
+/* The longest piece, in pixels, of a move that starts inside solid. */
+#define GUARDED_PIECE 0.25
+
+/* How much of the start's slope, in pixels (4.8 beside a straight wall), must be left at the end of
+ * such a piece: well above rounding, so that nothing comes to rest exactly in a wall's middle. */
+#define LEAST_SLOPE 1e-3
+
 /* A move in grid coordinates; distances along it in pixels. */
 typedef struct move {
     const skv_terrain *terrain;
     double x0, y0, dx, dy; /* from the start by (dx, dy) for t = 1 */
     double length;
-    double limit;
+    double limit;     /* the distance below which the move must not get */
+    double tolerance; /* and by how much it may */
 } move;
 
 static double distance_at(const move *m, double t)
@@ -75,21 +85,23 @@ static double first_below_in_saddle(const skv_corners *c, double scale, double l
     return 2;
 }
 
-/* The first fraction of the piece t0..t1 of the move, which lies in cell (x, y), that is below the
+/* The first fraction of the piece t0..t1 of the move, which lies in one cell, that is below the
  * limit, or 2. */
-static double first_below_in_cell(const move *m, int x, int y, double t0, double t1)
+static double first_below_in_cell(const move *m, double limit, double t0, double t1)
 {
+    double middle = 0.5 * (t0 + t1);
+    int x = (int)(m->x0 + middle * m->dx), y = (int)(m->y0 + middle * m->dy);
     skv_corners c = skv_corners_at(m->terrain, x, y);
     double scale = (double)m->terrain->per_metre;
     double u = m->x0 + t0 * m->dx - x, v = m->y0 + t0 * m->dy - y;
     double du = (t1 - t0) * m->dx, dv = (t1 - t0) * m->dy;
     if (skv_is_saddle(&c))
-        return first_below_in_saddle(&c, scale, m->limit, u, v, du, dv);
+        return first_below_in_saddle(&c, scale, limit, u, v, du, dv);
     double a = (double)c.d00, b = (double)c.d10 - a, e = (double)c.d01 - a;
     double twist = (double)c.d11 - (double)c.d10 - e;
     double start = a + b * u + e * v + twist * u * v;
     double slope = b * du + e * dv + twist * (u * dv + v * du);
-    return first_below(scale * start - m->limit, scale * slope, scale * twist * du * dv);
+    return first_below(scale * start - limit, scale * slope, scale * twist * du * dv);
 }
 
 /* Where a coordinate that runs from g by dg per unit of t next meets a line between cells. */
@@ -108,25 +120,49 @@ static bool inside_grid(const skv_terrain *terrain, double x, double y)
            y >= (double)SKV_GRID_LOW && y < (double)skv_grid_high(terrain->rows);
 }
 
-/* Whether the point at t lies in solid on the other side of the middle of a wall than the start,
- * whose slope is (sx, sy). In a wall of two pixels the middle is no deeper than what is beside it,
- * so that the limit alone would let a particle through that has got inside. */
-static bool crossed_middle(const move *m, double t, float sx, float sy)
+/* Keeps a move that starts inside solid on its side of the wall until it has come out. The limit
+ * alone would not: in a wall of two pixels the middle is no deeper than what is beside it. */
+typedef struct guard {
+    bool active;
+    double x, y;   /* direction of the slope at the start */
+    double needed; /* component of the slope along it below which the middle has been reached */
+} guard;
+
+static void slope_at(const move *m, double t, double *sx, double *sy)
 {
+    double scale = (double)m->terrain->per_metre;
     double x = m->x0 + t * m->dx, y = m->y0 + t * m->dy;
-    if (!inside_grid(m->terrain, x, y) || distance_at(m, t) >= 0)
-        return false;
-    float tx, ty;
-    skv_grid_slope(m->terrain, (float)x, (float)y, &tx, &ty);
-    return tx * sx + ty * sy <= 0;
+    float fx = 0, fy = 0;
+    if (inside_grid(m->terrain, x, y))
+        skv_grid_slope(m->terrain, (float)x, (float)y, &fx, &fy);
+    *sx = scale * (double)fx;
+    *sy = scale * (double)fy;
+}
+
+static guard make_guard(const move *m, double distance)
+{
+    double x, y;
+    if (distance >= 0)
+        return (guard){0};
+    slope_at(m, 0, &x, &y);
+    double steepness = sqrt(x * x + y * y);
+    if (steepness == 0)
+        return (guard){0};
+    return (guard){true, x / steepness, y / steepness,
+                   steepness < LEAST_SLOPE ? steepness : LEAST_SLOPE};
+}
+
+/* Whether the move has met the middle of the wall at t. */
+static bool meets_middle(const guard *g, const move *m, double t)
+{
+    double x, y;
+    slope_at(m, t, &x, &y);
+    return x * g->x + y * g->y < g->needed;
 }
 
 static double march(const move *m, double distance)
 {
-    float sx = 0, sy = 0;
-    if (distance < 0 && inside_grid(m->terrain, m->x0, m->y0))
-        skv_grid_slope(m->terrain, (float)m->x0, (float)m->y0, &sx, &sy);
-    bool guarded = sx != 0 || sy != 0;
+    guard held = make_guard(m, distance);
     /* A bound for moves along the outside, which need not come to an end in reasonable time. */
     int pieces = 64 + 4 * (m->terrain->columns + m->terrain->rows);
     double t = 0;
@@ -139,26 +175,32 @@ static double march(const move *m, double distance)
             continue;
         }
         double x = m->x0 + t * m->dx, y = m->y0 + t * m->dy, end, hit = 2;
-        if (inside_grid(m->terrain, x, y)) {
+        bool inside = inside_grid(m->terrain, x, y);
+        if (inside) {
             end = fmin(1, fmin(next_line(m->x0, m->dx, x), next_line(m->y0, m->dy, y)));
             /* Rounding may leave the point on the line that it has just met. */
             end = fmax(end, t + 1e-9);
-            double middle = 0.5 * (t + end);
-            hit = first_below_in_cell(m, (int)(m->x0 + middle * m->dx),
-                                      (int)(m->y0 + middle * m->dy), t, end);
+            if (held.active)
+                end = fmin(end, t + GUARDED_PIECE / m->length);
+            hit = first_below_in_cell(m, m->limit - m->tolerance, t, end);
+            if (hit <= 1)
+                hit = fmin(hit, first_below_in_cell(m, m->limit, t, end));
         } else {
             end = fmin(1, t + 0.5 / m->length);
-            if (distance_at(m, end) < m->limit)
+            if (distance_at(m, end) < m->limit - m->tolerance)
                 hit = 0;
         }
         if (hit <= 1)
             return t + hit * (end - t);
-        if (guarded && crossed_middle(m, end, sx, sy))
-            return t;
+        distance = distance_at(m, end);
+        if (held.active) {
+            if (inside && meets_middle(&held, m, end))
+                return t;
+            held.active = distance < 0;
+        }
         if (end >= 1)
             return 1;
         t = end;
-        distance = distance_at(m, t);
     }
     return t;
 }
@@ -176,11 +218,17 @@ float skv_terrain_sweep(const skv_terrain *terrain, float x0, float y0, float x1
         .dy = ((double)y1 - (double)y0) * scale,
     };
     m.length = sqrt(m.dx * m.dx + m.dy * m.dy);
+    m.tolerance = ROUNDING * (fabs(m.x0) + fabs(m.y0));
     double distance = distance_at(&m, 0);
-    m.limit = fmin((double)clearance * scale, distance) - TOLERANCE;
-    if (distance - STEEPEST * m.length >= m.limit)
+    double wanted = (double)clearance * scale;
+    m.limit = wanted < distance ? wanted : distance;
+    /* Most moves are short and end here. Those inside solid always march, however short: what
+     * keeps them on their side of a wall must not be outrun by many small steps. */
+    if (distance >= 0 && distance + m.tolerance - STEEPEST * m.length >= m.limit)
         return 1;
     if (!(m.length <= 1e30))
         return 0;
+    if (m.length == 0)
+        return 1;
     return (float)march(&m, distance);
 }
