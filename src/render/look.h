@@ -8,9 +8,11 @@
  * on its surface, narrow enough that thin streams stay thin. */
 #define SKV_SPLAT_RADIUS 2.2
 
-/* The threshold, in units of one splat's centre: a lone particle is drawn as a disc of about the
- * area that it has in the fluid. */
-#define SKV_SPLAT_THRESHOLD 0.85
+/* Thresholds, in units of one splat's centre. A lone particle is drawn as a disc of about the area
+ * that it has in the fluid; a body of fluid, whose sum is 3.8 inside and half of that where its
+ * area ends, a little beyond, so that thin sheets hold together. */
+#define SKV_THRESHOLD_LONE 0.85
+#define SKV_THRESHOLD_BODY 1.6
 
 /* Radius of a tracer's dot in spacings. */
 #define SKV_TRACER_RADIUS 0.36

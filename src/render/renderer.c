@@ -161,7 +161,10 @@ static void compose(const skv_renderer *renderer, const skv_terrain *terrain,
                 (float)splats->target.height);
     glUniform1f(glGetUniformLocation(program, "u_texels"), (float)splats->target.texels);
     glUniform1f(glGetUniformLocation(program, "u_margin"), (float)splats->target.margin);
-    glUniform1f(glGetUniformLocation(program, "u_threshold"), (float)splats->threshold);
+    glUniform1f(glGetUniformLocation(program, "u_gain"), (float)splats->gain);
+    glUniform1f(glGetUniformLocation(program, "u_crowd"), (float)splats->crowd);
+    glUniform2f(glGetUniformLocation(program, "u_threshold"), (float)SKV_THRESHOLD_LONE,
+                (float)SKV_THRESHOLD_BODY);
     glUniform1f(glGetUniformLocation(program, "u_reach"), (float)splats->reach);
     glBindVertexArray(renderer->attributes);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -31,7 +31,7 @@
 
 skv_result skv_splats_create(skv_splats *splats, bool half_float, skv_error *error)
 {
-    *splats = (skv_splats){.half_float = half_float};
+    *splats = (skv_splats){.half_float = half_float, .gain = half_float ? 1 : 1 / BYTE_SPLATS};
     skv_result result = skv_gl_program("splat", skv_shader_splat_vert, skv_shader_splat_frag,
                                        &splats->program, error);
     if (result != SKV_OK)
@@ -143,9 +143,8 @@ static skv_result fit(skv_splats *splats, const skv_world *world, const skv_came
 
     /* Where splats are wider than usual because particles are smaller than pixels, the sums grow
      * with their area. */
-    double crowd = *radius / (SKV_SPLAT_RADIUS * spacing * texels);
-    splats->threshold = SKV_SPLAT_THRESHOLD * crowd * crowd;
-
+    double widened = *radius / (SKV_SPLAT_RADIUS * spacing * texels);
+    splats->crowd = widened * widened;
     splats->reach = *radius / texels;
 
     int margin = (int)ceil(*radius) + 2;
@@ -185,8 +184,6 @@ skv_result skv_splats_draw(skv_splats *splats, const skv_world *world, const skv
         return result;
     refresh(splats, world, pressure_range);
 
-    double gain = splats->half_float ? 1 : 1 / BYTE_SPLATS;
-    splats->threshold *= gain;
     glViewport(0, 0, splats->target.width, splats->target.height);
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -195,7 +192,7 @@ skv_result skv_splats_draw(skv_splats *splats, const skv_world *world, const skv
     glUseProgram(splats->program);
     skv_gl_set_transform(splats->program, camera, &splats->target);
     glUniform1f(glGetUniformLocation(splats->program, "u_diameter"), (float)(2 * radius));
-    glUniform1f(glGetUniformLocation(splats->program, "u_gain"), (float)gain);
+    glUniform1f(glGetUniformLocation(splats->program, "u_gain"), (float)splats->gain);
     glBindVertexArray(splats->attributes);
     glDrawArrays(GL_POINTS, 0, splats->count);
     glBindVertexArray(0);

@@ -10,7 +10,8 @@ typedef struct skv_splats {
     bool half_float;
     skv_gl_target target; /* the texture's size and its relation to the view */
     double reach;         /* radius of a splat, view pixels */
-    double threshold;     /* of the sums in the texture, where the fluid begins */
+    double gain;          /* of the sums: below 1 where the texture holds bytes */
+    double crowd;         /* the sums by those of splats of the usual width */
 
     /* What the last call showed, particle by particle. */
     int capacity, count;

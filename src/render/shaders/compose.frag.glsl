@@ -3,12 +3,15 @@
 precision highp float;
 precision highp sampler2D;
 
-uniform sampler2D u_splats; // sums of pressure, of the trust in it, and (alpha) of weight
+// Sums over splats: pressure, trust in it, squared weight, weight.
+uniform sampler2D u_splats;
 uniform vec2 u_splat_size;  // texels
 uniform float u_texels;     // texels a view pixel
 uniform float u_margin;     // texels around the view
-uniform float u_threshold;
-uniform float u_reach; // radius of a splat, view pixels
+uniform float u_gain;   // of the sums
+uniform float u_crowd;  // how much larger the sums are than those of splats of the usual width
+uniform vec2 u_threshold; // of weight: for a lone particle, and for the edge of a body of fluid
+uniform float u_reach;  // radius of a splat, view pixels
 
 uniform sampler2D u_walls;  // distance to the nearest wall, m
 uniform float u_scale;      // view pixels a metre
@@ -30,9 +33,9 @@ uniform float u_pixel; // view pixels a line of the drawing is wide
 
 out vec4 o_color;
 
-// The sum of splats, interpolated by a cubic B-spline (four linear samples), which hides the coarse
-// texels from the fluid's outline.
-float smooth_weight(vec2 texel)
+// The sums, interpolated by a cubic B-spline (four linear samples), which hides the coarse texels
+// from the fluid's outline.
+vec4 smooth_sums(vec2 texel)
 {
     vec2 base = floor(texel - 0.5) + 0.5;
     vec2 f = texel - base;
@@ -45,8 +48,19 @@ float smooth_weight(vec2 texel)
     vec2 high = w2 + w3;
     vec2 a = (base - 1.0 + w1 / low) / u_splat_size;
     vec2 b = (base + 1.0 + w3 / high) / u_splat_size;
-    return (texture(u_splats, a).a * low.x + texture(u_splats, vec2(b.x, a.y)).a * high.x) * low.y +
-           (texture(u_splats, vec2(a.x, b.y)).a * low.x + texture(u_splats, b).a * high.x) * high.y;
+    return (texture(u_splats, a) * low.x + texture(u_splats, vec2(b.x, a.y)) * high.x) * low.y +
+           (texture(u_splats, vec2(a.x, b.y)) * low.x + texture(u_splats, b) * high.x) * high.y;
+}
+
+// How far the sums exceed the threshold: 1 on the fluid's outline. The threshold rises with the
+// number of particles that contribute, (sum w)^2 / sum w^2, so that a lone particle is drawn as a
+// drop of its own area and a body of fluid ends where its particles' areas do.
+float excess(vec4 sums, float lift)
+{
+    float weight = sums.a * lift / u_gain;
+    float number = weight * weight / max(sums.b * lift / u_gain, 1.0e-6);
+    float share = clamp(0.5 * (number - 1.0), 0.0, 1.0);
+    return weight / (u_crowd * mix(u_threshold.x, u_threshold.y, share));
 }
 
 // Metres to the nearest wall, also outside the picture, where closed sides are solid.
@@ -87,20 +101,20 @@ void main()
     vec2 texel = pixel * u_texels + u_margin;
     vec4 sums = texture(u_splats, texel / u_splat_size);
     float lift = 1.0 / free_share(wall);
-    float weight = sums.a * lift;
-    float slope = max(fwidth(weight), 0.02 * u_threshold);
+    float fluid = excess(sums, lift);
+    float slope = max(fwidth(fluid), 0.02);
 
     // Background, a little darker along walls.
     vec3 color = mix(u_ground, u_sky, pixel.y / u_view.y);
     color = mix(color, u_shade, 0.5 * exp2(-max(wall, 0.0) / (9.0 * u_pixel)));
 
-    if (wall > -2.0 && weight > 0.2 * u_threshold) {
-        if (weight < 3.0 * u_threshold)
-            weight = smooth_weight(texel) * lift;
-        float depth = (weight - u_threshold) / slope; // pixels below the surface, near it
-        float rim = (1.0 - smoothstep(0.5 * u_pixel, 2.5 * u_pixel, depth));
-        vec3 fluid = mix(fluid_color(sums.r / max(sums.g, 1.0e-5)), u_surface, 0.55 * rim);
-        color = mix(color, fluid, smoothstep(-0.5, 0.5, depth));
+    if (wall > -2.0 && fluid > 0.2) {
+        if (fluid < 2.0)
+            fluid = excess(smooth_sums(texel), lift);
+        float depth = (fluid - 1.0) / slope; // pixels below the surface, near it
+        float rim = 1.0 - smoothstep(0.5 * u_pixel, 2.5 * u_pixel, depth);
+        vec3 water = mix(fluid_color(sums.r / max(sums.g, 1.0e-5)), u_surface, 0.55 * rim);
+        color = mix(color, water, smoothstep(-0.5, 0.5, depth));
     }
 
     vec3 solid = mix(u_wall_edge, u_wall, smoothstep(0.5 * u_pixel, 2.5 * u_pixel, -wall));

@@ -12,7 +12,7 @@ void main()
 {
     vec2 p = 2.0 * gl_PointCoord - 1.0;
     float rest = max(1.0 - dot(p, p), 0.0);
-    float weight = rest * rest * rest * u_gain;
+    float weight = rest * rest * rest;
     float trusted = weight * v_pressure.y;
-    o_sums = vec4(trusted * v_pressure.x, trusted, 0.0, weight);
+    o_sums = vec4(trusted * v_pressure.x, trusted, weight * weight, weight) * u_gain;
 }
