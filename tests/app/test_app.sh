@@ -1,0 +1,162 @@
+#!/usr/bin/env bash
+# The app as a person meets it: on a display of its own, by mouse and keys, judged by the colours on
+# the screen. Arguments: build folder, source folder.
+set -euo pipefail
+build=$(realpath "${1:?usage: test_app.sh BUILD SOURCE}")
+
+for program in Xvfb xdotool import convert; do
+    command -v "$program" >/dev/null || {
+        echo "$program is missing: install xvfb xdotool imagemagick"
+        exit 1
+    }
+done
+
+work=$(mktemp -d)
+server='' app=''
+finish() {
+    [[ -z $app ]] || kill "$app" 2>/dev/null || true
+    [[ -z $server ]] || kill "$server" 2>/dev/null || true
+    wait
+    rm -rf "$work"
+}
+trap finish EXIT
+
+fail() {
+    echo "FAILED: $*"
+    [[ ! -s $work/app.log ]] || sed 's/^/app: /' "$work/app.log"
+    [[ -z ${SKVALP_KEEP:-} ]] || cp -r "$work" "$SKVALP_KEEP" # screenshots, for a look
+    exit 1
+}
+
+# A display number that nobody uses: the server picks it.
+mkfifo "$work/number"
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>"$work/number" >/dev/null 2>&1 &
+server=$!
+read -r -t 20 number <"$work/number" || fail "Xvfb did not start"
+export DISPLAY=:$number GDK_BACKEND=x11 LIBGL_ALWAYS_SOFTWARE=1
+# No settings and no services of the machine that runs the test.
+export GSETTINGS_BACKEND=memory GTK_A11Y=none HOME=$work DBUS_SESSION_BUS_ADDRESS=disabled:
+unset WAYLAND_DISPLAY GTK_THEME ADW_DEBUG_COLOR_SCHEME
+
+# Waits up to $1 seconds for the rest of the arguments to succeed.
+await() {
+    local end=$((SECONDS + $1))
+    shift
+    until "$@"; do
+        ((SECONDS < end)) || return 1
+        sleep 0.1
+    done
+}
+
+window=''
+find_window() {
+    window=$(xdotool search --onlyvisible --name Skvalp 2>/dev/null | head -n 1)
+    [[ -n $window ]]
+}
+
+start_app() {
+    "$build/skvalp-play" "$@" >"$work/app.log" 2>&1 &
+    app=$!
+    await 20 find_window || fail "no window came up"
+    xdotool windowfocus "$window"
+    eval "$(xdotool getwindowgeometry --shell "$window")" # X Y WIDTH HEIGHT
+}
+
+running() { kill -0 "$app" 2>/dev/null; }
+gone() { ! running; }
+key() { xdotool key "$@"; }
+# The pointer to a place in the window, in percent.
+point() { xdotool mousemove $((X + WIDTH * $1 / 100)) $((Y + HEIGHT * $2 / 100)); }
+shoot() { import -silent -window root "$work/$1.png"; }
+
+# The share, in percent, of a part of the window (x0 y0 x1 y1 in percent) whose colour is $1 now.
+share() {
+    local color=$1 test
+    case $color in
+    fluid) test='b > 0.7 && b > g + 0.2' ;;
+    white) test='r > 0.9 && g > 0.9 && b > 0.9' ;;
+    red) test='r > 0.6 && g < 0.3 && b < 0.35' ;;
+    esac
+    shoot now
+    convert "$work/now.png" -crop "$((WIDTH * ($4 - $2) / 100))x$((HEIGHT * ($5 - $3) / 100))+$((
+        X + WIDTH * $2 / 100))+$((Y + HEIGHT * $3 / 100))" +repage -sample '60x60!' \
+        -fx "$test" -format '%[fx:round(100*mean)]' info:
+}
+more() { (($(share "${@:2}") > $1)); } # than $1 percent
+less() { (($(share "${@:2}") < $1)); }
+
+picture_changes() {
+    shoot one
+    sleep 0.3
+    shoot two
+    ! cmp -s "$work/one.png" "$work/two.png"
+}
+picture_stands() { ! picture_changes; }
+
+# Processor time in ticks (1/100 s) that the app has used.
+ticks() { awk '{ print $14 + $15 }' "/proc/$app/stat"; }
+
+# 1. A pool: fluid in the lower half, none above it.
+start_app pool
+await 20 more 98 fluid 15 65 85 95 || fail "no fluid in the lower half of the pool"
+less 1 fluid 15 25 85 45 || fail "fluid above the pool"
+point 30 85
+
+# 2. The mouse lifts a chunk out of it, and lets it go.
+point 50 65
+xdotool mousedown 1
+for y in 60 55 50 45 42 40 38 36 35; do
+    point 50 "$y"
+    sleep 0.05
+done
+await 10 more 8 fluid 42 25 58 45 || fail "the mouse did not lift any fluid"
+xdotool mouseup 1
+await 10 less 2 fluid 42 25 58 45 || fail "the fluid did not fall back"
+
+# 3. Pause stands still and costs nothing; one step is a change; reset is the start.
+key space
+await 5 picture_stands || fail "Space did not pause"
+before=$(ticks)
+sleep 1
+(($(ticks) - before <= 5)) || fail "paused, the app still used $(($(ticks) - before)) % of a core"
+shoot paused
+key s
+sleep 0.5
+shoot stepped
+! cmp -s "$work/paused.png" "$work/stepped.png" || fail "S did not step"
+key r
+await 5 less 1 fluid 15 25 85 45 || fail "R did not reset"
+
+# 4. Tracers, while paused.
+less 1 white 15 65 85 95 || fail "white before tracers were asked for"
+key t
+await 5 more 1 white 15 65 85 95 || fail "T shows no tracers"
+key t
+
+# 5. Gravity by the arrow keys.
+key space
+key Right
+await 10 more 60 fluid 80 20 95 45 || fail "with gravity to the right the fluid stays left"
+key Down
+
+# 6. A built-in scene from the menu's action, full screen and back: still alive.
+key F11
+sleep 0.5
+key F11
+await 5 picture_changes || fail "nothing moves after full screen"
+key ctrl+q
+await 10 gone || fail "Ctrl+Q did not quit"
+wait "$app" || fail "the app ended with status $?"
+app=''
+if grep -E 'CRITICAL|ERROR' "$work/app.log"; then fail "the toolkit complained"; fi
+
+# 7. A bad file: the window says so, and the default scene runs.
+printf '{"fluid": {"spacing": "wide"}}' >"$work/broken.json"
+start_app "$work/broken.json"
+await 20 more 10 red 35 10 65 16 || fail "no message about a broken file"
+await 10 more 5 fluid 2 20 98 98 || fail "no default scene beside the message"
+await 5 picture_changes || fail "the default scene does not run"
+key Escape
+await 5 less 1 red 35 10 65 16 || fail "the message did not go away"
+running || fail "the app died"
+echo "app: a pool was lifted, paused, stepped, reset, tilted; a broken file was refused kindly"
