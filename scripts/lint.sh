@@ -20,24 +20,33 @@ case ${1-} in
 esac
 
 status=0
-# check NAME COMMAND...: runs one check, shows what it found.
-check() {
-    local name=$1
-    shift
-    if logged "lint-$name" "$@"; then
+# verdict NAME LOG STATUS: prints what a check came to, and what it found.
+verdict() {
+    local name=$1 log=$logs/$2.log
+    if (($3 == 0)); then
         say "lint: $name: fine ($(elapsed))"
-    else
-        [[ ${SKVALP_VERBOSE:-0} == 1 ]] || head -n 60 "$logs/lint-$name.log"
-        printf '%s: %s failed (%s)\n' "$program" "$name" "$logs/lint-$name.log" >&2
-        status=1
+        return
     fi
+    [[ ${SKVALP_VERBOSE:-0} == 1 ]] ||
+        grep -E -m 20 -A 3 '(error|FAILED|CMake Error)' "$log" || head -n 60 "$log"
+    printf '%s: %s failed (%s)\n' "$program" "$name" "$log" >&2
+    status=1
+}
+
+# check NAME COMMAND...
+check() {
+    local name=$1 outcome=0
+    shift
+    logged "lint-$name" "$@" || outcome=$?
+    verdict "$name" "lint-$name" "$outcome"
 }
 
 # One process a file, two minutes a file at most. Called by name, through check.
 # shellcheck disable=SC2317
 tidy() {
     printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" \
-        timeout 120 clang-tidy-19 --quiet --warnings-as-errors='*' -p build/clang
+        timeout 120 clang-tidy-19 --quiet --warnings-as-errors='*' -p build/clang 2>&1 |
+        { grep -vE '^[0-9]+ warnings? generated' || true; }
 }
 
 install_packages "${packages_build[@]}" "${packages_lint[@]}" libcmocka-dev
@@ -48,7 +57,11 @@ mapfile -t shell < <(find scripts tests -name '*.sh' | sort)
 check shellcheck shellcheck -x run.sh test.sh .ci/run "${shell[@]}"
 check clang-format clang-format-19 --dry-run -Werror "${all_c[@]}"
 SKVALP_WERROR=ON
-check clang-configure configure clang
-check clang-build build clang
+outcome=0
+configure clang -DSKVALP_TESTS=ON || outcome=$?
+verdict "configuring for clang" configure-clang "$outcome"
+outcome=0
+build clang || outcome=$?
+verdict "clang's warnings" build-clang "$outcome"
 check clang-tidy tidy "${product_c[@]}"
 exit "$status"
