@@ -16,7 +16,7 @@ skv_result skv_neighbours_create(skv_neighbours *n, float x0, float y0, float x1
     n->origin_y = y0;
     n->inv_cell = 1 / h;
     double columns = (double)(x1 - x0) / h + 1, rows = (double)(y1 - y0) / h + 1;
-    if (columns * rows > MAX_CELLS)
+    if (columns * rows > (double)MAX_CELLS)
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "the world is too large for a smoothing radius of %g m; use a larger "
                         "spacing",

@@ -55,16 +55,16 @@ void shape_normal(const shape *s, double x, double y, double *nx, double *ny)
 
 static double solid_share(const shape *s, double x, double y)
 {
-    enum { POINTS = 16 };
+    const int points = 16;
     double middle = shape_distance(s, x + 0.5, y + 0.5);
     if (fabs(middle) > 1)
         return middle < 0;
     int solid = 0;
-    for (int j = 0; j < POINTS; j++) {
-        for (int i = 0; i < POINTS; i++)
-            solid += shape_distance(s, x + (i + 0.5) / POINTS, y + (j + 0.5) / POINTS) < 0;
+    for (int j = 0; j < points; j++) {
+        for (int i = 0; i < points; i++)
+            solid += shape_distance(s, x + (i + 0.5) / points, y + (j + 0.5) / points) < 0;
     }
-    return (double)solid / (POINTS * POINTS);
+    return (double)solid / (points * points);
 }
 
 void paint_shape(const shape *s, int width, int height, bool grey, uint8_t *coverage)

@@ -18,7 +18,7 @@ enum { WIDTH = 320, HEIGHT = 180 };
  * black and white pixels. Filled to `level`. */
 static skv_world *slanted_pool(double degrees, float level)
 {
-    double slope = tan(degrees * acos(-1) / 180), pixel = 1.6 / WIDTH;
+    double slope = tan(degrees * acos(-1) / 180), pixel = 1.6 / (double)WIDTH;
     uint8_t *coverage = calloc(WIDTH * HEIGHT, 1);
     for (int y = 0; y < HEIGHT; y++) {
         for (int x = 0; x < WIDTH; x++) {
