@@ -91,6 +91,17 @@ void skv_builder_end(skv_builder *builder)
 
 /* ---- One value ------------------------------------------------------------------------------- */
 
+/* Quotes a text, cut after 40 bytes between two characters of UTF-8. */
+static void quote(const char *source, char text[64])
+{
+    size_t length = strlen(source), cut = length;
+    if (length > 40) {
+        for (cut = 40; cut > 36 && ((unsigned char)source[cut] & 0xc0) == 0x80; cut--)
+            continue;
+    }
+    snprintf(text, 64, "\"%.*s%s\"", (int)cut, source, cut < length ? "..." : "");
+}
+
 /* Names an entry in a message: "null", "3.5", "\"abc\"", "a list". */
 static void describe(const skv_entry *entry, char text[64])
 {
@@ -105,7 +116,7 @@ static void describe(const skv_entry *entry, char text[64])
         skv_format_number(entry->number, text);
         break;
     case SKV_ENTRY_TEXT:
-        snprintf(text, 64, strlen(entry->text) > 40 ? "\"%.37s...\"" : "\"%s\"", entry->text);
+        quote(entry->text, text);
         break;
     case SKV_ENTRY_LIST:
         snprintf(text, 64, "a list");
@@ -275,7 +286,10 @@ static skv_result accept_group(skv_builder *builder, const skv_field_path *path,
     bool object = skv_field_is_object(path->pattern), list = skv_field_is_list(path->pattern);
     if (!object && !list) {
         char hint[200];
-        skv_field_suggest(path->pattern, hint, sizeof hint);
+        if (strchr(text, '"') != NULL)
+            snprintf(hint, sizeof hint, "; a key is one word, a group is { ... }");
+        else
+            skv_field_suggest(path->pattern, hint, sizeof hint);
         return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "unknown field%s",
                                 hint);
     }

@@ -93,6 +93,30 @@ static skv_result compose_texts(composer *c)
 
 /* ---- Walls ----------------------------------------------------------------------------------- */
 
+/* A picture is as wide as world.width says; one so tall that this would make it too high becomes
+ * narrower, unless the width was asked for. */
+static skv_result scale_picture(composer *c)
+{
+    skv_scene *scene = c->scene;
+    double most = skv_scene_fields(NULL)[SKV_F_WORLD_HEIGHT].maximum;
+    double width = c->value[SKV_F_WORLD_WIDTH].number;
+    char message[160], text[32];
+    if (width * scene->height / scene->width > most) {
+        skv_format_number(width * scene->height / scene->width, text);
+        if (is_given(c, SKV_F_WORLD_WIDTH)) {
+            snprintf(message, sizeof message,
+                     "makes the picture %s m high; allowed are 16 m, so choose a smaller width",
+                     text);
+            return fail(c, SKV_F_WORLD_WIDTH, SKV_ERROR_VALUE, message);
+        }
+        width = most * scene->width / scene->height;
+        skv_format_number(width, text);
+        skv_scene_note(scene, "the picture is so tall that it is made %s m wide", text);
+    }
+    scene->pixel_size = width / scene->width;
+    return SKV_OK;
+}
+
 /* Takes size, coverage and paint over from a picture. */
 static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
 {
@@ -118,16 +142,7 @@ static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
     scene->paint = painting.paint;
     for (int i = 0; i < 4; i++)
         scene->marked[i] = painting.count[i];
-    scene->pixel_size = c->value[SKV_F_WORLD_WIDTH].number / scene->width;
-    double height = scene->pixel_size * scene->height;
-    if (height > skv_scene_fields(NULL)[SKV_F_WORLD_HEIGHT].maximum) {
-        char message[120], text[32];
-        skv_format_number(height, text);
-        snprintf(message, sizeof message,
-                 "makes the picture %s m high; allowed are 16 m, so choose a smaller width", text);
-        return fail(c, SKV_F_WORLD_WIDTH, SKV_ERROR_VALUE, message);
-    }
-    return SKV_OK;
+    return scale_picture(c);
 }
 
 /* Whole pixels of a side; the pixel size fits the width exactly. */
@@ -328,35 +343,47 @@ static skv_result count_particles(composer *c, const skv_terrain *terrain)
     return fail(c, SKV_F_FLUID_SPACING, SKV_ERROR_LIMIT, message);
 }
 
-/* The number of particles is wanted: the spacing follows. A number that nobody asked for gives way
- * where it does not fit: the spacing is then 1/400 of the width (a few blue pixels), or the largest
- * allowed. */
+/* Chooses the spacing for a number that nobody asked for, which gives way where it does not fit:
+ * the spacing is at least 1/400 of the width, so that a few blue pixels do not become dust, unless
+ * nothing fits then; and it is at most the largest allowed. */
+static skv_result choose_freely(composer *c, const skv_terrain *terrain, float least, int wanted)
+{
+    skv_scene *scene = c->scene;
+    float coarse = (float)(scene->width * scene->pixel_size / 400.0);
+    int count = 0;
+    skv_result result = SKV_OK;
+    for (int i = coarse > least ? 0 : 1; i < 2 && count == 0; i++)
+        result = skv_water_choose_spacing(&scene->water, terrain, wanted, i == 0 ? coarse : least,
+                                          &scene->fluid.spacing, &count);
+    scene->particles = result == SKV_OK && count > wanted ? wanted : count;
+    return count > 0 ? SKV_OK : fail_no_fit(c);
+}
+
+/* The number of particles is wanted: the spacing follows. */
 static skv_result choose_spacing(composer *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
-    const skv_field *spacing = &skv_scene_fields(NULL)[SKV_F_FLUID_SPACING];
-    bool asked = is_given(c, SKV_F_PARTICLES);
+    float least = (float)skv_scene_fields(NULL)[SKV_F_FLUID_SPACING].minimum;
     int wanted = (int)c->value[SKV_F_PARTICLES].number, count;
-    double least = spacing->minimum, width = c->value[SKV_F_WORLD_WIDTH].number;
-    if (!asked && width / 400.0 > least)
-        least = width / 400.0;
-    skv_result result = skv_water_choose_spacing(&scene->water, terrain, wanted, (float)least,
+    if (!is_given(c, SKV_F_PARTICLES))
+        return choose_freely(c, terrain, least, wanted);
+    skv_result result = skv_water_choose_spacing(&scene->water, terrain, wanted, least,
                                                  &scene->fluid.spacing, &count);
     char message[160];
     if (count == 0)
         return fail_no_fit(c);
-    if (asked && result != SKV_OK) {
+    if (result != SKV_OK) {
         snprintf(message, sizeof message,
                  "%d are too few for this much fluid; allowed are %d to %d", wanted, count,
                  SKV_MAX_PARTICLES);
         return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE, message);
     }
-    if (asked && count < wanted) {
+    if (count < wanted) {
         snprintf(message, sizeof message,
                  "%d do not fit into this little fluid; allowed are 1 to %d", wanted, count);
         return fail(c, SKV_F_PARTICLES, SKV_ERROR_LIMIT, message);
     }
-    scene->particles = result == SKV_OK && count > wanted ? wanted : count;
+    scene->particles = wanted;
     return SKV_OK;
 }
 

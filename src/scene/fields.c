@@ -53,8 +53,7 @@
                                         "line: its width; ends and bends are round"}
 
 static const skv_field fields[SKV_F_COUNT] = {
-    [SKV_F_NAME] = {"name", TEXT, "", 0, 64, NULL, "",
-                    "short name, as the command line takes it; else the file's name"},
+    [SKV_F_NAME] = {"name", TEXT, "", 0, 64, NULL, "", "short name; else the file's name"},
     [SKV_F_TITLE] = {"title", TEXT, "", 0, 100, NULL, "", "heading; else the name"},
     [SKV_F_DESCRIPTION] = {"description", TEXT, "", 0, 1000, NULL, "",
                            "one or two sentences about what there is to see"},

@@ -144,6 +144,9 @@ static skv_result report(const skv_builder *builder, const char *text, size_t si
 
 skv_result skv_json_read(skv_builder *builder, const char *text, size_t size, skv_error *error)
 {
+    if (size == 0)
+        return skv_fail(error, SKV_ERROR_FORMAT, "%s: is empty; a scene is { \"water\": [ ... ] }",
+                        builder->label);
     if (size > SKV_MAX_JSON)
         return skv_fail(error, SKV_ERROR_LIMIT, "%s: %zu bytes are too many; allowed are %d",
                         builder->label, size, SKV_MAX_JSON);

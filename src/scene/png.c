@@ -52,8 +52,10 @@ static void on_read(png_structp png, png_bytep target, size_t bytes)
 
 static png_voidp on_allocate(png_structp png, png_alloc_size_t bytes)
 {
-    (void)png;
-    return skv_calloc(1, bytes);
+    decoder *d = png_get_mem_ptr(png);
+    void *memory = skv_calloc(1, bytes);
+    d->no_memory = d->no_memory || memory == NULL;
+    return memory;
 }
 
 static void on_release(png_structp png, png_voidp memory)
@@ -121,9 +123,10 @@ static bool decode(decoder *d, const skv_image *image)
         png_error(d->png, "its pixels have an unknown form");
     d->pixels = skv_calloc((size_t)image->height, row_bytes);
     d->rows = skv_calloc((size_t)image->height, sizeof *d->rows);
-    d->no_memory = d->pixels == NULL || d->rows == NULL;
-    if (d->no_memory)
+    if (d->pixels == NULL || d->rows == NULL) {
+        d->no_memory = true;
         return false;
+    }
     for (int y = 0; y < image->height; y++)
         d->rows[y] = d->pixels + (size_t)y * row_bytes;
     png_read_image(d->png, d->rows);
@@ -150,14 +153,10 @@ skv_result skv_png_read(const uint8_t *data, size_t size, const char *label, skv
     if (result != SKV_OK)
         return result;
     decoder d = {.data = data, .size = size};
-    bool done = false;
-    d.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &d, on_error, on_warning, NULL,
+    d.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &d, on_error, on_warning, &d,
                                      on_allocate, on_release);
     d.info = d.png != NULL ? png_create_info_struct(d.png) : NULL;
-    if (d.info != NULL)
-        done = decode(&d, image);
-    else
-        d.no_memory = true;
+    bool done = d.info != NULL && decode(&d, image);
     png_destroy_read_struct(&d.png, &d.info, NULL);
     skv_free(d.rows);
     if (!done) {

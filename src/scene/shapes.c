@@ -11,6 +11,7 @@
 /* Which fields beside the shape itself a kind has, and which of them it needs. */
 typedef struct kind_fields {
     const char *name;
+    const char *list; /* `has` in words */
     unsigned has, needs;
 } kind_fields;
 
@@ -18,13 +19,16 @@ typedef struct kind_fields {
 #define ANY_KIND   (BIT(SKV_SHAPE_KIND) | BIT(SKV_SHAPE_VX) | BIT(SKV_SHAPE_VY))
 
 static const kind_fields kinds[] = {
-    [SKV_SHAPE_BOX] =
-        {"box", BIT(SKV_SHAPE_X0) | BIT(SKV_SHAPE_Y0) | BIT(SKV_SHAPE_X1) | BIT(SKV_SHAPE_Y1), 0},
-    [SKV_SHAPE_CIRCLE] = {"circle", BIT(SKV_SHAPE_X) | BIT(SKV_SHAPE_Y) | BIT(SKV_SHAPE_RADIUS),
+    [SKV_SHAPE_BOX] = {"box", "x0, y0, x1 and y1",
+                       BIT(SKV_SHAPE_X0) | BIT(SKV_SHAPE_Y0) | BIT(SKV_SHAPE_X1) |
+                           BIT(SKV_SHAPE_Y1),
+                       0},
+    [SKV_SHAPE_CIRCLE] = {"circle", "x, y and radius",
+                          BIT(SKV_SHAPE_X) | BIT(SKV_SHAPE_Y) | BIT(SKV_SHAPE_RADIUS),
                           BIT(SKV_SHAPE_X) | BIT(SKV_SHAPE_Y) | BIT(SKV_SHAPE_RADIUS)},
-    [SKV_SHAPE_POLYGON] = {"polygon", BIT(SKV_SHAPE_POINTS), BIT(SKV_SHAPE_POINTS)},
-    [SKV_SHAPE_LINE] = {"line", BIT(SKV_SHAPE_POINTS) | BIT(SKV_SHAPE_THICKNESS),
-                        BIT(SKV_SHAPE_POINTS)},
+    [SKV_SHAPE_POLYGON] = {"polygon", "points", BIT(SKV_SHAPE_POINTS), BIT(SKV_SHAPE_POINTS)},
+    [SKV_SHAPE_LINE] = {"line", "points and thickness",
+                        BIT(SKV_SHAPE_POINTS) | BIT(SKV_SHAPE_THICKNESS), BIT(SKV_SHAPE_POINTS)},
 };
 
 /* What a message needs to name a field of a shape. */
@@ -70,8 +74,8 @@ static skv_result check_fields(const context *c, const kind_fields *kind)
         bool given = c->values->value[i].origin.source != SKV_FROM_DEFAULT ||
                      (i == SKV_SHAPE_POINTS && c->values->point_count > 0);
         if (given && !((kind->has | ANY_KIND) & BIT(i))) {
-            snprintf(message, sizeof message, "a %s has no %.*s", kind->name,
-                     i == SKV_SHAPE_POINTS ? 6 : 20, key_of(c, i));
+            snprintf(message, sizeof message, "does not belong to a %s; it has %s", kind->name,
+                     kind->list);
             return fail(c, i, message);
         }
         if (!given && (kind->needs & BIT(i))) {

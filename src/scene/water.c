@@ -28,11 +28,26 @@ const skv_shape *skv_water_shape_at(const skv_water *water, float x, float y)
     return NULL;
 }
 
+static bool is_fluid(const skv_water *water, float x, float y)
+{
+    return (double)y < water->level || skv_water_shape_at(water, x, y) != NULL ||
+           (water->paint != NULL && is_painted(water, (double)x, (double)y));
+}
+
+/* Whether a point of the surface is given up. Multiples of the golden ratio's fraction spread any
+ * share evenly over the columns of a lattice. */
+static bool is_thinned(const skv_water *water, float x, float y)
+{
+    if (water->thinning <= 0.0 || is_fluid(water, x, y + water->surface_step))
+        return false;
+    double column = floor(2.0 * (double)x / (double)water->surface_step) * 0.6180339887498949;
+    return column - floor(column) < water->thinning;
+}
+
 bool skv_water_inside(float x, float y, void *user)
 {
     const skv_water *water = user;
-    return (double)y < water->level || skv_water_shape_at(water, x, y) != NULL ||
-           (water->paint != NULL && is_painted(water, (double)x, (double)y));
+    return is_fluid(water, x, y) && !is_thinned(water, x, y);
 }
 
 /* ---- Bounds ---------------------------------------------------------------------------------- */
@@ -131,7 +146,27 @@ static void bisect(const skv_water *water, const skv_terrain *terrain, int wante
     }
 }
 
-skv_result skv_water_choose_spacing(const skv_water *water, const skv_terrain *terrain, int wanted,
+/* The number changes by whole rows at some spacings, so a few too many may remain. Cutting them off
+ * the top could take half a droplet; instead every surface gives up some of its particles. */
+static void thin_surface(skv_water *water, const skv_terrain *terrain, int wanted, float spacing,
+                         int *count)
+{
+    double enough = 0.0, high = 1.0;
+    water->surface_step = spacing;
+    for (int i = 0; i < 20 && *count != wanted; i++) {
+        water->thinning = 0.5 * (enough + high);
+        int there = skv_water_count(water, terrain, spacing);
+        if (there >= wanted) {
+            enough = water->thinning;
+            *count = there;
+        } else {
+            high = water->thinning;
+        }
+    }
+    water->thinning = enough;
+}
+
+skv_result skv_water_choose_spacing(skv_water *water, const skv_terrain *terrain, int wanted,
                                     float least, float *spacing, int *count)
 {
     const float most = (float)skv_scene_fields(NULL)[SKV_F_FLUID_SPACING].maximum;
@@ -147,7 +182,9 @@ skv_result skv_water_choose_spacing(const skv_water *water, const skv_terrain *t
         *spacing = high;
         *count = skv_water_count(water, terrain, high);
     }
-    if (shrink_until_enough(water, terrain, wanted, least, spacing, count))
+    if (shrink_until_enough(water, terrain, wanted, least, spacing, count)) {
         bisect(water, terrain, wanted, *spacing, high, spacing, count);
+        thin_surface(water, terrain, wanted, *spacing, count);
+    }
     return SKV_OK;
 }

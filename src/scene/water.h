@@ -12,6 +12,8 @@ typedef struct skv_water {
     int width, height;
     double pixel_size;
     double level;         /* fluid up to here, whatever the rest says; below the world: none */
+    double thinning;      /* share of the surface's particles that is left out */
+    float surface_step;   /* a point is at a surface if there is no fluid this much above it */
     float x0, y0, x1, y1; /* a box around all of it, within the world */
 } skv_water;
 
@@ -24,10 +26,11 @@ bool skv_water_inside(float x, float y, void *user);
 /* The last shape that holds a point, whose speed its particle takes; null for painted fluid. */
 const skv_shape *skv_water_shape_at(const skv_water *water, float x, float y);
 
-/* The spacing at which `wanted` particles fill the water exactly, or else the one with the smallest
- * surplus. `least` is a lower limit: if fewer fit at it, *spacing is `least` and *count says how
- * many. SKV_ERROR_VALUE, with *count set, if even the largest spacing allowed holds more. */
-skv_result skv_water_choose_spacing(const skv_water *water, const skv_terrain *terrain, int wanted,
+/* The widest spacing at which the water holds `wanted` particles. A surplus of at most about a row
+ * is thinned out of the surface; what is left of it after that is for a limit to cut. `least` is a
+ * lower limit: if fewer fit at it, *spacing is `least` and *count says how many. SKV_ERROR_VALUE,
+ * with *count set, if even the largest spacing allowed holds more. */
+skv_result skv_water_choose_spacing(skv_water *water, const skv_terrain *terrain, int wanted,
                                     float least, float *spacing, int *count);
 
 /* skv_fill_count over the water. */
