@@ -1,0 +1,288 @@
+/* The colours of painted worlds: what each means alone, and at smooth edges. */
+#include "support.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "scene/paint.h"
+
+#define SIZE 16
+
+static const rgb white = {255, 255, 255}, black = {0, 0, 0}, blue = {0, 0, 255};
+
+/* a * share + b * (1 - share), as a smooth brush mixes. */
+static rgb mix(rgb a, rgb b, double share)
+{
+    return (rgb){(uint8_t)(a.r * share + b.r * (1 - share) + 0.5),
+                 (uint8_t)(a.g * share + b.g * (1 - share) + 0.5),
+                 (uint8_t)(a.b * share + b.b * (1 - share) + 0.5)};
+}
+
+/* Reads a picture given by a callback. */
+static skv_result read(paint_at *at, void *user, skv_painting *painting, skv_error *error)
+{
+    skv_image image = {SIZE, SIZE, calloc(SIZE * SIZE, 4)};
+    for (int y = 0; y < SIZE; y++) {
+        for (int x = 0; x < SIZE; x++) {
+            rgb c = at(x, y, user);
+            memcpy(image.pixels + 4 * (y * SIZE + x), &(uint8_t[4]){c.r, c.g, c.b, 255}, 4);
+        }
+    }
+    skv_result result = skv_paint_read(&image, "p.png", painting, error);
+    free(image.pixels);
+    return result;
+}
+
+/* ---- Flat areas ------------------------------------------------------------------------------ */
+
+/* Black with a 4 x 4 area of one colour. */
+static rgb area(int x, int y, void *user)
+{
+    return x >= 6 && x < 10 && y >= 6 && y < 10 ? *(rgb *)user : black;
+}
+
+static void test_meaning_of_flat_colours(void **state)
+{
+    (void)state;
+    enum { AIR = -1, SOLID = -2, BAD = -3 };
+    const struct {
+        rgb colour;
+        int meaning;
+    } cases[] = {
+        {{0, 0, 0}, AIR},
+        {{40, 40, 40}, AIR},
+        {{127, 127, 127}, AIR},
+        {{128, 128, 128}, SOLID},
+        {{200, 200, 200}, SOLID},
+        {{255, 255, 255}, SOLID},
+        {{255, 250, 240}, SOLID}, /* floral white */
+        {{20, 20, 40}, AIR},      /* night blue: hardly coloured */
+        {{0, 0, 255}, SKV_PAINT_FLUID},
+        {{0, 0, 128}, SKV_PAINT_FLUID},
+        {{30, 144, 255}, SKV_PAINT_FLUID},
+        {{100, 149, 237}, SKV_PAINT_FLUID},
+        {{135, 206, 235}, SKV_PAINT_FLUID}, /* sky blue */
+        {{173, 216, 230}, SKV_PAINT_FLUID}, /* light blue */
+        {{0, 255, 255}, SKV_PAINT_FLUID},
+        {{64, 224, 208}, SKV_PAINT_FLUID},
+        {{75, 0, 255}, SKV_PAINT_FLUID},
+        {{0, 255, 0}, SKV_PAINT_EMITTER},
+        {{0, 128, 0}, SKV_PAINT_EMITTER},
+        {{144, 238, 144}, SKV_PAINT_EMITTER},
+        {{154, 205, 50}, SKV_PAINT_EMITTER},
+        {{255, 0, 0}, SKV_PAINT_DRAIN},
+        {{139, 0, 0}, SKV_PAINT_DRAIN},
+        {{250, 128, 114}, SKV_PAINT_DRAIN},
+        {{220, 20, 60}, SKV_PAINT_DRAIN},
+        {{255, 255, 0}, BAD},
+        {{255, 165, 0}, BAD},
+        {{255, 0, 255}, BAD},
+        {{148, 0, 211}, BAD},
+        {{0, 255, 200}, BAD},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        skv_painting p;
+        skv_error error = {0};
+        skv_result result = read(area, (void *)&cases[i].colour, &p, &error);
+        if (result != (cases[i].meaning == BAD ? SKV_ERROR_VALUE : SKV_OK))
+            fail_msg("case %zu: %s", i, error.text);
+        if (result != SKV_OK) {
+            assert_null(p.coverage);
+            continue;
+        }
+        int at = 8 * SIZE + 8;
+        if (cases[i].meaning >= 0)
+            assert_int_equal(p.paint[at], cases[i].meaning);
+        else
+            assert_int_equal(p.paint[at], SKV_PAINT_NONE);
+        assert_int_equal(p.coverage[at], cases[i].meaning == SOLID ? 255 : 0);
+        assert_int_equal(p.coverage[0], 0);
+        assert_int_equal(p.paint[0], SKV_PAINT_NONE);
+        skv_painting_free(&p);
+    }
+}
+
+static void test_a_wrong_colour_is_named(void **state)
+{
+    (void)state;
+    skv_painting p;
+    skv_error error;
+    rgb yellow = {255, 240, 0};
+    assert_int_equal(read(area, &yellow, &p, &error), SKV_ERROR_VALUE);
+    assert_string_equal(error.text,
+                        "p.png: pixel (6, 6) is yellow (#fff000); allowed are light (solid), dark "
+                        "(air), blue (fluid), green (emitter) and red (drain)");
+}
+
+/* One pixel on black. */
+static rgb single(int x, int y, void *user)
+{
+    return x == 3 && y == 12 ? *(rgb *)user : black;
+}
+
+static void test_a_lone_wrong_pixel_is_no_blend(void **state)
+{
+    (void)state;
+    skv_painting p;
+    skv_error error;
+    rgb magenta = {255, 0, 255};
+    assert_int_equal(read(single, &magenta, &p, &error), SKV_ERROR_VALUE);
+    assert_non_null(strstr(error.text, "p.png: pixel (3, 12) is magenta (#ff00ff); "));
+    rgb red = {255, 0, 0};
+    assert_int_equal(read(single, &red, &p, &error), SKV_OK);
+    assert_int_equal(p.paint[(SIZE - 1 - 12) * SIZE + 3], SKV_PAINT_DRAIN);
+    assert_int_equal(p.count[SKV_PAINT_DRAIN], 1);
+    skv_painting_free(&p);
+}
+
+/* ---- Edges ----------------------------------------------------------------------------------- */
+
+/* Two colours with a straight edge at x = at + slope * y; each pixel takes their exact shares. */
+typedef struct edge {
+    rgb left, right;
+    double at, slope;
+} edge;
+
+static double left_share(const edge *e, int x, int y)
+{
+    double sum = 0;
+    for (int i = 0; i < 16; i++) {
+        double share = e->at + e->slope * (y + (i + 0.5) / 16) - x;
+        sum += share < 0 ? 0 : share > 1 ? 1 : share;
+    }
+    return sum / 16;
+}
+
+static rgb edge_colour(int x, int y, void *user)
+{
+    const edge *e = user;
+    return mix(e->left, e->right, left_share(e, x, y));
+}
+
+/* A smooth edge between white and any fluid colour or black leaves the wall where it was painted,
+ * to a few hundredths of a pixel. */
+static void test_walls_stay_sub_pixel(void **state)
+{
+    (void)state;
+    const rgb right[] = {{0, 0, 0},       {0, 0, 255},     {0, 90, 255}, {30, 144, 255},
+                         {100, 149, 237}, {135, 206, 235}, {0, 0, 128},  {0, 160, 0}};
+    double worst = 0;
+    for (size_t c = 0; c < sizeof right / sizeof right[0]; c++) {
+        for (int i = 0; i < 40; i++) {
+            edge e = {white, right[c], 7 + i / 10.0, (i % 7 - 3) * 0.1};
+            skv_painting p;
+            skv_error error = {0};
+            if (read(edge_colour, &e, &p, &error) != SKV_OK)
+                fail_msg("%s", error.text);
+            for (int y = 1; y < SIZE - 1; y++) {
+                for (int x = 0; x < SIZE; x++) {
+                    double share = left_share(&e, x, y);
+                    double got = p.coverage[(SIZE - 1 - y) * SIZE + x] / 255.0;
+                    worst = share - got > worst ? share - got : worst;
+                    worst = got - share > worst ? got - share : worst;
+                }
+            }
+            skv_painting_free(&p);
+        }
+    }
+    assert_true(worst < 0.03);
+}
+
+static void test_a_surface_to_air_makes_no_wall(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 10; i++) {
+        edge e = {black, {0, 90, 255}, 7 + i / 10.0, 0.2};
+        skv_painting p;
+        assert_int_equal(read(edge_colour, &e, &p, NULL), SKV_OK);
+        for (int at = 0; at < SIZE * SIZE; at++)
+            assert_int_equal(p.coverage[at], 0);
+        assert_true(p.count[SKV_PAINT_FLUID] > 80);
+        skv_painting_free(&p);
+    }
+}
+
+/* Where two paints meet, the blend's hue may mean nothing or something else: it is no mistake. */
+static void test_paints_may_touch_smoothly(void **state)
+{
+    (void)state;
+    const rgb paints[] = {{0, 0, 255}, {255, 0, 0}, {0, 255, 0}, {220, 20, 60}, {0, 90, 255}};
+    for (int a = 0; a < 5; a++) {
+        for (int b = 0; b < 5; b++) {
+            for (int i = 0; i < 12; i++) {
+                edge e = {paints[a], paints[b], 7 + i / 12.0, (i % 3) * 0.15};
+                skv_painting p;
+                skv_error error = {0};
+                if (read(edge_colour, &e, &p, &error) != SKV_OK)
+                    fail_msg("%d to %d at %d: %s", a, b, i, error.text);
+                for (int at = 0; at < SIZE * SIZE; at++)
+                    assert_int_equal(p.coverage[at], 0);
+                assert_int_equal(p.count[SKV_PAINT_NONE], 0);
+                skv_painting_free(&p);
+            }
+        }
+    }
+}
+
+/* Water in a corner of wall and air: the three meet in blends of all of them. */
+static rgb corner(int x, int y, void *user)
+{
+    double wall = *(double *)user - x, water = 8.4 - y;
+    wall = wall < 0 ? 0 : wall > 1 ? 1 : wall;
+    water = water < 0 ? 0 : water > 1 ? 1 : water;
+    return mix(white, mix(black, blue, water), wall);
+}
+
+static void test_three_meet(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 10; i++) {
+        double at = 5 + i / 10.0;
+        skv_painting p;
+        assert_int_equal(read(corner, &at, &p, NULL), SKV_OK);
+        for (int y = 0; y < SIZE; y++) {
+            double got = p.coverage[y * SIZE + 5] / 255.0, share = at - 5;
+            assert_true(got - share < 0.03 && share - got < 0.03);
+            assert_int_equal(p.coverage[y * SIZE + 4], 255);
+            assert_int_equal(p.coverage[y * SIZE + 6], 0);
+        }
+        skv_painting_free(&p);
+    }
+}
+
+/* A picture's top row is the world's top row. */
+static rgb half(int x, int y, void *user)
+{
+    (void)user;
+    return y < 8 ? white : x < 4 ? blue : black;
+}
+
+static void test_the_top_is_up(void **state)
+{
+    (void)state;
+    skv_painting p;
+    assert_int_equal(read(half, NULL, &p, NULL), SKV_OK);
+    assert_int_equal(p.coverage[15 * SIZE], 255);
+    assert_int_equal(p.coverage[0], 0);
+    assert_int_equal(p.paint[0], SKV_PAINT_FLUID);
+    assert_int_equal(p.paint[5], SKV_PAINT_NONE);
+    assert_int_equal(p.count[SKV_PAINT_FLUID], 32);
+    skv_painting_free(&p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_meaning_of_flat_colours),
+        cmocka_unit_test(test_a_wrong_colour_is_named),
+        cmocka_unit_test(test_a_lone_wrong_pixel_is_no_blend),
+        cmocka_unit_test(test_walls_stay_sub_pixel),
+        cmocka_unit_test(test_a_surface_to_air_makes_no_wall),
+        cmocka_unit_test(test_paints_may_touch_smoothly),
+        cmocka_unit_test(test_three_meet),
+        cmocka_unit_test(test_the_top_is_up),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
