@@ -74,10 +74,13 @@ static float clear_distance(double side)
     return (float)(0.7072 * side + 0.5);
 }
 
+/* The solid share of a small square at this distance, both in pixels. What rounding leaves of
+ * nothing or takes from everything is dropped, so that uniform rows are recognised. */
 static float solid_share_at(float distance, float side)
 {
+    const float least = 1e-5f;
     float share = 0.5f - distance / side;
-    return share <= 0 ? 0 : share >= 1 ? 1 : share;
+    return share <= least ? 0 : share >= 1 - least ? 1 : share;
 }
 
 /* The solid share of cell (x, y). */

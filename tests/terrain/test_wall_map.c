@@ -1,5 +1,6 @@
 /* Wall density maps against the analytic half plane, and their limits: uniform regions, open
  * sides, scale, memory. */
+#include "failing_memory.h"
 #include "shapes.h"
 #include "terrain/wall_map.h"
 
@@ -104,10 +105,246 @@ static void maps_match_the_half_plane(void **state)
     }
 }
 
+static skv_wall_map *make_map(const skv_terrain *terrain, float h, float s)
+{
+    skv_wall_map *map = NULL;
+    skv_error error = {0};
+    if (skv_wall_map_create(terrain, h, s, &map, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    return map;
+}
+
+static skv_wall_sample sample(const skv_wall_map *map, double x, double y)
+{
+    skv_wall_sample m;
+    skv_wall_map_sample(map, (float)x, (float)y, &m);
+    return m;
+}
+
+static void assert_zero(const skv_wall_map *map, double x, double y)
+{
+    skv_wall_sample m = {1, 1, 1, 1, 1, 1};
+    assert_false(skv_wall_map_sample(map, (float)x, (float)y, &m));
+    assert_true(m.r == 0 && m.rn == 0);
+    assert_true(m.f1x == 0 && m.f1y == 0 && m.f2x == 0 && m.f2y == 0);
+}
+
+/* Deep inside solid: the whole disc, n0 int q^2 = pi/6 (h/s)^2 and int q^3 = pi/10 (h/s)^2. */
+static void assert_full(const skv_wall_map *map, double x, double y)
+{
+    const double pi = acos(-1.0);
+    skv_wall_sample m;
+    assert_true(skv_wall_map_sample(map, (float)x, (float)y, &m));
+    assert_true(fabs((double)m.r - 9 * pi / 6) < 2e-3);
+    assert_true(fabs((double)m.rn - 9 * pi / 10) < 2e-3);
+    assert_true(fabsf(m.f1x) < 1e-4f && fabsf(m.f1y) < 1e-4f);
+    assert_true(fabsf(m.f2x) < 1e-4f && fabsf(m.f2y) < 1e-4f);
+}
+
+static void uniform_regions_are_constant(void **state)
+{
+    (void)state;
+    skv_terrain *tank = make_terrain(640, 360, NULL, 0.0025f, SKV_SIDE_TOP);
+    skv_wall_map *map = make_map(tank, 0.03f, 0.01f);
+    assert_zero(map, 0.8, 0.5);
+    assert_zero(map, 0.034, 0.5);
+    assert_zero(map, 0.8, 0.9);
+    assert_zero(map, 0.8, 100);
+    assert_full(map, -0.034, 0.5);
+    assert_full(map, 0.8, -0.034);
+    assert_full(map, -100, 0.5);
+    assert_full(map, 1e30, 0.5);
+    assert_full(map, 50, -50);
+    skv_wall_sample m;
+    skv_wall_map_sample(map, NAN, NAN, &m);
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(tank);
+
+    static uint8_t solid[64 * 64];
+    memset(solid, 255, sizeof solid);
+    skv_terrain *rock = make_terrain(64, 64, solid, 0.01f, 0);
+    map = make_map(rock, 0.03f, 0.01f);
+    assert_full(map, 0.3, 0.3);
+    assert_full(map, 0, 0.3);
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(rock);
+
+    skv_terrain *nothing = make_terrain(64, 64, NULL, 0.01f, 15);
+    map = make_map(nothing, 0.03f, 0.01f);
+    assert_zero(map, 0.3, 0.3);
+    assert_zero(map, 0, 0);
+    assert_zero(map, -1, 3);
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(nothing);
+}
+
+/* A corner of a tank holds the two walls' values less the quarter they share; by symmetry of the
+ * corner both components are equal on its diagonal. */
+static void corners_add_up(void **state)
+{
+    (void)state;
+    skv_terrain *tank = make_terrain(400, 400, NULL, 0.002f, 0);
+    skv_wall_map *map = make_map(tank, 0.05f, 0.05f / 3);
+    for (double d = 0.002; d < 0.06; d += 0.003) {
+        skv_wall_sample corner = sample(map, d, d), floor = sample(map, 0.4, d);
+        assert_true(fabsf(corner.f1x - corner.f1y) < 1e-4f);
+        assert_true(fabsf(corner.f2x - corner.f2y) < 1e-4f);
+        /* The contour cuts the corner, which adds a little solid. */
+        assert_true(corner.r < 2 * floor.r + 1e-3f && corner.r >= floor.r);
+        assert_true(fabsf(floor.f1x) < 1e-5f && floor.f1y >= 0);
+        /* The four corners are mirror images of each other. */
+        skv_wall_sample far = sample(map, 0.8 - d, 0.8 - d);
+        assert_true(fabsf(far.r - corner.r) < 2e-3f && fabsf(far.f1x + corner.f1x) < 2e-3f);
+    }
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(tank);
+}
+
+/* The same picture at another size, with h and s scaled alike, gives the same values. */
+static void only_ratios_count(void **state)
+{
+    (void)state;
+    static uint8_t picture[128 * 128];
+    shape disc = disc_shape("disc", 60.3, 65.7, 31);
+    paint_shape(&disc, 128, 128, true, picture);
+    skv_terrain *small = make_terrain(128, 128, picture, 0.001f, 0);
+    skv_terrain *large = make_terrain(128, 128, picture, 0.064f, 0);
+    skv_wall_map *in_small = make_map(small, 0.012f, 0.004f);
+    skv_wall_map *in_large = make_map(large, 0.768f, 0.256f);
+    dice d = {3};
+    for (int i = 0; i < 20000; i++) {
+        double x = roll(&d) * 128, y = roll(&d) * 128;
+        skv_wall_sample a = sample(in_small, x * 0.001, y * 0.001);
+        skv_wall_sample b = sample(in_large, x * 0.064, y * 0.064);
+        assert_true(fabsf(a.r - b.r) < 1e-4f && fabsf(a.rn - b.rn) < 1e-4f);
+        assert_true(fabsf(a.f1x - b.f1x) < 1e-4f && fabsf(a.f2y - b.f2y) < 1e-4f);
+    }
+    skv_wall_map_destroy(in_small);
+    skv_wall_map_destroy(in_large);
+    skv_terrain_destroy(small);
+    skv_terrain_destroy(large);
+}
+
+/* Flat grey walls push as much as white ones: the shade only shifts the contour. */
+static void light_grey_is_solid(void **state)
+{
+    (void)state;
+    static uint8_t picture[128 * 128];
+    for (int i = 0; i < 128 * 128; i++)
+        picture[i] = i / 128 < 64 ? 150 : 105;
+    skv_terrain *terrain = make_terrain(128, 128, picture, 0.002f, 15);
+    skv_wall_map *map = make_map(terrain, 0.02f, 0.02f / 3);
+    assert_full(map, 0.128, 0.1);
+    skv_wall_sample m = sample(map, 0.128, 0.128);
+    assert_true(fabs((double)m.r - 9 * half_plane(0, 2, false)) < 0.03);
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(terrain);
+}
+
+/* Along any line the values change smoothly: no seams between blocks, nor at the map's rim. */
+static void there_are_no_seams(void **state)
+{
+    (void)state;
+    static uint8_t picture[256 * 256];
+    shape bowl = bowl_shape("bowl", 128, 128, 100);
+    paint_shape(&bowl, 256, 256, true, picture);
+    skv_terrain *terrain = make_terrain(256, 256, picture, 0.002f, SKV_SIDE_TOP);
+    skv_wall_map *map = make_map(terrain, 0.03f, 0.01f);
+    dice d = {9};
+    for (int line = 0; line < 60; line++) {
+        double x = 0.512 * roll(&d), y = 0.512 * roll(&d);
+        double dx = 2e-5 * (roll(&d) - 0.5), dy = 2e-5 * (roll(&d) - 0.5);
+        skv_wall_sample last = sample(map, x, y);
+        for (int i = 1; i < 20000; i++) {
+            skv_wall_sample m = sample(map, x + i * dx, y + i * dy);
+            /* The steepest slopes are about 6 and 9 per h: 0.006 in a step of 1e-5 m. */
+            assert_true(fabsf(m.r - last.r) < 0.006f && fabsf(m.f1x - last.f1x) < 0.009f);
+            assert_true(fabsf(m.rn - last.rn) < 0.006f && fabsf(m.f2y - last.f2y) < 0.009f);
+            last = m;
+        }
+    }
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(terrain);
+}
+
+/* A tank for a million particles: its map stays small. */
+static void large_tanks_stay_small(void **state)
+{
+    (void)state;
+    skv_terrain *tank = make_terrain(640, 360, NULL, 0.0025f, 0);
+    skv_wall_map *map = make_map(tank, 0.0036f, 0.0012f);
+    size_t bytes = skv_wall_map_bytes(map);
+    print_message("1.6 x 0.9 m at h = 3.6 mm: %.1f MB\n", (double)bytes * 1e-6);
+    assert_true(bytes > 1000000 && bytes < 16000000);
+    assert_zero(map, 0.8, 0.45);
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(tank);
+}
+
+static void bad_values_are_refused(void **state)
+{
+    (void)state;
+    skv_terrain *tank = make_terrain(64, 64, NULL, 0.01f, 0);
+    const float bad[][2] = {{0, 0.01f},        {-1, 0.01f},       {NAN, 0.01f},
+                            {INFINITY, 0.01f}, {0.03f, 0},        {0.03f, -1},
+                            {0.03f, NAN},      {0.03f, INFINITY}, {0.03f, 1}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        skv_wall_map *map = (skv_wall_map *)1;
+        skv_error error = {0};
+        assert_int_equal(skv_wall_map_create(tank, bad[i][0], bad[i][1], &map, &error),
+                         SKV_ERROR_VALUE);
+        assert_null(map);
+        assert_non_null(strstr(error.text, "radius"));
+    }
+    skv_wall_map *map = NULL;
+    assert_int_equal(skv_wall_map_create(tank, 1e-9f, 1e-9f, &map, NULL), SKV_ERROR_LIMIT);
+    skv_wall_map_destroy(NULL);
+    /* A radius larger than the world is odd but possible. */
+    map = make_map(tank, 5, 1);
+    assert_true(sample(map, 0.3, 0.3).r > 10);
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(tank);
+}
+
+static void memory_failures_leave_nothing(void **state)
+{
+    (void)state;
+    skv_terrain *tank = make_terrain(64, 64, NULL, 0.01f, 0);
+    failing_memory memory;
+    int failures = 0;
+    for (int fail_at = 0; fail_at < 100; fail_at++) {
+        skv_wall_map *map = NULL;
+        skv_error error = {0};
+        failing_memory_start(&memory, fail_at);
+        skv_result result = skv_wall_map_create(tank, 0.06f, 0.02f, &map, &error);
+        if (result == SKV_OK) {
+            skv_wall_map_destroy(map);
+            assert_int_equal(memory.live, 0);
+            break;
+        }
+        failures++;
+        assert_int_equal(result, SKV_ERROR_MEMORY);
+        assert_int_equal(error.code, SKV_ERROR_MEMORY);
+        assert_null(map);
+        assert_int_equal(memory.live, 0);
+    }
+    failing_memory_stop();
+    assert_int_equal(failures, 3);
+    skv_terrain_destroy(tank);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(maps_match_the_half_plane),
+        cmocka_unit_test(uniform_regions_are_constant),
+        cmocka_unit_test(corners_add_up),
+        cmocka_unit_test(only_ratios_count),
+        cmocka_unit_test(light_grey_is_solid),
+        cmocka_unit_test(there_are_no_seams),
+        cmocka_unit_test(large_tanks_stay_small),
+        cmocka_unit_test(bad_values_are_refused),
+        cmocka_unit_test(memory_failures_leave_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
