@@ -35,7 +35,7 @@ typedef struct skv_terrain_def {
     /* width*height bytes, row 0 at the BOTTOM: 0 = air, 255 = solid. Null means all air: a closed
      * tank. Read during creation only, never kept. */
     const uint8_t *coverage;
-    float pixel_size;    /* metres a pixel, > 0; width and height in metres at most 16 */
+    float pixel_size;    /* metres a pixel, 1e-9 or more; width and height in metres at most 16 */
     unsigned open_sides; /* a set of skv_side bits; default 0 */
     int cookie;          /* set by skv_default_terrain_def */
 } skv_terrain_def;

@@ -228,6 +228,20 @@ static void stops_at_the_clearance(void **state)
     skv_terrain_destroy(t);
 }
 
+/* Pushing again and again gains nothing, however often. */
+static void pushing_gains_nothing(void **state)
+{
+    (void)state;
+    skv_terrain *t = make_terrain(SIDE, SIDE, NULL, PIXEL, 0);
+    for (int k = 0; k < 3; k++) {
+        double x = 100.3 + 9 * k, y = 0.5 * k + 0.01;
+        for (int push = 0; push < 1000; push++)
+            move(t, &x, &y, 0.3 * k, -1, 0.5 * k);
+        assert_true(y > 0.5 * k - 1e-3);
+    }
+    skv_terrain_destroy(t);
+}
+
 static void free_moves_go_all_the_way(void **state)
 {
     (void)state;
@@ -274,6 +288,7 @@ int main(void)
         cmocka_unit_test(nobody_leaves_a_region),
         cmocka_unit_test(nobody_crosses_from_inside),
         cmocka_unit_test(stops_at_the_clearance),
+        cmocka_unit_test(pushing_gains_nothing),
         cmocka_unit_test(free_moves_go_all_the_way),
         cmocka_unit_test(numbers_that_are_none_stay_put),
     };

@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#define SIDE 96
+#define SIDE 64
 
 static double distance_to(const skv_segment *s, double x, double y)
 {
@@ -113,7 +113,7 @@ static void saddles_join_solid(void **state)
         skv_terrain *terrain = make_terrain(SIDE, SIDE, picture, 0.01f, 0);
         double half = sqrt(0.125);
         for (int i = 0; i < 40; i++) {
-            double along = 30 + i * 0.75, across = (i % 9 - 4) * 0.25;
+            double along = 15 + i * 0.75, across = (i % 9 - 4) * 0.25;
             double x = along + across * sqrt(0.5), y = along - across * sqrt(0.5);
             if (mirrored)
                 x = SIDE - x;

@@ -241,6 +241,45 @@ static void light_grey_is_solid(void **state)
     skv_terrain_destroy(terrain);
 }
 
+/* However thin walls are against the map's cells, their area counts: the integral of R is the
+ * solid area times the value deep inside solid. */
+static void thin_walls_keep_their_area(void **state)
+{
+    (void)state;
+    enum { SIDE = 320 };
+    static uint8_t picture[SIDE * SIDE];
+    const double pixel = 0.001;
+    for (int kind = 0; kind < 3; kind++) {
+        memset(picture, 0, sizeof picture);
+        int solid = 0;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2;
+            bool inside = abs(x) < 60 && abs(y) < 60;
+            bool line = kind == 0 ? y == 3 : kind == 1 ? x == y || x == y + 1 : x % 9 / 2 == 0;
+            if (inside && line) {
+                picture[i] = 255;
+                solid++;
+            }
+        }
+        skv_terrain *terrain = make_terrain(SIDE, SIDE, picture, (float)pixel, 15);
+        const double radii[] = {3, 10, 33, 80};
+        for (int k = 0; k < 4; k++) {
+            double h = radii[k] * pixel, sum = 0;
+            skv_wall_map *map = make_map(terrain, (float)h, (float)(h / 3));
+            const double step = 0.25 * pixel * (1 + 0.05 * radii[k]);
+            for (double y = 0.5 * step; y < SIDE * pixel; y += step) {
+                for (double x = 0.5 * step; x < SIDE * pixel; x += step)
+                    sum += (double)sample(map, x, y).r * step * step;
+            }
+            double expected = solid * pixel * pixel * 9 * acos(-1.0) / 6;
+            /* Diagonal staircases lose their corners to the contour. */
+            assert_true(sum > (kind == 1 ? 0.9 : 0.985) * expected && sum < 1.01 * expected);
+            skv_wall_map_destroy(map);
+        }
+        skv_terrain_destroy(terrain);
+    }
+}
+
 /* Along any line the values change smoothly: no seams between blocks, nor at the map's rim. */
 static void there_are_no_seams(void **state)
 {
@@ -341,6 +380,7 @@ int main(void)
         cmocka_unit_test(corners_add_up),
         cmocka_unit_test(only_ratios_count),
         cmocka_unit_test(light_grey_is_solid),
+        cmocka_unit_test(thin_walls_keep_their_area),
         cmocka_unit_test(there_are_no_seams),
         cmocka_unit_test(large_tanks_stay_small),
         cmocka_unit_test(bad_values_are_refused),
