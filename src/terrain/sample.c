@@ -89,7 +89,7 @@ float skv_terrain_normal(const skv_terrain *terrain, float x, float y, float *nx
     float distance = skv_grid_distance(terrain, gx, gy);
     float sx, sy;
     skv_grid_slope(terrain, cx, cy, &sx, &sy);
-    /* On a straight wall the sums are about 4.4 pixels long; rounding leaves 1e-6 of the distance
+    /* On a straight wall the sums are about 4.8 pixels long; rounding leaves 1e-6 of the distance
      * itself where the true slope is zero. */
     double least = 1e-4 * (double)terrain->pixel_size + 1e-5 * fabs((double)distance);
     normalise((double)sx, (double)sy, least, nx, ny);

@@ -66,7 +66,7 @@ static double first_below_in_saddle(const skv_corners *c, double scale, double l
     bool rising = c->d00 < 0;
     double side = rising ? u - v : u + v - 1, turn = rising ? du - dv : du + dv;
     double kink = turn != 0 ? -side / turn : 2;
-    double knots[4] = {0, kink, 1, 1};
+    double knots[3] = {0, kink, 1};
     int pieces = 2;
     if (!(kink > 0 && kink < 1)) {
         knots[1] = 1;
