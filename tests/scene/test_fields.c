@@ -166,14 +166,11 @@ static void test_paths_are_taken_apart(void **state)
     assert_int_equal(path.index_count, 3);
     assert_int_equal(path.index[0], 2);
     assert_int_equal(path.index[2], 1);
-    const char *const bad[] = {"water[]",
-                               "water[-1]",
-                               "water[1",
-                               "water[99999999]",
-                               "a[1][2][3][4]",
-                               "water[x]",
-                               "0123456789012345678901234567890123456789012345678901234567890123456"
-                               "7890123456789012345678901234567890123456789012345678901234567890"};
+    char lengthy[SKV_PATH_SIZE + 20];
+    memset(lengthy, 'a', sizeof lengthy);
+    lengthy[sizeof lengthy - 1] = '\0';
+    const char *const bad[] = {"water[]",       "water[-1]", "water[1", "water[99999999]",
+                               "a[1][2][3][4]", "water[x]",  lengthy};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
         assert_false(skv_field_parse_path(bad[i], &path));
 }
