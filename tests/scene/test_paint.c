@@ -137,6 +137,36 @@ static void test_a_lone_wrong_pixel_is_no_blend(void **state)
     skv_painting_free(&p);
 }
 
+/* Red on the left, blue on the right, magenta where user's rows say so. */
+static rgb between(int x, int y, void *user)
+{
+    const char *const *rows = user;
+    bool wrong = y >= 6 && y < 10 && x >= 6 && x < 10 && rows[y - 6][x - 6] == 'm';
+    return wrong ? (rgb){255, 0, 255} : x < 8 ? (rgb){255, 0, 0} : (rgb){0, 0, 255};
+}
+
+/* Between red and blue a thin line of their blend is an edge; what is wider, or lies within one
+ * paint, was meant. */
+static void test_what_counts_as_a_blend(void **state)
+{
+    (void)state;
+    const struct {
+        const char *rows[4];
+        bool good;
+    } cases[] = {
+        {{"  m ", "  m ", "  m ", "  m "}, true},  {{"    ", "  m ", "    ", "    "}, true},
+        {{"    ", "   m", "    ", "    "}, false}, {{"m   ", "    ", "    ", "    "}, false},
+        {{"    ", " mm ", " mm ", "    "}, false}, {{" mm ", "  m ", "    ", "    "}, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        skv_painting p;
+        skv_result result = read(between, (void *)cases[i].rows, &p, NULL);
+        if (result != (cases[i].good ? SKV_OK : SKV_ERROR_VALUE))
+            fail_msg("case %zu", i);
+        skv_painting_free(&p);
+    }
+}
+
 /* ---- Edges ----------------------------------------------------------------------------------- */
 
 /* Two colours with a straight edge at x = at + slope * y; each pixel takes their exact shares. */
@@ -278,6 +308,7 @@ int main(void)
         cmocka_unit_test(test_meaning_of_flat_colours),
         cmocka_unit_test(test_a_wrong_colour_is_named),
         cmocka_unit_test(test_a_lone_wrong_pixel_is_no_blend),
+        cmocka_unit_test(test_what_counts_as_a_blend),
         cmocka_unit_test(test_walls_stay_sub_pixel),
         cmocka_unit_test(test_a_surface_to_air_makes_no_wall),
         cmocka_unit_test(test_paints_may_touch_smoothly),

@@ -55,6 +55,8 @@ static void check_grey(int depth, int colour, int interlaced)
         for (int x = 0; x < SIZE; x++) {
             unsigned value =
                 depth == 1 ? (unsigned)shade(x, y) / 2 : top / 3 * (unsigned)shade(x, y);
+            if (depth == 16 && shade(x, y) == 1)
+                value -= 0x56; /* 84.66 of 255: rounded, not cut off */
             for (int c = 0; c < channels; c++) {
                 bool alpha = c == channels - 1 && channels % 2 == 0;
                 put(pixels + (size_t)y * stride, x * channels + c, depth, alpha ? top : value);

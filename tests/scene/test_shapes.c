@@ -89,13 +89,19 @@ static void test_coverage_is_area(void **state)
     uint8_t coverage[SIZE * SIZE];
     const double pi = 3.14159265358979;
     const double straight[] = {10, 12, 40, 52};
+    /* Corners exactly on scan lines. */
+    const double diamond[] = {30, 5.03125, 50, 20.03125, 30, 35.03125, 10, 20.03125};
     const struct {
         skv_shape shape;
         double area;
     } cases[] = {
-        {box(3.25, 4.5, 40.5, 60.75), 37.25 * 56.25}, {box(-10, -10, 100, 0.5), 64 * 0.5},
-        {box(7.3, 8.2, 7.6, 9.4), 0.3 * 1.2},         {circle(31.5, 30.2, 21.7), pi * 21.7 * 21.7},
-        {circle(30.3, 30.2, 0.4), pi * 0.16},         {polygon(triangle, 3), 750},
+        {box(3.25, 4.5, 40.5, 60.75), 37.25 * 56.25},
+        {box(-10, -10, 100, 0.5), 64 * 0.5},
+        {box(7.3, 8.2, 7.6, 9.4), 0.3 * 1.2},
+        {circle(31.5, 30.2, 21.7), pi * 21.7 * 21.7},
+        {circle(30.3, 30.2, 0.4), pi * 0.16},
+        {polygon(triangle, 3), 750},
+        {polygon(diamond, 4), 600},
         {line(straight, 2, 6), 50 * 6 + pi * 9},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
