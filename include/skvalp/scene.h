@@ -58,7 +58,8 @@ SKV_API skv_scene_options skv_default_scene_options(void);
 
 /* Loads a scene: a built-in name ("dam-break"), or a path that ends in .json or .png (any letter
  * case). `options` may be null. On failure `*scene` is null and the message names the file, the
- * line or pixel, the field, and what is allowed. Not more than 64 MiB of file are read. */
+ * line or pixel, the field, and what is allowed. At most 64 MiB of a file are read, and 4 MiB of
+ * JSON. */
 SKV_API skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *options,
                                   skv_scene **scene, skv_error *error);
 

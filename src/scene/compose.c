@@ -417,12 +417,16 @@ static void compose_depth(composer *c, const skv_terrain *terrain)
 
 static void note_marks(skv_scene *scene)
 {
-    if (scene->marked[SKV_PAINT_EMITTER] > 0)
-        skv_scene_note(scene, "%lld emitter pixels (green) are kept but do nothing yet",
-                       (long long)scene->marked[SKV_PAINT_EMITTER]);
-    if (scene->marked[SKV_PAINT_DRAIN] > 0)
-        skv_scene_note(scene, "%lld drain pixels (red) are kept but do nothing yet",
-                       (long long)scene->marked[SKV_PAINT_DRAIN]);
+    for (int paint = SKV_PAINT_EMITTER; paint <= SKV_PAINT_DRAIN; paint++) {
+        long long count = (long long)scene->marked[paint];
+        bool emitter = paint == SKV_PAINT_EMITTER;
+        if (count == 1)
+            skv_scene_note(scene, "1 %s is kept but does nothing yet",
+                           emitter ? "emitter pixel (green)" : "drain pixel (red)");
+        else if (count > 1)
+            skv_scene_note(scene, "%lld %s are kept but do nothing yet", count,
+                           emitter ? "emitter pixels (green)" : "drain pixels (red)");
+    }
 }
 
 /* ---- All of it ------------------------------------------------------------------------------- */

@@ -293,7 +293,7 @@ static void test_a_basin(void **state)
     assert_string_equal(skv_scene_notice(scene, 0),
                         "3 emitter pixels (green) are kept but do nothing yet");
     assert_string_equal(skv_scene_notice(scene, 1),
-                        "1 drain pixels (red) are kept but do nothing yet");
+                        "1 drain pixel (red) is kept but does nothing yet");
     assert_null(skv_scene_notice(scene, 2));
     float points[6];
     assert_int_equal(skv_scene_marked_pixels(scene, true, points, 3), 1);
