@@ -121,6 +121,8 @@ fi
 if prepare clang skvalp-cli && [[ -x build/release/skvalp ]]; then
     compare_compilers dam-break
 fi
+# The long forms are long enough without the sanitizers.
+unset SKV_LONG_TESTS
 if prepare asan; then
     run_tests asan --label-regex '^(base|terrain|world|scene|session)$'
 fi

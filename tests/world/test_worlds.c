@@ -2,8 +2,8 @@
  * three g that turns every quarter to half second, and hands that jerk the fluid about. A particle
  * stays in the closed chamber in which it started, stays finite, and none is lost.
  *
- * Worlds are named by their seed. 40 of them by default, 500 with SKV_LONG_TESTS=1; SKV_WORLD=N
- * runs world N alone and says more. */
+ * Worlds are named by their seed. 40 of them by default (10 under the address sanitizer), 500 with
+ * SKV_LONG_TESTS=1; SKV_WORLD=N runs world N alone and says more. */
 #include "skvalp/skvalp.h"
 #include "world/painted.h"
 
@@ -18,6 +18,11 @@
 
 #include <cmocka.h>
 
+#if defined(__SANITIZE_ADDRESS__)
+#define WORLDS 10
+#else
+#define WORLDS 40
+#endif
 #define FRAMES         300
 #define MAX_PARTICLES  600
 #define FRAMES_A_CHECK 10
@@ -234,7 +239,7 @@ static void test_nothing_escapes(void **state)
     (void)state;
     const char *one = getenv("SKV_WORLD"), *all = getenv("SKV_LONG_TESTS");
     int first = one ? atoi(one) : 0;
-    int count = one ? 1 : all && strcmp(all, "1") == 0 ? 500 : 40;
+    int count = one ? 1 : all && strcmp(all, "1") == 0 ? 500 : WORLDS;
     queue q = {.end = first + count, .talk = one != NULL};
     atomic_init(&q.next, first);
     atomic_init(&q.bad, 0);
