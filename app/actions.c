@@ -51,10 +51,7 @@ static void on_change_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *steps
     while (at < last && speeds[at] < skv_session_speed(session_of(window)))
         at++;
     double speed = speeds[CLAMP(at + g_variant_get_int32(steps), 0, last)];
-    char *text = g_strdup_printf("Speed × %g", speed);
     set_speed(window, speed);
-    play_window_toast(window, text);
-    g_free(text);
 }
 
 static void on_weightless(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,

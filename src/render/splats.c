@@ -10,7 +10,7 @@
 
 /* Bounds of a splat's radius in texels: below, its shape is lost; above, a coarser texture shows
  * the same at a fraction of the cost (and every device draws points of that size). */
-#define SMALLEST_RADIUS 2.5
+#define SMALLEST_RADIUS 3.0
 #define LARGEST_RADIUS  16.0
 
 /* Pressure flickers from frame to frame where the fluid does not; what is shown follows it with

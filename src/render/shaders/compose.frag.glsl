@@ -5,20 +5,20 @@ precision highp sampler2D;
 
 // Sums over splats: pressure, trust in it, squared weight, weight.
 uniform sampler2D u_splats;
-uniform vec2 u_splat_size;  // texels
-uniform float u_texels;     // texels a view pixel
-uniform float u_margin;     // texels around the view
-uniform float u_gain;   // of the sums
-uniform float u_crowd;  // how much larger the sums are than those of splats of the usual width
-uniform vec2 u_threshold; // of weight: for a lone particle, and for the edge of a body of fluid
-uniform float u_reach;  // radius of a splat, view pixels
+uniform vec2 u_splat_size; // texels
+uniform float u_texels;    // texels a view pixel
+uniform float u_margin;    // texels around the view
+uniform float u_gain;      // of the sums
+uniform float u_crowd;     // how much larger the sums are than those of splats of the usual width
+uniform vec2 u_threshold;  // of weight: for a lone particle, and for the edge of a body of fluid
+uniform float u_reach;     // radius of a splat, view pixels
 
-uniform sampler2D u_walls;  // distance to the nearest wall, m
-uniform float u_scale;      // view pixels a metre
-uniform vec2 u_origin;      // view pixel of the world's origin, y up
-uniform vec2 u_world;       // m
-uniform vec4 u_closed;      // left, right, bottom, top: 1 if the side is solid
-uniform vec2 u_view;        // pixels
+uniform sampler2D u_walls; // distance to the nearest wall, m
+uniform float u_scale;     // view pixels a metre
+uniform vec2 u_origin;     // view pixel of the world's origin, y up
+uniform vec2 u_world;      // m
+uniform vec4 u_closed;     // left, right, bottom, top: 1 if the side is solid
+uniform vec2 u_view;       // pixels
 
 uniform vec3 u_sky;
 uniform vec3 u_ground;
@@ -32,25 +32,6 @@ uniform vec3 u_surface;
 uniform float u_pixel; // view pixels a line of the drawing is wide
 
 out vec4 o_color;
-
-// The sums, interpolated by a cubic B-spline (four linear samples), which hides the coarse texels
-// from the fluid's outline.
-vec4 smooth_sums(vec2 texel)
-{
-    vec2 base = floor(texel - 0.5) + 0.5;
-    vec2 f = texel - base;
-    vec2 g = 1.0 - f;
-    vec2 w0 = g * g * g / 6.0;
-    vec2 w3 = f * f * f / 6.0;
-    vec2 w1 = 2.0 / 3.0 - 0.5 * f * f * (2.0 - f);
-    vec2 w2 = 1.0 - w0 - w1 - w3;
-    vec2 low = w0 + w1;
-    vec2 high = w2 + w3;
-    vec2 a = (base - 1.0 + w1 / low) / u_splat_size;
-    vec2 b = (base + 1.0 + w3 / high) / u_splat_size;
-    return (texture(u_splats, a) * low.x + texture(u_splats, vec2(b.x, a.y)) * high.x) * low.y +
-           (texture(u_splats, vec2(a.x, b.y)) * low.x + texture(u_splats, b) * high.x) * high.y;
-}
 
 // How far the sums exceed the threshold: 1 on the fluid's outline. The threshold rises with the
 // number of particles that contribute, (sum w)^2 / sum w^2, so that a lone particle is drawn as a
@@ -66,7 +47,7 @@ float excess(vec4 sums, float lift)
 // Metres to the nearest wall, also outside the picture, where closed sides are solid.
 float wall_distance(vec2 point)
 {
-    float d = texture(u_walls, point / u_world).r;
+    float d = textureLod(u_walls, point / u_world, 0.0).r;
     vec4 sides = vec4(point, u_world - point).xzyw;
     vec4 inside = mix(vec4(1.0e3), sides, u_closed);
     return min(d, min(min(inside.x, inside.y), min(inside.z, inside.w)));
@@ -98,8 +79,7 @@ void main()
 {
     vec2 pixel = gl_FragCoord.xy;
     float wall = wall_distance((pixel - u_origin) / u_scale) * u_scale; // view pixels
-    vec2 texel = pixel * u_texels + u_margin;
-    vec4 sums = texture(u_splats, texel / u_splat_size);
+    vec4 sums = textureLod(u_splats, (pixel * u_texels + u_margin) / u_splat_size, 0.0);
     float lift = 1.0 / free_share(wall);
     float fluid = excess(sums, lift);
     float slope = max(fwidth(fluid), 0.02);
@@ -108,9 +88,7 @@ void main()
     vec3 color = mix(u_ground, u_sky, pixel.y / u_view.y);
     color = mix(color, u_shade, 0.5 * exp2(-max(wall, 0.0) / (9.0 * u_pixel)));
 
-    if (wall > -2.0 && fluid > 0.2) {
-        if (fluid < 2.0)
-            fluid = excess(smooth_sums(texel), lift);
+    if (wall > -2.0 && fluid > 0.5) {
         float depth = (fluid - 1.0) / slope; // pixels below the surface, near it
         float rim = 1.0 - smoothstep(0.5 * u_pixel, 2.5 * u_pixel, depth);
         vec3 water = mix(fluid_color(sums.r / max(sums.g, 1.0e-5)), u_surface, 0.55 * rim);
