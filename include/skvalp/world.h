@@ -53,6 +53,11 @@ typedef struct skv_fluid_def {
 /* The default fluid, water, for a law. */
 SKV_API skv_fluid_def skv_default_fluid_def(skv_law law);
 
+/* Which of the two solvers steps a world. They compute the same model; the reference is written
+ * pass by pass for reading and is about ten times slower. Their results differ by rounding, and by
+ * the moment at which viscosity is read (docs/model.md). */
+typedef enum skv_solver { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solver;
+
 /* How to make a world. Initialise with skv_default_world_def. */
 typedef struct skv_world_def {
     /* Taken over by the world if skv_world_create succeeds, left to the caller if it fails. Null:
@@ -63,7 +68,8 @@ typedef struct skv_world_def {
     float depth;  /* m: the deepest fluid to expect, for the substep rule; 0: the free height */
     int substeps; /* a 1/60 s frame; 0: by the rule of docs/model.md; at most 1000 */
     int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
-    int capacity; /* particles to make room for at creation; the world grows beyond it */
+    skv_solver solver; /* default SKV_SOLVER_FAST */
+    int capacity;      /* particles to make room for at creation; the world grows beyond it */
     int cookie;
 } skv_world_def;
 
@@ -107,14 +113,21 @@ SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count
  * particle has been stepped once. */
 SKV_API skv_result skv_world_step(skv_world *world, float dt);
 
-/* The passes of one frame, for bench and for the curious: seconds spent since the last call with
- * `reset`, by the names of src/world/step.c. Not part of the deterministic state. */
+/* Where the time goes: seconds spent since the last call with `reset`, by phase (the fast solver's
+ * phases or the reference's passes). Not part of the deterministic state. */
 typedef struct skv_profile {
     int count;            /* passes */
     const char *name[16]; /* e.g. "density" */
     double seconds[16];   /* wall time summed over substeps */
 } skv_profile;
 SKV_API skv_profile skv_world_profile(skv_world *world, bool reset);
+
+/* The instruction set that the fast solver uses on this machine: "avx2", "sse2", "neon", "wasm" or
+ * "scalar". The environment variable SKVALP_ISA chooses a smaller one; results are the same. */
+SKV_API const char *skv_instruction_set(void);
+
+/* Bytes that the solver holds for its particles' own arrays, kept pairs and grid apart. */
+SKV_API size_t skv_world_solver_bytes(const skv_world *world);
 
 /* A finger or the mouse holding fluid (thesis, section 3.5): within `radius` of (x, y), and fading
  * with the distance, particles are pulled towards the point, slowed down, and carried along with

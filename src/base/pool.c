@@ -1,34 +1,41 @@
 /* A pool of persistent threads for short phases.
  *
- * Invariant: between two calls of skv_pool_run no worker touches anything but the pool. A run is
- * announced by raising `generation`; every worker takes chunks from `next` until none is left and
- * then counts itself in `finished`. Workers and caller spin briefly before they sleep, because a
- * phase takes tens of microseconds and a sleep costs as much, but spinning beside a busy process
- * would cost a whole time slice.
+ * Invariant: a team's members run at the same time, each on a thread of its own, and between two
+ * teams no worker touches anything but the pool. A team is announced by raising `generation`;
+ * members meet by raising `phase`. Whoever waits for one of these counters spins briefly before it
+ * sleeps: a phase takes tens of microseconds and a sleep costs as much, but spinning beside a busy
+ * process would cost a whole time slice.
  */
 #include "base/pool.h"
 
-#include "base/assert.h"
 #include "base/memory.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <unistd.h>
 
-enum { CHUNK = 128, SPINS = 2000, MAX_THREADS = 64 };
+enum { CHUNK = 128, SPINS = 3000, YIELDS = 20, MAX_THREADS = 64 };
+
+/* What a worker is started with. */
+typedef struct seat {
+    skv_pool *pool;
+    int thread;
+} seat;
 
 struct skv_pool {
     int threads;
     pthread_t worker[MAX_THREADS];
+    seat seats[MAX_THREADS];
     pthread_mutex_t mutex;
-    pthread_cond_t work, done;
-    atomic_uint generation;
-    atomic_int next;
-    atomic_int finished;
+    pthread_cond_t changed;
+    atomic_int sleepers;
+    atomic_uint generation; /* raised to start a team */
+    atomic_uint phase;      /* raised when all members have reached a barrier */
+    atomic_int arrived;
     bool quit;
-    int count;
-    skv_task *task;
+    skv_member *member;
     void *context;
 };
 
@@ -36,57 +43,70 @@ static void relax_cpu(void)
 {
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    __asm__ volatile("yield");
 #endif
 }
 
-static void take_chunks(skv_pool *pool)
+void skv_pool_pause(int *turns)
 {
-    for (;;) {
-        int begin = atomic_fetch_add(&pool->next, CHUNK);
-        if (begin >= pool->count)
-            return;
-        int end = begin + CHUNK < pool->count ? begin + CHUNK : pool->count;
-        pool->task(begin, end, pool->context);
-    }
+    if (++*turns < SPINS)
+        relax_cpu();
+    else
+        sched_yield();
 }
 
-static unsigned wait_for_work(skv_pool *pool, unsigned seen)
+/* Waits until a counter has left `old`. A sleeper counts itself before it looks again, and raise()
+ * looks for sleepers after it has raised: one of the two sees the other. */
+static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
 {
-    for (int i = 0; i < SPINS; i++) {
-        if (atomic_load(&pool->generation) != seen)
-            return atomic_load(&pool->generation);
-        relax_cpu();
+    for (int turns = 0; turns < SPINS + YIELDS;) {
+        if (atomic_load_explicit(counter, memory_order_acquire) != old)
+            return;
+        skv_pool_pause(&turns);
     }
     pthread_mutex_lock(&pool->mutex);
-    while (atomic_load(&pool->generation) == seen)
-        pthread_cond_wait(&pool->work, &pool->mutex);
+    atomic_fetch_add(&pool->sleepers, 1);
+    while (atomic_load(counter) == old)
+        pthread_cond_wait(&pool->changed, &pool->mutex);
+    atomic_fetch_sub(&pool->sleepers, 1);
     pthread_mutex_unlock(&pool->mutex);
-    return atomic_load(&pool->generation);
+}
+
+static void raise(skv_pool *pool, atomic_uint *counter)
+{
+    atomic_fetch_add(counter, 1);
+    if (atomic_load(&pool->sleepers) == 0)
+        return;
+    pthread_mutex_lock(&pool->mutex);
+    pthread_cond_broadcast(&pool->changed);
+    pthread_mutex_unlock(&pool->mutex);
+}
+
+void skv_pool_barrier(skv_pool *pool)
+{
+    if (!pool || pool->threads == 1)
+        return;
+    unsigned phase = atomic_load(&pool->phase);
+    if (atomic_fetch_add(&pool->arrived, 1) == pool->threads - 1) {
+        atomic_store(&pool->arrived, 0);
+        raise(pool, &pool->phase);
+    } else {
+        wait_for_change(pool, &pool->phase, phase);
+    }
 }
 
 static void *worker_main(void *argument)
 {
-    skv_pool *pool = argument;
-    unsigned seen = 0;
-    for (;;) {
-        seen = wait_for_work(pool, seen);
+    const seat *own = argument;
+    skv_pool *pool = own->pool;
+    for (unsigned seen = 0;; seen++) {
+        wait_for_change(pool, &pool->generation, seen);
         if (pool->quit)
             return NULL;
-        take_chunks(pool);
-        if (atomic_fetch_add(&pool->finished, 1) == pool->threads - 2) {
-            pthread_mutex_lock(&pool->mutex);
-            pthread_cond_signal(&pool->done);
-            pthread_mutex_unlock(&pool->mutex);
-        }
+        pool->member(own->thread, pool->context);
+        skv_pool_barrier(pool);
     }
-}
-
-static void announce(skv_pool *pool)
-{
-    pthread_mutex_lock(&pool->mutex);
-    atomic_fetch_add(&pool->generation, 1);
-    pthread_cond_broadcast(&pool->work);
-    pthread_mutex_unlock(&pool->mutex);
 }
 
 /* One per physical core: a core's first hardware thread is the one that heads its sibling list. */
@@ -120,17 +140,16 @@ skv_result skv_pool_create(int threads, skv_pool **out, skv_error *error)
     if (!pool)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the task pool");
     pthread_mutex_init(&pool->mutex, NULL);
-    pthread_cond_init(&pool->work, NULL);
-    pthread_cond_init(&pool->done, NULL);
+    pthread_cond_init(&pool->changed, NULL);
     int wanted = threads ? threads : physical_cores();
     pool->threads = wanted;
-    for (int i = 0; i < wanted - 1; i++) {
-        if (pthread_create(&pool->worker[i], NULL, worker_main, pool)) {
-            /* Workers compare with pool->threads only after a run was announced. */
-            pool->threads = i + 1;
+    for (int i = 1; i < wanted; i++) {
+        pool->seats[i] = (seat){pool, i};
+        if (pthread_create(&pool->worker[i], NULL, worker_main, &pool->seats[i])) {
+            pool->threads = i;
             skv_pool_destroy(pool);
             return skv_fail(error, SKV_ERROR_LIMIT,
-                            "the system refused to start thread %d of %d; use fewer threads", i + 2,
+                            "the system refused to start thread %d of %d; use fewer threads", i + 1,
                             wanted);
         }
     }
@@ -143,18 +162,50 @@ void skv_pool_destroy(skv_pool *pool)
     if (!pool)
         return;
     pool->quit = true;
-    announce(pool);
-    for (int i = 0; i < pool->threads - 1; i++)
+    raise(pool, &pool->generation);
+    for (int i = 1; i < pool->threads; i++)
         pthread_join(pool->worker[i], NULL);
-    pthread_cond_destroy(&pool->done);
-    pthread_cond_destroy(&pool->work);
+    pthread_cond_destroy(&pool->changed);
     pthread_mutex_destroy(&pool->mutex);
     skv_free(pool);
 }
 
 int skv_pool_threads(const skv_pool *pool)
 {
-    return pool->threads;
+    return pool ? pool->threads : 1;
+}
+
+void skv_pool_team(skv_pool *pool, skv_member *member, void *context)
+{
+    if (!pool || pool->threads == 1) {
+        member(0, context);
+        return;
+    }
+    pool->member = member;
+    pool->context = context;
+    raise(pool, &pool->generation);
+    member(0, context);
+    skv_pool_barrier(pool);
+}
+
+/* A range of indices that a team shares out in chunks. */
+typedef struct range {
+    atomic_int next;
+    int count;
+    skv_task *task;
+    void *context;
+} range;
+
+static void take_chunks(int thread, void *context)
+{
+    (void)thread;
+    range *r = context;
+    for (;;) {
+        int begin = atomic_fetch_add(&r->next, CHUNK);
+        if (begin >= r->count)
+            return;
+        r->task(begin, begin + CHUNK < r->count ? begin + CHUNK : r->count, r->context);
+    }
 }
 
 void skv_pool_run(skv_pool *pool, int count, skv_task *task, void *context)
@@ -164,21 +215,6 @@ void skv_pool_run(skv_pool *pool, int count, skv_task *task, void *context)
             task(0, count, context);
         return;
     }
-    pool->count = count;
-    pool->task = task;
-    pool->context = context;
-    atomic_store(&pool->next, 0);
-    atomic_store(&pool->finished, 0);
-    announce(pool);
-    take_chunks(pool);
-    int others = pool->threads - 1;
-    for (int i = 0; i < SPINS; i++) {
-        if (atomic_load(&pool->finished) == others)
-            return;
-        relax_cpu();
-    }
-    pthread_mutex_lock(&pool->mutex);
-    while (atomic_load(&pool->finished) != others)
-        pthread_cond_wait(&pool->done, &pool->mutex);
-    pthread_mutex_unlock(&pool->mutex);
+    range shared = {0, count, task, context};
+    skv_pool_team(pool, take_chunks, &shared);
 }

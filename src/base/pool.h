@@ -22,4 +22,16 @@ int skv_pool_threads(const skv_pool *pool);
  * calling thread. Not reentrant. */
 void skv_pool_run(skv_pool *pool, int count, skv_task *task, void *context);
 
+/* Runs `member` once on each thread of the pool at the same time, with the thread's index
+ * 0..threads-1; the members may meet in skv_pool_barrier. Without a pool: once, with 0. */
+typedef void skv_member(int thread, void *context);
+void skv_pool_team(skv_pool *pool, skv_member *member, void *context);
+
+/* Waits until every member of the running team is here. What was written before is seen after. */
+void skv_pool_barrier(skv_pool *pool);
+
+/* For waits between members that are shorter than a barrier: call in a loop with `*turns` from 0.
+ */
+void skv_pool_pause(int *turns);
+
 #endif

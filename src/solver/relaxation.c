@@ -9,8 +9,8 @@
 
 #include <stddef.h>
 
-void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
-                      int end)
+void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours *n, bool gradient,
+                      int begin, int end)
 {
     for (int i = begin; i < end; i++) {
         float density = 0, near_density = 0, gx = 0, gy = 0;
@@ -26,8 +26,10 @@ void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours
         }
         s->density[i] = density + s->wall_density[i];
         s->near_density[i] = near_density + s->wall_near[i];
-        s->gradient_x[i] = gx - s->f1x[i];
-        s->gradient_y[i] = gy - s->f1y[i];
+        if (gradient) {
+            s->gradient_x[i] = gx - s->f1x[i];
+            s->gradient_y[i] = gy - s->f1y[i];
+        }
     }
 }
 

@@ -116,6 +116,7 @@ skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
         {"gravity_x", (double)def->gravity_x, -1000, 1000},
         {"gravity_y", (double)def->gravity_y, -1000, 1000},
         {"depth", (double)def->depth, 0, 16},
+        {"solver", def->solver, SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE},
         {"substeps", def->substeps, 0, 1000},
         {"threads", def->threads, 0, SKV_MAX_THREADS},
         {"capacity", def->capacity, 0, SKV_MAX_PARTICLES},

@@ -173,3 +173,14 @@ int skv_world_query_circle(const skv_world *world, float x, float y, float radiu
     }
     return found;
 }
+
+const char *skv_instruction_set(void)
+{
+    return skv_rows_isa();
+}
+
+size_t skv_world_solver_bytes(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, 0);
+    return world->rows ? skv_rows_bytes(world->rows) : 0;
+}

@@ -1,4 +1,4 @@
-/* How a fluid moves: one substep as a list of passes.
+/* How a fluid moves: a frame in substeps, and a substep as a list of passes.
  *
  * A substep predicts every particle's position from its velocity, relaxes the positions until the
  * density is right, and takes the velocity from where the particles have ended (prediction and
@@ -16,239 +16,30 @@
  *   contact              friction and push at walls                            Algorithm 7
  *   velocity             v += (sum of corrections) / dt                        Algorithm 8
  *
- * Invariant: a pass writes a particle's own elements only, and none that the same pass reads from
- * others; so the result does not depend on the number of threads.
+ * Two solvers run these passes. reference_step.c does so literally, one after the other; the
+ * production solver (rows_step.c, src/solver/rows) does the same for one row of space after the
+ * other, with viscosity read in the first density pass. Invariant: neither result depends on the
+ * number of threads.
  */
 #include "base/assert.h"
-#include "base/clock.h"
-#include "world/world_internal.h"
+#include "world/frame.h"
 
 #include <math.h>
 #include <string.h>
 
-static const char *const pass_names[SKV_PASS_COUNT] = {
-    "external forces", "viscosity", "advance",      "neighbours", "walls",
-    "density",         "pressure",  "displacement", "contact",    "velocity",
-};
-
-/* What the passes of one substep share. */
-typedef struct substep {
-    skv_world *world;
-    skv_state *state;
-    const skv_constants *constants;
-    skv_pull pulls[SKV_MAX_HANDS];
-} substep;
-
-/* Moves particle i by (dx, dy) as far as the walls allow; returns what it could not move. `clear`
- * is a lower bound of the distance to the nearest wall: only moves that exceed it look at the
- * terrain, which in a pool are one in ten. */
-static void move_particle(const substep *sub, int i, float dx, float dy, float *lost_x,
-                          float *lost_y)
+skv_pull skv_make_pull(const skv_hand *hand, float dt)
 {
-    skv_state *s = sub->state;
-    const skv_terrain *terrain = sub->world->terrain;
-    float clearance = sub->world->wall_clearance;
-    float length = sqrtf(dx * dx + dy * dy);
-    *lost_x = *lost_y = 0;
-    if (length == 0)
-        return;
-    float x = s->x[i] + dx, y = s->y[i] + dy;
-    s->clear[i] -= length;
-    if (s->clear[i] <= clearance) {
-        float share = skv_terrain_sweep(terrain, s->x[i], s->y[i], x, y, clearance);
-        if (share < 1) {
-            x = s->x[i] + share * dx;
-            y = s->y[i] + share * dy;
-            *lost_x = (1 - share) * dx;
-            *lost_y = (1 - share) * dy;
-        }
-        s->clear[i] = skv_terrain_distance(terrain, x, y);
-    }
-    s->x[i] = x;
-    s->y[i] = y;
-}
-
-static void external_forces(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    const skv_world *world = sub->world;
-    skv_pass_external_forces(sub->state, sub->constants, world->gravity_x, world->gravity_y,
-                             sub->pulls, world->hand_count, begin, end);
-}
-
-static void viscosity(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_pass_viscosity(sub->state, sub->constants, &sub->world->neighbours, begin, end);
-}
-
-static void apply_viscosity(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_pass_apply_viscosity(sub->state, begin, end);
-}
-
-/* What a wall stops of the advance is a correction: it leaves the velocity. */
-static void advance(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_state *s = sub->state;
-    skv_pass_advance(s, sub->constants, begin, end);
-    for (int i = begin; i < end; i++) {
-        float lost_x, lost_y;
-        move_particle(sub, i, s->dx[i], s->dy[i], &lost_x, &lost_y);
-        s->wx[i] = -lost_x;
-        s->wy[i] = -lost_y;
-    }
-}
-
-static void walls(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_state *s = sub->state;
-    for (int i = begin; i < end; i++) {
-        skv_wall_sample wall;
-        skv_wall_map_sample(sub->world->walls, s->x[i], s->y[i], &wall);
-        s->wall_density[i] = wall.r;
-        s->wall_near[i] = wall.rn;
-        s->f1x[i] = wall.f1x;
-        s->f1y[i] = wall.f1y;
-        s->f2x[i] = wall.f2x;
-        s->f2y[i] = wall.f2y;
-    }
-}
-
-static void density(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_pass_density(sub->state, sub->constants, &sub->world->neighbours, begin, end);
-}
-
-static void pressure(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_pressure_law *law = sub->world->fluid.law == SKV_LAW_CLAVET ? skv_pass_pressure_clavet
-                                                                    : skv_pass_pressure_calibrated;
-    law(sub->state, sub->constants, begin, end);
-}
-
-static void displacement(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_pass_displacement(sub->state, sub->constants, &sub->world->neighbours, begin, end);
-}
-
-/* Carries out the collected corrections and keeps what was carried out in w. */
-static void correct(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_state *s = sub->state;
-    for (int i = begin; i < end; i++) {
-        float lost_x, lost_y;
-        move_particle(sub, i, s->dx[i], s->dy[i], &lost_x, &lost_y);
-        s->wx[i] += s->dx[i] - lost_x;
-        s->wy[i] += s->dy[i] - lost_y;
-    }
-}
-
-/* Finds out how deep particles are inside the contact distance. In a gap narrower than twice that
- * distance the push ends in the middle: both walls pushing in turn would shake the fluid. */
-static void find_contacts(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_state *s = sub->state;
-    const skv_terrain *terrain = sub->world->terrain;
-    float contact = sub->constants->contact_distance;
-    for (int i = begin; i < end; i++) {
-        s->depth[i] = 0;
-        if (s->clear[i] >= contact)
-            continue;
-        float distance =
-            skv_terrain_normal(terrain, s->x[i], s->y[i], &s->normal_x[i], &s->normal_y[i]);
-        s->clear[i] = distance;
-        float depth = contact - distance;
-        if (!(depth > 0))
-            continue;
-        float beyond = skv_terrain_distance(terrain, s->x[i] + depth * s->normal_x[i],
-                                            s->y[i] + depth * s->normal_y[i]);
-        float gain = fmaxf(-depth, fminf(depth, beyond - distance));
-        s->depth[i] = 0.5f * (depth + gain);
-    }
-}
-
-static void contact(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_pass_contact(sub->state, sub->constants, begin, end);
-}
-
-static void update_velocity(int begin, int end, void *context)
-{
-    const substep *sub = context;
-    skv_pass_update_velocity(sub->state, sub->constants, begin, end);
-}
-
-/* Runs one pass over all particles and books its time. */
-static void run(substep *sub, skv_pass pass, skv_task *task)
-{
-    double start = skv_clock();
-    skv_pool_run(sub->world->pool, sub->state->count, task, sub);
-    sub->world->pass_seconds[pass] += skv_clock() - start;
-}
-
-static void update_neighbours(substep *sub)
-{
-    skv_world *world = sub->world;
-    double start = skv_clock();
-    skv_neighbours_build(&world->neighbours, &world->state, world->h, world->pool);
-    world->lists_current = true;
-    world->pass_seconds[SKV_PASS_NEIGHBOURS] += skv_clock() - start;
-}
-
-static void take_substep(substep *sub)
-{
-    const skv_fluid_def *fluid = &sub->world->fluid;
-    run(sub, SKV_PASS_FORCES, external_forces);
-    if (fluid->viscosity_linear > 0 || fluid->viscosity_quadratic > 0) {
-        /* The lists of the last substep serve, unless particles came or went. */
-        if (!sub->world->lists_current)
-            update_neighbours(sub);
-        run(sub, SKV_PASS_VISCOSITY, viscosity);
-        run(sub, SKV_PASS_VISCOSITY, apply_viscosity);
-    }
-    run(sub, SKV_PASS_ADVANCE, advance);
-    update_neighbours(sub);
-    for (int i = 0; i < fluid->iterations; i++) {
-        run(sub, SKV_PASS_WALLS, walls);
-        run(sub, SKV_PASS_DENSITY, density);
-        run(sub, SKV_PASS_PRESSURE, pressure);
-        run(sub, SKV_PASS_DISPLACEMENT, displacement);
-        run(sub, SKV_PASS_DISPLACEMENT, correct);
-    }
-    run(sub, SKV_PASS_CONTACT, find_contacts);
-    run(sub, SKV_PASS_CONTACT, contact);
-    run(sub, SKV_PASS_CONTACT, correct);
-    run(sub, SKV_PASS_VELOCITY, update_velocity);
-}
-
-static void make_pulls(substep *sub)
-{
-    const skv_world *world = sub->world;
-    float dt = sub->constants->dt;
-    for (int i = 0; i < world->hand_count; i++) {
-        const skv_hand *hand = &world->hands[i];
-        sub->pulls[i] = (skv_pull){
-            .x = hand->x,
-            .y = hand->y,
-            .vx = hand->vx,
-            .vy = hand->vy,
-            .inv_radius = 1 / hand->radius,
-            .attraction = hand->attraction,
-            /* Half each at most: more than the whole velocity would turn it round. */
-            .friction = fminf(0.5f, dt * hand->friction),
-            .follow = fminf(0.5f, dt * hand->follow),
-        };
-    }
+    return (skv_pull){
+        .x = hand->x,
+        .y = hand->y,
+        .vx = hand->vx,
+        .vy = hand->vy,
+        .inv_radius = 1 / hand->radius,
+        .attraction = hand->attraction,
+        /* Half each at most: more than the whole velocity would turn it round. */
+        .friction = fminf(0.5f, dt * hand->friction),
+        .follow = fminf(0.5f, dt * hand->follow),
+    };
 }
 
 /* True for a particle that has left through an open side: by more than h, or round the corner,
@@ -289,6 +80,16 @@ static void remove_leavers(skv_world *world)
     s->count = kept;
 }
 
+/* Memory for the next substeps: nothing to do once the world is warm. */
+static skv_result reserve(skv_world *world)
+{
+    if (world->solver == SKV_SOLVER_REFERENCE)
+        return skv_neighbours_reserve(&world->neighbours, world->state.count, NULL);
+    bool viscous = world->fluid.viscosity_linear > 0 || world->fluid.viscosity_quadratic > 0;
+    return skv_rows_reserve(world->rows, world->state.count, skv_pool_threads(world->pool), viscous,
+                            NULL);
+}
+
 skv_result skv_world_step(skv_world *world, float dt)
 {
     SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
@@ -303,29 +104,43 @@ skv_result skv_world_step(skv_world *world, float dt)
         world->constants = skv_make_constants(&world->fluid, part);
         world->constants_dt = part;
     }
-    substep sub = {.world = world, .state = &world->state, .constants = &world->constants};
-    make_pulls(&sub);
-    for (int i = 0; i < count; i++) {
-        skv_result result = skv_neighbours_reserve(&world->neighbours, world->state.count, NULL);
+    world->time += (double)dt;
+    /* Who leaves through an open side is taken out after every substep, else after all of them. */
+    bool open = skv_terrain_open_sides(world->terrain) != 0;
+    bool one_by_one = open || world->solver == SKV_SOLVER_REFERENCE;
+    for (int done = 0; done < count; done += one_by_one ? 1 : count) {
+        skv_result result = reserve(world);
         if (result != SKV_OK)
             return result;
-        take_substep(&sub);
-        world->time += (double)part;
-        world->steps++;
-        if (skv_terrain_open_sides(world->terrain))
+        if (world->solver == SKV_SOLVER_REFERENCE)
+            skv_reference_substep(world);
+        else
+            skv_rows_substeps(world, one_by_one ? 1 : count);
+        if (open)
             remove_leavers(world);
     }
+    world->steps += count;
     return SKV_OK;
 }
 
 skv_profile skv_world_profile(skv_world *world, bool reset)
 {
-    skv_profile profile = {.count = SKV_PASS_COUNT};
+    static const char *const pass_names[SKV_PASS_COUNT] = {
+        "external forces", "viscosity", "advance",      "neighbours", "walls",
+        "density",         "pressure",  "displacement", "contact",    "velocity",
+    };
+    static const char *const phase_names[] = {"advance", "sort", "relaxation", "transfer"};
+    skv_profile profile = {0};
     SKV_ASSERT_OR(world, profile);
-    for (int i = 0; i < SKV_PASS_COUNT; i++) {
-        profile.name[i] = pass_names[i];
-        profile.seconds[i] = world->pass_seconds[i];
+    if (world->solver == SKV_SOLVER_FAST) {
+        profile.count = 4;
+        memcpy(profile.name, phase_names, sizeof phase_names);
+        skv_rows_profile(world->rows, reset, profile.seconds);
+        return profile;
     }
+    profile.count = SKV_PASS_COUNT;
+    memcpy(profile.name, pass_names, sizeof pass_names);
+    memcpy(profile.seconds, world->pass_seconds, sizeof world->pass_seconds);
     if (reset)
         memset(world->pass_seconds, 0, sizeof world->pass_seconds);
     return profile;

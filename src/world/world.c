@@ -84,9 +84,16 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     skv_result result = skv_pool_create(def->threads, &world->pool, error);
     if (result == SKV_OK)
         result = skv_wall_map_create(terrain, world->h, world->fluid.spacing, &world->walls, error);
-    if (result == SKV_OK)
+    if (result == SKV_OK && world->solver == SKV_SOLVER_REFERENCE)
         result = skv_neighbours_create(&world->neighbours, -margin, -margin, width + margin,
                                        height + margin, world->h, error);
+    if (result == SKV_OK && world->solver == SKV_SOLVER_FAST) {
+        /* Rows lie across the longer side: the more rows, the more evenly threads share them. */
+        world->rows_swapped = width > height;
+        float along = world->rows_swapped ? height : width;
+        float across = world->rows_swapped ? width : height;
+        result = skv_rows_create(along / world->h, across / world->h, &world->rows, error);
+    }
     if (result == SKV_OK && def->capacity > 0)
         result = skv_world_reserve(world, def->capacity, error);
     return result;
@@ -109,6 +116,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
     }
     if (result == SKV_OK) {
         world->fluid = def->fluid;
+        world->solver = def->solver;
         world->gravity_x = def->gravity_x;
         world->gravity_y = def->gravity_y;
         world->h = def->fluid.spacing * def->fluid.radius_ratio;
@@ -138,6 +146,7 @@ void skv_world_destroy(skv_world *world)
         return;
     skv_pool_destroy(world->pool);
     skv_neighbours_destroy(&world->neighbours);
+    skv_rows_destroy(world->rows);
     skv_wall_map_destroy(world->walls);
     skv_terrain_destroy(world->terrain);
     skv_free(world->block);

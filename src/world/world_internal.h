@@ -6,6 +6,7 @@
 #include "skvalp/world.h"
 #include "solver/neighbours.h"
 #include "solver/passes.h"
+#include "solver/rows/rows.h"
 #include "solver/state.h"
 #include "terrain/wall_map.h"
 
@@ -39,8 +40,11 @@ struct skv_world {
     int capacity;
     void *block; /* the one allocation behind all of the state's arrays */
     uint32_t next_id;
-    skv_neighbours neighbours;
-    bool lists_current; /* the lists still describe the particles: none came or went */
+    skv_solver solver;
+    skv_rows *rows;            /* production solver */
+    bool rows_swapped;         /* its x is the world's y */
+    skv_neighbours neighbours; /* reference solver */
+    bool lists_current;        /* the lists still describe the particles: none came or went */
     skv_constants constants;
     float constants_dt; /* the dt they were made for */
     skv_pool *pool;
@@ -58,6 +62,9 @@ skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
 
 /* True if lo <= value <= hi; false for a NaN. */
 bool skv_within(double value, double lo, double hi);
+
+/* step.c: a hand as the passes see it. */
+skv_pull skv_make_pull(const skv_hand *hand, float dt);
 
 /* world.c: makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);

@@ -2,7 +2,7 @@
  * coincident particles. Tolerances are float rounding: some 1e-6 of the largest value at hand. */
 #include "support/oracle.h"
 
-#include "solver/pair.h"
+#include "solver/direction.h"
 #include "solver/passes.h"
 #include "world/world_internal.h"
 
@@ -190,8 +190,8 @@ static void check_twin(twin *t)
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->vy, o->vy, 1e-5);
 
-    skv_pass_density(s, c, &t->lists, 0, N);
-    oracle_density(o);
+    skv_pass_density(s, c, &t->lists, true, 0, N);
+    oracle_density(o, true);
     assert_close(s->density, o->density, 2e-6);
     assert_close(s->near_density, o->near_density, 2e-6);
     assert_close(s->gradient_x, o->gx, 5e-6);
@@ -266,7 +266,7 @@ static void pair_passes_keep_momentum(void **unused)
             if (pass == 0) {
                 skv_pass_viscosity(s, &t->constants, &t->lists, 0, N);
             } else {
-                skv_pass_density(s, &t->constants, &t->lists, 0, N);
+                skv_pass_density(s, &t->constants, &t->lists, true, 0, N);
                 (law == SKV_LAW_CLAVET ? skv_pass_pressure_clavet
                                        : skv_pass_pressure_calibrated)(s, &t->constants, 0, N);
                 skv_pass_displacement(s, &t->constants, &t->lists, 0, N);

@@ -7,11 +7,16 @@
 /* A closed tank of 1.6 x 0.9 m without particles; fails the test on any error. */
 skv_world *fixture_tank(skv_law law, float spacing, int threads);
 
+skv_world *fixture_tank_with(skv_law law, skv_solver solver, float spacing);
+
 /* The same with a block of fluid in the lower left corner, as a dam that breaks at once. */
 skv_world *fixture_dam(skv_law law, float spacing, int threads);
+skv_world *fixture_dam_with(skv_law law, skv_solver solver, float viscosity, float spacing,
+                            int threads);
 
-/* A blob of about 300 particles in the middle of a weightless tank, away from all walls. */
-skv_world *fixture_blob(skv_law law);
+/* A blob of about 300 particles in the middle of a weightless tank, away from all walls; viscosity
+ * in 1/s and 1/m. */
+skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity);
 
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);

@@ -104,21 +104,23 @@ void oracle_advance(oracle *o, double max_speed)
     }
 }
 
-void oracle_density(oracle *o)
+void oracle_density(oracle *o, bool gradient)
 {
     for (int i = 0; i < o->n; i++) {
         o->density[i] = o->wall_density[i];
         o->near_density[i] = o->wall_near[i];
-        o->gx[i] = -o->f1x[i];
-        o->gy[i] = -o->f1y[i];
+        if (gradient) {
+            o->gx[i] = -o->f1x[i];
+            o->gy[i] = -o->f1y[i];
+        }
         for (int j = 0; j < o->n; j++) {
             if (j == i)
                 continue;
             double ux, uy, q = pair_at(o, i, j, &ux, &uy);
             o->density[i] += q * q;
             o->near_density[i] += q * q * q;
-            o->gx[i] += q * ux;
-            o->gy[i] += q * uy;
+            o->gx[i] += gradient ? q * ux : 0;
+            o->gy[i] += gradient ? q * uy : 0;
         }
     }
 }

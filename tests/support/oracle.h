@@ -33,7 +33,7 @@ typedef struct oracle_hand {
 void oracle_external_forces(oracle *o, const oracle_hand *hand);
 void oracle_viscosity(oracle *o);
 void oracle_advance(oracle *o, double max_speed);
-void oracle_density(oracle *o);
+void oracle_density(oracle *o, bool gradient);
 void oracle_pressure(oracle *o);
 void oracle_displacement(oracle *o);
 void oracle_contact(oracle *o);

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -22,9 +23,10 @@ static void stir(skv_world *world, int frame)
     assert_int_equal(skv_world_set_gravity(world, frame > 20 ? 5.0f : 0, -9.81f, NULL), SKV_OK);
 }
 
-static uint64_t stirred_hash(skv_law law, int threads)
+static uint64_t stirred_hash(skv_law law, skv_solver solver, int threads)
 {
-    skv_world *world = fixture_dam(law, 0.014f, threads);
+    /* With viscosity, so that no pass is left out. */
+    skv_world *world = fixture_dam_with(law, solver, 1, 0.014f, threads);
     for (int f = 0; f < FRAMES; f++) {
         stir(world, f);
         fixture_run(world, 1);
@@ -38,10 +40,29 @@ static void threads_and_restarts_give_the_same_hash(void **unused)
 {
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
-        uint64_t once = stirred_hash((skv_law)law, 1);
-        const int threads[] = {1, 2, 3, 7};
-        for (int t = 0; t < 4; t++)
-            assert_int_equal(stirred_hash((skv_law)law, threads[t]), once);
+        for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
+            uint64_t once = stirred_hash((skv_law)law, (skv_solver)solver, 1);
+            const int threads[] = {1, 2, 3, 7};
+            for (int t = 0; t < 4; t++)
+                assert_int_equal(stirred_hash((skv_law)law, (skv_solver)solver, threads[t]), once);
+        }
+    }
+}
+
+/* Every instruction set that this machine has gives the same bits. */
+static void instruction_sets_give_the_same_hash(void **unused)
+{
+    (void)unused;
+    const char *names[] = {"scalar", "sse2", "neon", "avx2"};
+    for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
+        unsetenv("SKVALP_ISA");
+        uint64_t widest = stirred_hash((skv_law)law, SKV_SOLVER_FAST, 2);
+        for (int n = 0; n < 4; n++) {
+            setenv("SKVALP_ISA", names[n], 1);
+            assert_true(n > 0 || strcmp(skv_instruction_set(), "scalar") == 0);
+            assert_int_equal(stirred_hash((skv_law)law, SKV_SOLVER_FAST, 2), widest);
+        }
+        unsetenv("SKVALP_ISA");
     }
 }
 
@@ -111,6 +132,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_and_restarts_give_the_same_hash),
+        cmocka_unit_test(instruction_sets_give_the_same_hash),
         cmocka_unit_test(the_hash_sees_every_particle),
         cmocka_unit_test(looking_at_a_world_does_not_change_it),
         cmocka_unit_test(a_warm_step_does_not_allocate),

@@ -1,0 +1,456 @@
+/* The rows' lifetime, and a substep as a pipeline over them.
+ *
+ * Who may run when, for row R of one iteration (A density, L pressure, B displacement, U update):
+ * L(R) needs A(R) and A(R-1); B(R) needs L(R) and L(R+1); U(R) needs B(R) and B(R-1), and moves
+ * what A and B of rows R and R-1 read. A thread runs A(R) L(R) B(R-1) U(R-1) for its rows in turn.
+ * At the seam between two threads the upper one needs A of the lower one's last row, so that is run
+ * before the rest; the lower one needs L of the upper one's first row and waits for it; and the
+ * upper one's first row is updated when both are done.
+ *
+ * Invariant: every order that these rules allow gives the same bits.
+ */
+#include "base/clock.h"
+#include "base/memory.h"
+#include "solver/rows/rows_internal.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <string.h>
+
+/* Rounding must not make a lower bound of a distance too large. */
+#define SAFE_BOUND 0.999f
+
+enum { FLOATS_A_BLOCK = 2 * ROW_TILE * ROW_LANES, MAX_CELLS = 1 << 26 };
+
+/* What the members of a team share. */
+typedef struct run {
+    skv_rows *rows;
+    const skv_row_kernels *kernels;
+    const skv_row_constants *constants;
+    const skv_row_boundary *boundary;
+    skv_pool *pool;
+    const skv_row_frame *frame;
+    int substeps;
+    atomic_int pressed[ROW_MAX_THREADS]; /* iterations whose L(first row) a thread has done */
+} run;
+
+skv_result skv_rows_create(float width, float height, skv_rows **out, skv_error *error)
+{
+    *out = NULL;
+    skv_rows *rows = skv_calloc(1, sizeof *rows);
+    if (!rows)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver");
+    double cells = ceil((double)width * ROW_CELLS) + 2 * ROW_MARGIN * ROW_CELLS + 1;
+    double row_count = ceil((double)height) + 2 * ROW_MARGIN + 1;
+    if (cells + ROW_CELLS + 2 > UINT16_MAX || cells * row_count > MAX_CELLS) {
+        skv_free(rows);
+        return skv_fail(error, SKV_ERROR_LIMIT,
+                        "the world is too large for its smoothing radius; use a larger spacing");
+    }
+    rows->cells_used = (int)cells;
+    rows->stride = (int)cells + ROW_CELLS + 2;
+    rows->row_count = (int)row_count;
+    size_t in_rows = (size_t)rows->row_count + 2;
+    size_t grid = in_rows * (size_t)rows->stride;
+    int *block = skv_calloc(grid + 7 * in_rows, sizeof *block);
+    if (!block) {
+        skv_free(rows);
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver's grid");
+    }
+    rows->grid_block = block;
+    rows->cell_start = block;
+    int **by_row[] = {&rows->row_start, &rows->row_end,    &rows->new_start, &rows->new_end,
+                      &rows->row_size,  &rows->wall_first, &rows->wall_count};
+    for (int a = 0; a < 7; a++)
+        *by_row[a] = block + grid + in_rows * (size_t)a;
+    *out = rows;
+    return SKV_OK;
+}
+
+static void free_threads(skv_rows *rows)
+{
+    for (int t = 0; t < rows->threads; t++) {
+        skv_free(rows->thread[t].kept_memory);
+        skv_free(rows->thread[t].near_walls);
+    }
+    skv_free(rows->thread);
+    skv_free(rows->histogram_block);
+    rows->thread = NULL;
+    rows->histogram_block = NULL;
+    rows->threads = 0;
+}
+
+void skv_rows_destroy(skv_rows *rows)
+{
+    if (!rows)
+        return;
+    free_threads(rows);
+    skv_free(rows->block);
+    skv_free(rows->viscous_block);
+    skv_free(rows->grid_block);
+    skv_free(rows);
+}
+
+static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
+{
+    if (threads == rows->threads)
+        return SKV_OK;
+    free_threads(rows);
+    size_t cells = (size_t)rows->row_count * (size_t)rows->stride;
+    rows->thread = skv_calloc((size_t)threads, sizeof *rows->thread);
+    int *histograms = skv_calloc(cells * (size_t)threads, sizeof *histograms);
+    if (!rows->thread || !histograms) {
+        skv_free(histograms);
+        skv_free(rows->thread);
+        rows->thread = NULL;
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d threads", threads);
+    }
+    rows->histogram_block = histograms;
+    rows->threads = threads;
+    for (int t = 0; t < threads; t++)
+        rows->thread[t].histogram = histograms + cells * (size_t)t;
+    return SKV_OK;
+}
+
+/* Room for kept pairs and wall samples; less than wished for costs time, not correctness. */
+static skv_result reserve_kept(skv_rows *rows, skv_error *error)
+{
+    /* A tile at rest has 6 or 7 blocks; rows of twice the usual density have their place. */
+    int blocks = (rows->widest + ROW_TILE) / ROW_TILE * 12 + 64;
+    int walls = rows->count / rows->threads / 2 + 256;
+    for (int t = 0; t < rows->threads; t++) {
+        skv_row_thread *own = &rows->thread[t];
+        if (blocks > own->kept[0].room) {
+            int room = blocks + blocks / 2;
+            float *memory = skv_calloc((size_t)room * FLOATS_A_BLOCK * ROW_SLOTS, sizeof *memory);
+            if (!memory)
+                return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for kept pairs");
+            skv_free(own->kept_memory);
+            own->kept_memory = memory;
+            for (int slot = 0; slot < ROW_SLOTS; slot++) {
+                own->kept[slot].pairs = memory + (size_t)slot * (size_t)room * FLOATS_A_BLOCK;
+                own->kept[slot].room = room;
+            }
+        }
+        if (walls > own->near_wall_room) {
+            skv_near_wall *near_walls = skv_calloc((size_t)walls, sizeof *near_walls);
+            if (!near_walls)
+                return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for wall samples");
+            skv_free(own->near_walls);
+            own->near_walls = near_walls;
+            own->near_wall_room = walls;
+        }
+    }
+    return SKV_OK;
+}
+
+/* Distance between arrays in one block, in floats: a whole number of cache lines, odd, so that the
+ * arrays do not fight for the same cache sets. */
+static size_t array_stride(size_t elements)
+{
+    return ((elements + 15) / 16 | 1) * 16;
+}
+
+static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
+{
+    if (count <= rows->capacity)
+        return SKV_OK;
+    int capacity = count > rows->capacity * 2 ? count : rows->capacity * 2;
+    size_t slots = (size_t)capacity + (size_t)rows->row_count * 3 * ROW_LANES + 4 * ROW_LANES;
+    float **floats[] = {
+        &rows->set[0].x,         &rows->set[0].y,     &rows->set[0].u, &rows->set[0].v,
+        &rows->set[0].clear,     &rows->set[1].x,     &rows->set[1].y, &rows->set[1].u,
+        &rows->set[1].v,         &rows->set[1].clear, &rows->own[0],   &rows->own[1],
+        &rows->own[2],           &rows->own[3],       &rows->next[0],  &rows->next[1],
+        &rows->next[2],          &rows->next[3],      &rows->sum[0],   &rows->sum[1],
+        &rows->sum[2],           &rows->sum[3],       &rows->push,     &rows->near_push,
+        &rows->gradient_squared, &rows->pressure,
+    };
+    enum { FLOATS = sizeof floats / sizeof *floats };
+    size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
+    size_t total = stride * (FLOATS + 3) + array_stride(slots / 2 + 1) + 3 * tiles;
+    float *block = skv_calloc(total, sizeof *block);
+    if (!block)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
+    skv_free(rows->block);
+    rows->block = block;
+    for (int a = 0; a < FLOATS; a++, block += stride)
+        *floats[a] = block;
+    int **ints[] = {&rows->set[0].number, &rows->set[1].number, &rows->key};
+    for (int a = 0; a < 3; a++, block += stride)
+        *ints[a] = (int *)(void *)block;
+    int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
+    for (int a = 0; a < 3; a++, block += tiles)
+        *by_tile[a] = (int *)(void *)block;
+    rows->cell = (uint16_t *)(void *)block;
+    rows->capacity = capacity;
+    rows->slots = (int)slots;
+    rows->particle_bytes = total * sizeof *block;
+    skv_free(rows->viscous_block);
+    rows->viscous_block = NULL;
+    return SKV_OK;
+}
+
+static skv_result reserve_viscous(skv_rows *rows, bool viscous, skv_error *error)
+{
+    rows->viscous = viscous;
+    if (!viscous || rows->viscous_block)
+        return SKV_OK;
+    size_t stride = array_stride((size_t)rows->slots);
+    float *block = skv_calloc(6 * stride, sizeof *block);
+    if (!block)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for viscosity");
+    rows->viscous_block = block;
+    for (int a = 0; a < 2; a++) {
+        rows->viscous_own[a] = block + stride * (size_t)a;
+        rows->viscous_next[a] = block + stride * (size_t)(a + 2);
+        rows->viscous_sum[a] = block + stride * (size_t)(a + 4);
+    }
+    return SKV_OK;
+}
+
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, skv_error *error)
+{
+    skv_result result = reserve_threads(rows, threads, error);
+    if (result == SKV_OK)
+        result = reserve_particles(rows, count, error);
+    if (result == SKV_OK)
+        result = reserve_viscous(rows, viscous, error);
+    rows->count = count;
+    /* The widest row is known from the last sort; before the first one, guess. */
+    if (rows->widest == 0)
+        rows->widest = count / 8;
+    if (result == SKV_OK)
+        result = reserve_kept(rows, error);
+    return result;
+}
+
+/* How many provisional rows the particles are taken in with: one a thread. */
+static int provisional_rows(const skv_rows *rows)
+{
+    return rows->threads < rows->row_count ? rows->threads : rows->row_count;
+}
+
+/* Takes a share of the particles in as one provisional row, in the order of their numbers; the sort
+ * of the first substep, which is stable, puts them where they belong. */
+static void take_in(skv_rows *rows, int thread, const skv_row_frame *frame)
+{
+    const skv_row_particles *p = &rows->set[rows->current];
+    skv_row_thread *own = &rows->thread[thread];
+    int shares = provisional_rows(rows);
+    own->old_first = own->old_end = 0;
+    if (thread >= shares)
+        return;
+    int from = (int)((int64_t)frame->count * thread / shares);
+    int to = (int)((int64_t)frame->count * (thread + 1) / shares);
+    /* A multiple of eight, and dummies enough behind each share. */
+    int place = (from & ~(ROW_LANES - 1)) + ROW_LANES * (3 * thread + 1);
+    rows->row_start[thread] = place;
+    for (int i = from; i < to; i++, place++) {
+        p->x[place] = frame->x[i] * frame->length;
+        p->y[place] = frame->y[i] * frame->length;
+        p->u[place] = frame->vx[i] * frame->speed;
+        p->v[place] = frame->vy[i] * frame->speed;
+        p->clear[place] = frame->clear[i] * frame->length;
+        p->number[place] = i;
+    }
+    rows->row_end[thread] = place;
+    for (int k = place; k < skv_row_padded_end(place); k++) {
+        p->x[k] = p->y[k] = p->clear[k] = ROW_FAR;
+        p->u[k] = p->v[k] = 0;
+    }
+    own->old_first = thread;
+    own->old_end = thread + 1;
+}
+
+static void give_back(const skv_rows *rows, int thread, const skv_row_frame *frame)
+{
+    const skv_row_particles *p = &rows->set[rows->current];
+    for (int row = rows->thread[thread].first; row < rows->thread[thread].end; row++) {
+        for (int k = rows->row_start[row]; k < rows->row_end[row]; k++) {
+            int i = p->number[k];
+            frame->x[i] = p->x[k] * frame->inv_length;
+            frame->y[i] = p->y[k] * frame->inv_length;
+            frame->vx[i] = p->u[k] * frame->inv_speed;
+            frame->vy[i] = p->v[k] * frame->inv_speed;
+            frame->clear[i] = p->clear[k] * frame->inv_length * SAFE_BOUND;
+            frame->pressure[i] = rows->pressure[k];
+        }
+    }
+}
+
+/* The rows of one thread through one iteration; see the top of the file. */
+typedef struct lane {
+    run *shared;
+    skv_row_thread *own;
+    int thread, iteration, turn; /* turn: iterations since the team began, for `pressed` */
+    bool later;
+} lane;
+
+static void run_density(const lane *l, int row)
+{
+    skv_rows *rows = l->shared->rows;
+    int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
+    l->shared->kernels->density(rows, row, l->later, l->shared->constants, &l->own->kept[slot]);
+}
+
+static void run_pressure(const lane *l, int row)
+{
+    skv_rows *rows = l->shared->rows;
+    rows->wall_first[row] = l->own->near_wall_count;
+    rows->wall_count[row] = l->shared->kernels->pressure(rows, row, l->later, l->shared->constants,
+                                                         l->shared->boundary, l->own);
+}
+
+static void run_displacement(const lane *l, int row)
+{
+    int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
+    bool ratio_kept = !l->later && !l->shared->constants->clavet;
+    l->shared->kernels->displacement(l->shared->rows, row, !ratio_kept, &l->own->kept[slot]);
+}
+
+static void run_update(const lane *l, int row)
+{
+    skv_rows *rows = l->shared->rows;
+    l->shared->kernels->update(rows, row, l->iteration, l->shared->constants, l->shared->boundary,
+                               l->own->near_walls + rows->wall_first[row], rows->wall_count[row]);
+}
+
+/* The thread that owns the row after this thread's last, or -1. */
+static int upper_neighbour(const skv_rows *rows, int thread)
+{
+    for (int t = thread + 1; t < rows->threads; t++)
+        if (rows->thread[t].first < rows->thread[t].end)
+            return t;
+    return -1;
+}
+
+static void wait_for_pressure(const lane *l)
+{
+    int upper = upper_neighbour(l->shared->rows, l->thread);
+    if (upper < 0)
+        return;
+    for (int turns = 0;
+         atomic_load_explicit(&l->shared->pressed[upper], memory_order_acquire) < l->turn;)
+        skv_pool_pause(&turns);
+}
+
+static void relax_rows(const lane *l)
+{
+    skv_rows *rows = l->shared->rows;
+    const skv_row_thread *own = l->own;
+    int first = own->first, last = own->end - 1;
+    bool empty = first > last, lowest = first == rows->first;
+    l->own->near_wall_count = 0;
+    if (!empty)
+        run_density(l, last);
+    skv_pool_barrier(l->shared->pool);
+    for (int row = first; row <= last; row++) {
+        if (row < last)
+            run_density(l, row);
+        run_pressure(l, row);
+        if (row == first)
+            atomic_store_explicit(&l->shared->pressed[l->thread], l->turn, memory_order_release);
+        if (row > first) {
+            run_displacement(l, row - 1);
+            if (row - 1 > first || lowest)
+                run_update(l, row - 1);
+        }
+    }
+    if (!empty) {
+        wait_for_pressure(l);
+        run_displacement(l, last);
+        if (last > first || lowest)
+            run_update(l, last);
+    }
+    skv_pool_barrier(l->shared->pool);
+    if (!empty && !lowest)
+        run_update(l, first);
+    skv_pool_barrier(l->shared->pool);
+}
+
+/* Row `first`'s `next` sums come from nobody: the row below it is empty. */
+static void clear_lowest(skv_rows *rows)
+{
+    int begin = rows->row_start[rows->first];
+    size_t bytes = (size_t)(skv_row_padded_end(rows->row_end[rows->first]) - begin) * sizeof(float);
+    for (int a = 0; a < ROW_SUMS; a++)
+        memset(rows->next[a] + begin, 0, bytes);
+    for (int a = 0; rows->viscous && a < 2; a++)
+        memset(rows->viscous_next[a] + begin, 0, bytes);
+}
+
+/* Books the time since `*start` under a phase, on one thread only. */
+static void book(skv_rows *rows, int thread, int phase, double *start)
+{
+    if (thread != 0)
+        return;
+    double now = skv_clock();
+    rows->seconds[phase] += now - *start;
+    *start = now;
+}
+
+static void take_substep(lane *l, bool first, bool last)
+{
+    run *shared = l->shared;
+    skv_rows *rows = shared->rows;
+    double start = skv_clock();
+    for (int row = l->own->old_first; row < l->own->old_end; row++)
+        shared->kernels->advance(rows, row, shared->constants, shared->boundary);
+    book(rows, l->thread, ROW_ADVANCE, &start);
+    skv_rows_sort(rows, l->thread, first, shared->pool);
+    if (l->thread == 0)
+        rows->gauged = last;
+    book(rows, l->thread, ROW_SORT, &start);
+    for (l->iteration = 0; l->iteration < shared->constants->iterations; l->iteration++) {
+        l->turn++;
+        l->later = l->iteration > 0;
+        if (l->own->first == rows->first && l->own->first < l->own->end)
+            clear_lowest(rows);
+        relax_rows(l);
+    }
+    book(rows, l->thread, ROW_RELAX, &start);
+}
+
+static void member(int thread, void *context)
+{
+    run *shared = context;
+    lane l = {.shared = shared, .own = &shared->rows->thread[thread], .thread = thread};
+    double start = skv_clock();
+    take_in(shared->rows, thread, shared->frame);
+    book(shared->rows, thread, ROW_TRANSFER, &start);
+    for (int s = 0; s < shared->substeps; s++)
+        take_substep(&l, s == 0, s == shared->substeps - 1);
+    start = skv_clock();
+    give_back(shared->rows, thread, shared->frame);
+    book(shared->rows, thread, ROW_TRANSFER, &start);
+}
+
+void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
+                   const skv_row_constants *constants, const skv_row_boundary *boundary,
+                   skv_pool *pool)
+{
+    if (frame->count == 0)
+        return;
+    rows->count = frame->count;
+    run shared = {.rows = rows,
+                  .kernels = skv_row_kernels_chosen(),
+                  .constants = constants,
+                  .boundary = boundary,
+                  .pool = pool,
+                  .frame = frame,
+                  .substeps = substeps};
+    skv_pool_team(pool, member, &shared);
+}
+
+void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4])
+{
+    memcpy(seconds, rows->seconds, sizeof rows->seconds);
+    if (reset)
+        memset(rows->seconds, 0, sizeof rows->seconds);
+}
+
+size_t skv_rows_bytes(const skv_rows *rows)
+{
+    return rows->particle_bytes;
+}

@@ -1,0 +1,99 @@
+/* The production solver: particles sorted into rows, pairs found by ranges, eight at a time.
+ *
+ * Scheme. Space is cut into rows one smoothing radius high, each row into cells of h/4. Particles
+ * are kept sorted by row and cell, so the partners of a particle with a higher place are two
+ * contiguous ranges: the rest of its own row up to h ahead, and the stretch of the next row within
+ * h on either side. Each pair is visited once. Tiles of four consecutive particles share the loads
+ * of their partners; eight partners are handled at a time. A row's task adds what it finds for its
+ * own particles to `own`, for the next row's to `next`, and the four particles' own sums to `sum`;
+ * these are added up later in a fixed order. So no two tasks write the same place, and the result
+ * does not depend on threads, instruction set or compiler.
+ *
+ * Within a substep the rows run through a pipeline: density of row R, pressure of row R,
+ * displacement of row R-1, update of row R-1; so a row's data is still in the cache, and its pairs'
+ * q and q/r are kept for the displacement. Rows lie across the longer side of the world, to have
+ * many of them.
+ *
+ * Units: lengths in h, times in substeps. Coordinates: `x` runs along the rows, `y` across them.
+ */
+#ifndef SKV_SOLVER_ROWS_H
+#define SKV_SOLVER_ROWS_H
+
+#include "base/pool.h"
+#include "skvalp/base.h"
+
+/* What the wall maps say at a point. Dimensionless. */
+typedef struct skv_row_wall {
+    float density, near_density, f1x, f1y, f2x, f2y;
+} skv_row_wall;
+
+/* How the solver asks for walls, in its own units and axes. `clear` is a lower bound of the
+ * distance to the nearest wall; the functions are only called where it is small. Called from
+ * several threads at once. */
+typedef struct skv_row_boundary {
+    const void *context;
+    /* The wall sums at (x, y), and the distance to the nearest wall. */
+    float (*walls)(const void *context, float x, float y, skv_row_wall *wall);
+    /* Moves (x, y) by (dx, dy) as far as walls allow: writes the new place and its distance to the
+     * nearest wall, and returns the share of the way that was made, 0..1. */
+    float (*move)(const void *context, float *x, float *y, float dx, float dy, float *distance);
+    /* How deep (x, y) is inside the contact distance, limited as contact.c says; 0: not at all.
+     * Writes the normal and the distance. */
+    float (*contact)(const void *context, float x, float y, float *nx, float *ny, float *distance);
+} skv_row_boundary;
+
+/* One finger, in h and substeps. */
+typedef struct skv_row_pull {
+    float x, y, vx, vy, inv_radius, attraction, friction, follow;
+} skv_row_pull;
+
+/* Constants of a substep, in h and substeps. */
+typedef struct skv_row_constants {
+    float gravity_x, gravity_y;
+    float max_speed;
+    float viscosity_linear, viscosity_quadratic;
+    float rest_density, gradient_floor, push_scale, near_push_scale, cohesion_share, push_limit;
+    float pressure_scale, near_pressure_scale; /* to Pa m */
+    float contact_distance, softness, friction;
+    float wall_clearance; /* how close a move may come to a wall */
+    int iterations;
+    bool clavet;
+    const skv_row_pull *pulls;
+    int pull_count;
+} skv_row_constants;
+
+typedef struct skv_rows skv_rows;
+
+/* Makes the grid for a world of the given size (in h, in the solver's axes). */
+skv_result skv_rows_create(float width, float height, skv_rows **rows, skv_error *error);
+void skv_rows_destroy(skv_rows *rows);
+
+/* Makes room for `count` particles and for `threads` threads; allocates only when it has to. */
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, skv_error *error);
+
+/* The particles outside, in the order of their numbers, in units of the caller's. */
+typedef struct skv_row_frame {
+    int count;
+    float *x, *y, *vx, *vy;
+    float *clear;                /* lower bound of the distance to the nearest wall */
+    float *pressure;             /* written only */
+    float length, speed;         /* factors from the caller's units to h and h a substep */
+    float inv_length, inv_speed; /* and back */
+} skv_row_frame;
+
+/* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The
+ * state lies in the frame's arrays alone: nothing is kept from call to call but memory. */
+void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
+                   const skv_row_constants *constants, const skv_row_boundary *boundary,
+                   skv_pool *pool);
+
+/* Wall seconds since the last call with `reset`: advance, sort, relaxation, transfer in and out. */
+void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4]);
+
+/* Bytes held for `count` particles, kept pairs apart. */
+size_t skv_rows_bytes(const skv_rows *rows);
+
+/* The instruction set in use: "avx2", "sse2", "neon", "wasm" or "scalar". */
+const char *skv_rows_isa(void);
+
+#endif

@@ -1,0 +1,131 @@
+/* The rows' inside: shared by the sort (grid.c), the pipeline (rows.c) and the kernels, which are
+ * compiled once per instruction set. */
+#ifndef SKV_ROWS_INTERNAL_H
+#define SKV_ROWS_INTERNAL_H
+
+#include "solver/rows/rows.h"
+
+enum {
+    ROW_CELLS = 4, /* cells per smoothing radius along a row */
+    ROW_TILE = 4,  /* particles that share the loads of their partners */
+    ROW_LANES = 8,
+    ROW_MARGIN = 2, /* empty rows, and empty radii of cells, around the world */
+    ROW_SUMS = 4,   /* density, near density, gradient x, gradient y */
+    ROW_MAX_THREADS = 64,
+    ROW_SLOTS = 3 /* rows whose pairs a thread keeps: two in turn, and its last */
+};
+
+/* Where a dummy lies: farther from everything than h, but not so far that its square overflows. */
+#define ROW_FAR 1e9f
+
+/* How much the distance to a wall can fall per length of way: it is bilinear, so along a diagonal
+ * by up to the square root of two. */
+#define ROW_WALL_SLOPE 1.4143f
+
+/* Phases of a substep, for the profile. */
+enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
+
+/* A sorted particle's data. Two sets: a sort reads one and writes the other. */
+typedef struct skv_row_particles {
+    float *x, *y, *u, *v;
+    float *clear;
+    int *number; /* index at loading */
+} skv_row_particles;
+
+/* Where the pairs of one row are kept between density and displacement. */
+typedef struct skv_row_kept {
+    float *pairs; /* 2 * ROW_TILE * ROW_LANES floats a block */
+    int room;     /* blocks */
+    int used;     /* blocks of the row kept now; -1: it had no room and is computed again */
+} skv_row_kept;
+
+/* A wall sample of a particle near a wall, kept from the density to the update. */
+typedef struct skv_near_wall {
+    int particle;
+    skv_row_wall wall;
+} skv_near_wall;
+
+/* What a thread owns. */
+typedef struct skv_row_thread {
+    int *histogram; /* particles per cell of the rows that this thread sorts */
+    int first, end; /* its rows, as cut by particle count */
+    int old_first, old_end;
+    skv_row_kept kept[ROW_SLOTS];
+    float *kept_memory;
+    skv_near_wall *near_walls;
+    int near_wall_count, near_wall_room;
+} skv_row_thread;
+
+struct skv_rows {
+    int row_count, stride;      /* rows; cells a row, with a spare radius at its end */
+    int cells_used;             /* cells a row that particles can be in: 0..cells_used-1 */
+    int count, capacity, slots; /* particles; room for them; array elements */
+    int first, end;             /* rows with particles */
+    int widest;                 /* particles of the fullest row */
+
+    skv_row_particles set[2];
+    int current;
+    int *key;        /* the cell a particle moves to, by old place */
+    uint16_t *cell;  /* a particle's cell within its row */
+    int *cell_start; /* row_count * stride: place of each cell's first particle */
+    int *row_start, *row_end, *row_size;
+    int *new_start, *new_end;             /* of the sort under way */
+    int *own_end, *next_begin, *next_end; /* partner ranges by tile */
+    int *wall_first, *wall_count;         /* a row's samples in its thread's near_walls; count -1:
+                                             not all found a place */
+
+    /* Accumulators, see rows.h. The displacement pass reuses those of density and near density,
+     * which the pressure has consumed by then. */
+    float *own[ROW_SUMS], *next[ROW_SUMS], *sum[ROW_SUMS];
+    float *viscous_own[2], *viscous_next[2], *viscous_sum[2]; /* null without viscosity */
+    float *push, *near_push, *gradient_squared, *pressure;
+
+    skv_row_thread *thread;
+    int threads;
+    bool viscous; /* pair viscosity in the first iteration */
+    bool gauged;  /* this substep computes the gauge pressure */
+    void *block, *viscous_block, *grid_block, *histogram_block;
+    size_t particle_bytes;
+    double seconds[ROW_PHASES];
+};
+
+/* One instruction set's kernels. Each handles one row. */
+typedef struct skv_row_kernels {
+    const char *isa;
+    /* Forces and advance. */
+    void (*advance)(const skv_rows *rows, int row, const skv_row_constants *constants,
+                    const skv_row_boundary *boundary);
+    /* Pass A. `later` false: with gradient, and viscosity if there is any; true: densities only.
+     * Keeps the pairs if there is room. */
+    void (*density)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
+                    skv_row_kept *kept);
+    /* The pressure law; samples the walls into the thread's near_walls. Returns how many samples,
+     * or -1 if not all of them found a place. */
+    int (*pressure)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
+                    const skv_row_boundary *boundary, skv_row_thread *thread);
+    /* Pass B. */
+    void (*displacement)(const skv_rows *rows, int row, bool later, const skv_row_kept *kept);
+    /* Carries out the displacement; in the last iteration the contact as well. */
+    void (*update)(const skv_rows *rows, int row, int iteration, const skv_row_constants *constants,
+                   const skv_row_boundary *boundary, const skv_near_wall *walls, int wall_count);
+} skv_row_kernels;
+
+/* isa.c: the kernels that suit this processor, or those that SKVALP_ISA names. */
+const skv_row_kernels *skv_row_kernels_chosen(void);
+
+extern const skv_row_kernels skv_row_kernels_scalar;
+extern const skv_row_kernels skv_row_kernels_base; /* SSE2, NEON or WebAssembly */
+extern const skv_row_kernels skv_row_kernels_avx2;
+
+/* grid.c: sorts all particles; called by every thread of the pool with its index. `first`: parts
+ * coincident particles as well. Ends with a barrier. */
+void skv_rows_sort(skv_rows *rows, int thread, bool first, skv_pool *pool);
+
+/* A row's places, dummies included: its end rounded up so that a block of eight that begins before
+ * the end stays inside. */
+static inline int skv_row_padded_end(int end)
+{
+    return (end + 2 * ROW_LANES - 1) & ~(ROW_LANES - 1);
+}
+
+#endif

@@ -1,0 +1,34 @@
+/* Meeting walls: swept moves and contact. Invariant: a move ends where the terrain's sweep lets it,
+ * so nothing passes a wall, however fast it is. */
+#include "world/frame.h"
+
+#include <math.h>
+
+float skv_move_at_walls(const skv_world *world, float *x, float *y, float dx, float dy,
+                        float *distance)
+{
+    const skv_terrain *terrain = world->terrain;
+    float share = skv_terrain_sweep(terrain, *x, *y, *x + dx, *y + dy, world->wall_clearance);
+    if (share < 1) {
+        *x += share * dx;
+        *y += share * dy;
+    } else {
+        *x += dx;
+        *y += dy;
+    }
+    *distance = skv_terrain_distance(terrain, *x, *y);
+    return share;
+}
+
+float skv_contact_depth(const skv_world *world, float x, float y, float *nx, float *ny,
+                        float *distance)
+{
+    const skv_terrain *terrain = world->terrain;
+    *distance = skv_terrain_normal(terrain, x, y, nx, ny);
+    float depth = world->constants.contact_distance - *distance;
+    if (!(depth > 0))
+        return 0;
+    float beyond = skv_terrain_distance(terrain, x + depth * *nx, y + depth * *ny);
+    float gain = fmaxf(-depth, fminf(depth, beyond - *distance));
+    return 0.5f * (depth + gain);
+}
