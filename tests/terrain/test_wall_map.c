@@ -267,8 +267,8 @@ static void thin_walls_keep_their_area(void **state)
             double h = radii[k] * pixel, sum = 0;
             skv_wall_map *map = make_map(terrain, (float)h, (float)(h / 3));
             const double step = 0.25 * pixel * (1 + 0.05 * radii[k]);
-            for (double y = 0.5 * step; y < SIDE * pixel; y += step) {
-                for (double x = 0.5 * step; x < SIDE * pixel; x += step)
+            for (double y = 0.5 * step; y < (double)SIDE * pixel; y += step) {
+                for (double x = 0.5 * step; x < (double)SIDE * pixel; x += step)
                     sum += (double)sample(map, x, y).r * step * step;
             }
             double expected = solid * pixel * pixel * 9 * acos(-1.0) / 6;
