@@ -40,7 +40,7 @@ void play_window_toast(PlayWindow *window, const char *text)
 {
     char *escaped = g_markup_escape_text(text, -1); /* toasts read markup */
     AdwToast *toast = adw_toast_new(escaped);
-    adw_toast_set_timeout(toast, 3);
+    adw_toast_set_timeout(toast, 6);
     adw_toast_overlay_add_toast(window->toasts, toast);
     g_free(escaped);
 }
