@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The README keeps its word: its C example compiles without a warning, runs and prints numbers; and
-# every link of the documentation to a file leads somewhere. Arguments: build folder, source folder.
+# The README keeps its word: its C example compiles without a warning, runs and prints numbers; its
+# commands work; and every link of the documentation to a file leads somewhere. Arguments: build
+# folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_readme.sh BUILD SOURCE}")
 cd "${2:?usage: test_readme.sh BUILD SOURCE}"
@@ -54,6 +55,20 @@ while IFS= read -r page; do
     done < <(links_of "$page")
 done < <(find . -name '*.md' -not -path './build/*' -not -path './out/*' -not -path '*/node_modules/*')
 
+# The commands, in a folder of their own in which the build and the scenes are where they should be.
+# They take seconds, so what has failed already and the first that fails end it.
+mkdir -p "$work/here/build"
+ln -s "$build" "$work/here/build/release"
+ln -s "$PWD/scenes" "$work/here/scenes"
+commands=0
+while IFS= read -r command; do
+    ((bad == 0)) || break
+    commands=$((commands + 1))
+    (cd "$work/here" && bash -c "$command") >"$work/said" 2>&1 </dev/null ||
+        complain "README.md: '$command' fails: $(tail -n 1 "$work/said")"
+done < <(grep '^build/release/skvalp ' README.md)
+((commands > 0 || bad > 0)) || complain "README.md shows no command"
+
 ((bad == 0)) || exit 1
-printf 'readme: the example prints "%s"; %d links lead somewhere\n' "$(head -n 1 "$work/output")" \
-    "$links"
+printf 'readme: the example prints "%s"; %d commands work; %d links lead somewhere\n' \
+    "$(head -n 1 "$work/output")" "$commands" "$links"

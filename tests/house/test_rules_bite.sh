@@ -14,7 +14,7 @@ fresh_copy() {
     rm -rf "$work/copy"
     mkdir "$work/copy"
     local part
-    for part in app bench cli docs examples include src README.md CHANGELOG.md LICENSE; do
+    for part in app bench cli docs examples include scenes src tests README.md CHANGELOG.md LICENSE; do
         [[ ! -e $source/$part ]] || cp -r "$source/$part" "$work/copy/"
     done
 }
@@ -71,6 +71,9 @@ bites test_api.sh "a header that is no C++" "terrain.h does not compile alone as
 
 sed -i 's/^```c$/&\nint sin = "no number";/' "$work/copy/README.md"
 bites test_readme.sh "an example that does not compile" "does not compile"
+
+sed -i '1i build/release/skvalp run no-such-scene' "$work/copy/README.md"
+bites test_readme.sh "a command that fails" "no-such-scene' fails"
 
 printf '[nowhere](docs/nowhere.md)\n' >>"$work/copy/README.md"
 bites test_readme.sh "a dead link" "leads nowhere"
