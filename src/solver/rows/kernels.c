@@ -187,7 +187,8 @@ V8_INLINE void store_sums(const skv_rows *s, int i, unsigned with, const tile_su
 V8_INLINE void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
                            float *keep)
 {
-    const skv_row_particles *p = &s->set[s->current];
+    /* A copy: the compiler need not fear that a store changes it. */
+    const skv_row_particles local = s->set[s->current], *p = &local;
     const v8 sigma = v8_set(c->viscosity_linear), beta = v8_set(c->viscosity_quadratic);
     const int step = with & WITH_GRADIENT ? 2 * TILE * ROW_LANES : TILE * ROW_LANES;
     const targets own = {s->own[0], s->own[1],         s->own[2],
@@ -249,11 +250,11 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
 
 /* Pass B for a tile and eight partners. `with` tells how q and q/r are had: WITH_GRADIENT as the
  * first iteration made them, else from q alone, r being 1 - q. */
-V8_INLINE void displacement_block(const skv_rows *s, int j, bool first, unsigned with,
+V8_INLINE void displacement_block(const skv_row_particles *p, const float *pushes,
+                                  const float *near_pushes, int j, bool first, unsigned with,
                                   const tile *t, tile_sums *sums, float *to_x, float *to_y,
                                   const float *keep)
 {
-    const skv_row_particles *p = &s->set[s->current];
     v8 dx[TILE], dy[TILE], r[TILE], q[TILE], ratio[TILE], size[TILE];
     if (with & KEEP_PAIRS) {
         v8 xj = v8_load(p->x + j), yj = v8_load(p->y + j);
@@ -272,7 +273,7 @@ V8_INLINE void displacement_block(const skv_rows *s, int j, bool first, unsigned
         EACH(k) r[k] = v8_sub(one, q[k]);
         EACH(k) ratio[k] = v8_div(q[k], r[k]);
     }
-    v8 push = v8_load(s->push + j), near_push = v8_load(s->near_push + j);
+    v8 push = v8_load(pushes + j), near_push = v8_load(near_pushes + j);
     /* The tile's u and v hold the P and N of its particles here. */
     EACH(k) size[k] = v8_mul(v8_add(t->v[k], near_push), q[k]);
     EACH(k) size[k] = v8_add(v8_add(t->u[k], push), size[k]);
@@ -287,7 +288,9 @@ V8_INLINE void displacement_block(const skv_rows *s, int j, bool first, unsigned
 
 V8_INLINE void displacement_row(const skv_rows *s, int row, unsigned with, const float *keep)
 {
-    const skv_row_particles *p = &s->set[s->current];
+    const skv_row_particles local = s->set[s->current], *p = &local;
+    const float *push = s->push, *near_push = s->near_push;
+    float *own_x = s->own[0], *own_y = s->own[1], *next_x = s->next[0], *next_y = s->next[1];
     const int step = with & WITH_GRADIENT ? 2 * TILE * ROW_LANES : TILE * ROW_LANES;
     for (int a = 0; a < 2; a++) {
         zero_row(s, s->own[a], row);
@@ -307,14 +310,14 @@ V8_INLINE void displacement_row(const skv_rows *s, int row, unsigned with, const
             sums.a[k] = sums.b[k] = zero;
         }
         int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;
-        displacement_block(s, j, true, with, &t, &sums, s->own[0], s->own[1], keep);
+        displacement_block(p, push, near_push, j, true, with, &t, &sums, own_x, own_y, keep);
         keep += with & KEEP_PAIRS ? step : 0;
         for (j += ROW_LANES; j < own_end; j += ROW_LANES) {
-            displacement_block(s, j, false, with, &t, &sums, s->own[0], s->own[1], keep);
+            displacement_block(p, push, near_push, j, false, with, &t, &sums, own_x, own_y, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
         for (j = s->next_begin[i / TILE]; j < next_end; j += ROW_LANES) {
-            displacement_block(s, j, false, with, &t, &sums, s->next[0], s->next[1], keep);
+            displacement_block(p, push, near_push, j, false, with, &t, &sums, next_x, next_y, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
         for (int k = 0; k < TILE; k += 2) {

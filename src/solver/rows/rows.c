@@ -144,11 +144,13 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
     return SKV_OK;
 }
 
-/* Distance between arrays in one block, in floats: a whole number of cache lines, odd, so that the
- * arrays do not fight for the same cache sets. */
+/* Distance between arrays in one block, in floats: 5 cache lines more than a number of pages. The
+ * same place in two arrays must not have the same place in its page: a load would wait for a store
+ * to the other, and both would fight for the same cache sets. */
 static size_t array_stride(size_t elements)
 {
-    return ((elements + 15) / 16 | 1) * 16;
+    size_t pages = (elements + 1023) / 1024;
+    return pages * 1024 + 5 * 16;
 }
 
 static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
@@ -168,7 +170,7 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     };
     enum { FLOATS = sizeof floats / sizeof *floats };
     size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
-    size_t total = stride * (FLOATS + 3) + array_stride(slots / 2 + 1) + 3 * tiles;
+    size_t total = stride * (FLOATS + 2) + array_stride(slots / 2 + 1) + 3 * tiles;
     float *block = skv_calloc(total, sizeof *block);
     if (!block)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
@@ -176,9 +178,11 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     rows->block = block;
     for (int a = 0; a < FLOATS; a++, block += stride)
         *floats[a] = block;
-    int **ints[] = {&rows->set[0].number, &rows->set[1].number, &rows->key};
-    for (int a = 0; a < 3; a++, block += stride)
+    int **ints[] = {&rows->set[0].number, &rows->set[1].number};
+    for (int a = 0; a < 2; a++, block += stride)
         *ints[a] = (int *)(void *)block;
+    /* The sort is over when the pressure begins. */
+    rows->key = (int *)(void *)rows->push;
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
     for (int a = 0; a < 3; a++, block += tiles)
         *by_tile[a] = (int *)(void *)block;
