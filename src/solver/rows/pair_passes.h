@@ -1,0 +1,343 @@
+/* The pair passes of the rows: density (A) and displacement (B). Included by kernels.c alone, which
+ * is compiled once per instruction set.
+ *
+ * The loops are written in stages over the tile (all differences, then all squares, ...): four
+ * independent chains hide the latency of the square root and the division.
+ */
+#ifndef SKV_ROW_PAIR_PASSES_H
+#define SKV_ROW_PAIR_PASSES_H
+
+#include "base/simd.h"
+#include "solver/rows/rows_internal.h"
+
+#include <string.h>
+
+/* Keeps r above 0; pairs closer than 1e-6 h have the strength of that distance. */
+#define TINY_SQUARED 1e-12f
+
+#define TILE    ROW_TILE
+#define EACH(k) _Pragma("GCC unroll 8") for (int k = 0; k < TILE; k++)
+
+/* Compile-time variants of the pair loops. */
+enum { WITH_GRADIENT = 1, WITH_VISCOSITY = 2, KEEP_PAIRS = 4 };
+
+/* The four particles of a tile, each in all lanes. */
+typedef struct tile {
+    v8 x[TILE], y[TILE], u[TILE], v[TILE];
+} tile;
+
+/* Sums for the tile's own particles. */
+typedef struct tile_sums {
+    v8 a[TILE], b[TILE], c[TILE], d[TILE], u[TILE], v[TILE];
+} tile_sums;
+
+/* Where sums for the partners go: `own` arrays or `next` arrays. */
+typedef struct targets {
+    float *a, *b, *c, *d, *u, *v;
+} targets;
+
+V8_INLINE void add_at(float *p, v8 a)
+{
+    v8_store(p, v8_add(v8_load(p), a));
+}
+
+/* Adds up a tile's contributions to the partners, in the order of the tile. */
+V8_INLINE v8 over_tile(const v8 *a)
+{
+    return v8_add(v8_add(a[0], a[1]), v8_add(a[2], a[3]));
+}
+
+/* Differences to eight partners at j, their distance and q. In the first block of a tile the
+ * partners before and at particle k itself are masked out: j + lane > i + k. */
+V8_INLINE void measure(const skv_row_particles *p, int j, bool first, const tile *t, v8 *dx, v8 *dy,
+                       v8 *r, v8 *q)
+{
+    const v8 one = v8_set(1), zero = v8_set(0), tiny = v8_set(TINY_SQUARED);
+    v8 xj = v8_load(p->x + j), yj = v8_load(p->y + j);
+    EACH(k) dx[k] = v8_sub(xj, t->x[k]);
+    EACH(k) dy[k] = v8_sub(yj, t->y[k]);
+    EACH(k) r[k] = v8_add(v8_mul(dy[k], dy[k]), tiny);
+    EACH(k) r[k] = v8_add(v8_mul(dx[k], dx[k]), r[k]);
+    EACH(k) r[k] = v8_sqrt(r[k]);
+    EACH(k) q[k] = v8_max(v8_sub(one, r[k]), zero);
+    if (first) {
+        EACH(k) q[k] = k ? v8_and(q[k], v8_mask_from(k)) : q[k];
+    }
+}
+
+/* The impulse of pairs that approach each other; dx, dy from i to j, in displacement units. */
+V8_INLINE void viscosity(const skv_row_particles *p, int j, const tile *t, const v8 *dx,
+                         const v8 *dy, const v8 *inverse, const v8 *q, v8 sigma, v8 beta,
+                         tile_sums *sums, const targets *to)
+{
+    const v8 zero = v8_set(0), one = v8_set(1), half = v8_set(0.5f);
+    v8 uj = v8_load(p->u + j), vj = v8_load(p->v + j), w[TILE], share[TILE], ix[TILE], iy[TILE];
+    EACH(k) w[k] = v8_add(v8_mul(v8_sub(t->u[k], uj), dx[k]), v8_mul(v8_sub(t->v[k], vj), dy[k]));
+    EACH(k) w[k] = v8_mul(v8_max(w[k], zero), inverse[k]);
+    EACH(k) share[k] = v8_min(v8_mul(q[k], v8_add(sigma, v8_mul(beta, w[k]))), one);
+    EACH(k) w[k] = v8_mul(v8_mul(half, share[k]), v8_mul(w[k], inverse[k]));
+    EACH(k) ix[k] = v8_mul(w[k], dx[k]);
+    EACH(k) iy[k] = v8_mul(w[k], dy[k]);
+    EACH(k) sums->u[k] = v8_sub(sums->u[k], ix[k]);
+    EACH(k) sums->v[k] = v8_sub(sums->v[k], iy[k]);
+    add_at(to->u + j, over_tile(ix));
+    add_at(to->v + j, over_tile(iy));
+}
+
+/* Pass A for a tile and eight partners. */
+V8_INLINE void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
+                             const tile *t, v8 sigma, v8 beta, tile_sums *sums, const targets *to,
+                             float *keep)
+{
+    v8 dx[TILE], dy[TILE], r[TILE], q[TILE], q2[TILE], q3[TILE];
+    measure(p, j, first, t, dx, dy, r, q);
+    if (with & KEEP_PAIRS) {
+        EACH(k) v8_store(keep + ROW_LANES * k, q[k]);
+    }
+    EACH(k) q2[k] = v8_mul(q[k], q[k]);
+    EACH(k) q3[k] = v8_mul(q2[k], q[k]);
+    EACH(k) sums->a[k] = v8_add(sums->a[k], q2[k]);
+    EACH(k) sums->b[k] = v8_add(sums->b[k], q3[k]);
+    add_at(to->a + j, over_tile(q2));
+    add_at(to->b + j, over_tile(q3));
+    if (with & WITH_VISCOSITY) {
+        const v8 one = v8_set(1);
+        v8 inverse[TILE];
+        EACH(k) inverse[k] = v8_div(one, r[k]);
+        viscosity(p, j, t, dx, dy, inverse, q, sigma, beta, sums, to);
+    }
+    if (with & WITH_GRADIENT) {
+        v8 ratio[TILE];
+        EACH(k) ratio[k] = v8_div(q[k], r[k]);
+        if (with & KEEP_PAIRS) {
+            EACH(k) v8_store(keep + ROW_LANES * (TILE + k), ratio[k]);
+        }
+        EACH(k) dx[k] = v8_mul(dx[k], ratio[k]);
+        EACH(k) dy[k] = v8_mul(dy[k], ratio[k]);
+        EACH(k) sums->c[k] = v8_add(sums->c[k], dx[k]);
+        EACH(k) sums->d[k] = v8_add(sums->d[k], dy[k]);
+        float *c = to->c + j, *d = to->d + j;
+        v8_store(c, v8_sub(v8_load(c), over_tile(dx)));
+        v8_store(d, v8_sub(v8_load(d), over_tile(dy)));
+    }
+}
+
+/* The two ranges of partners of each tile: in the own row up to a radius ahead, in the next row
+ * within a radius to both sides. */
+static int find_ranges(const skv_rows *s, int row)
+{
+    const int *own = s->cell_start + (size_t)row * (size_t)s->stride, *next = own + s->stride;
+    int end = s->row_end[row], blocks = 0;
+    for (int i = s->row_start[row]; i < end; i += TILE) {
+        int last = i + TILE - 1 < end ? i + TILE - 1 : end - 1;
+        int from = s->cell[i] - ROW_CELLS, to = s->cell[last] + ROW_CELLS + 1;
+        s->own_end[i / TILE] = own[to];
+        s->next_begin[i / TILE] = next[from];
+        s->next_end[i / TILE] = next[to];
+        int ahead = s->own_end[i / TILE] - (i + 1);
+        blocks += 1 + (ahead > ROW_LANES ? (ahead - 1) / ROW_LANES : 0) +
+                  (s->next_end[i / TILE] - s->next_begin[i / TILE] + ROW_LANES - 1) / ROW_LANES;
+    }
+    return blocks;
+}
+
+static void zero_row(const skv_rows *s, float *array, int row)
+{
+    int begin = s->row_start[row], end = skv_row_padded_end(s->row_end[row]);
+    memset(array + begin, 0, (size_t)(end - begin) * sizeof *array);
+}
+
+static void zero_targets(const skv_rows *s, int row, unsigned with)
+{
+    int sums = with & WITH_GRADIENT ? 4 : 2;
+    for (int a = 0; a < sums; a++) {
+        zero_row(s, s->own[a], row);
+        zero_row(s, s->next[a], row + 1);
+    }
+    for (int a = 0; with & WITH_VISCOSITY && a < 2; a++) {
+        zero_row(s, s->viscous_own[a], row);
+        zero_row(s, s->viscous_next[a], row + 1);
+    }
+}
+
+V8_INLINE void store_sums(const skv_rows *s, int i, unsigned with, const tile_sums *sums)
+{
+    const v8 zero = v8_set(0);
+    EACH(k)
+    {
+        float out[4];
+        if (with & WITH_GRADIENT)
+            v8_sum4(sums->a[k], sums->b[k], sums->c[k], sums->d[k], out);
+        else
+            v8_sum4(sums->a[k], sums->b[k], zero, zero, out);
+        s->sum[0][i + k] = out[0];
+        s->sum[1][i + k] = out[1];
+        if (with & WITH_GRADIENT) {
+            s->sum[2][i + k] = out[2];
+            s->sum[3][i + k] = out[3];
+        }
+        if (with & WITH_VISCOSITY) {
+            v8_sum4(sums->u[k], sums->v[k], zero, zero, out);
+            s->viscous_sum[0][i + k] = out[0];
+            s->viscous_sum[1][i + k] = out[1];
+        }
+    }
+}
+
+V8_INLINE void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
+                           float *keep)
+{
+    /* A copy: the compiler need not fear that a store changes it. */
+    const skv_row_particles local = s->set[s->current], *p = &local;
+    const v8 sigma = v8_set(c->viscosity_linear), beta = v8_set(c->viscosity_quadratic);
+    const int step = with & WITH_GRADIENT ? 2 * TILE * ROW_LANES : TILE * ROW_LANES;
+    const targets own = {s->own[0], s->own[1],         s->own[2],
+                         s->own[3], s->viscous_own[0], s->viscous_own[1]};
+    const targets next = {s->next[0], s->next[1],         s->next[2],
+                          s->next[3], s->viscous_next[0], s->viscous_next[1]};
+    zero_targets(s, row, with);
+    int end = s->row_end[row];
+    for (int i = s->row_start[row]; i < end; i += TILE) {
+        tile t;
+        tile_sums sums;
+        const v8 zero = v8_set(0);
+        EACH(k)
+        {
+            t.x[k] = v8_set(p->x[i + k]);
+            t.y[k] = v8_set(p->y[i + k]);
+            t.u[k] = v8_set(p->u[i + k]);
+            t.v[k] = v8_set(p->v[i + k]);
+            sums.a[k] = sums.b[k] = sums.c[k] = sums.d[k] = sums.u[k] = sums.v[k] = zero;
+        }
+        int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;
+        density_block(p, j, true, with, &t, sigma, beta, &sums, &own, keep);
+        keep += with & KEEP_PAIRS ? step : 0;
+        for (j += ROW_LANES; j < own_end; j += ROW_LANES) {
+            density_block(p, j, false, with, &t, sigma, beta, &sums, &own, keep);
+            keep += with & KEEP_PAIRS ? step : 0;
+        }
+        for (j = s->next_begin[i / TILE]; j < next_end; j += ROW_LANES) {
+            density_block(p, j, false, with, &t, sigma, beta, &sums, &next, keep);
+            keep += with & KEEP_PAIRS ? step : 0;
+        }
+        store_sums(s, i, with, &sums);
+    }
+}
+
+static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
+                    skv_row_kept *kept)
+{
+    int blocks = find_ranges(s, row);
+    /* Pairs without a place are computed again by the displacement: slower, the same bits. */
+    bool keep = blocks <= kept->room;
+    kept->used = keep ? blocks : -1;
+    unsigned viscous = s->viscous && !later ? WITH_VISCOSITY : 0;
+    if (later || c->clavet) {
+        if (viscous)
+            keep ? density_row(s, row, WITH_VISCOSITY | KEEP_PAIRS, c, kept->pairs)
+                 : density_row(s, row, WITH_VISCOSITY, c, NULL);
+        else
+            keep ? density_row(s, row, KEEP_PAIRS, c, kept->pairs)
+                 : density_row(s, row, 0, c, NULL);
+    } else if (viscous) {
+        keep ? density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY | KEEP_PAIRS, c, kept->pairs)
+             : density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY, c, NULL);
+    } else {
+        keep ? density_row(s, row, WITH_GRADIENT | KEEP_PAIRS, c, kept->pairs)
+             : density_row(s, row, WITH_GRADIENT, c, NULL);
+    }
+}
+
+/* Pass B for a tile and eight partners. `with` tells how q and q/r are had: WITH_GRADIENT as the
+ * first iteration made them, else from q alone, r being 1 - q. */
+V8_INLINE void displacement_block(const skv_row_particles *p, const float *pushes,
+                                  const float *near_pushes, int j, bool first, unsigned with,
+                                  const tile *t, tile_sums *sums, float *to_x, float *to_y,
+                                  const float *keep)
+{
+    v8 dx[TILE], dy[TILE], r[TILE], q[TILE], ratio[TILE], size[TILE];
+    if (with & KEEP_PAIRS) {
+        v8 xj = v8_load(p->x + j), yj = v8_load(p->y + j);
+        EACH(k) dx[k] = v8_sub(xj, t->x[k]);
+        EACH(k) dy[k] = v8_sub(yj, t->y[k]);
+        EACH(k) q[k] = v8_load(keep + ROW_LANES * k);
+    } else {
+        measure(p, j, first, t, dx, dy, r, q);
+    }
+    if ((with & WITH_GRADIENT) && (with & KEEP_PAIRS)) {
+        EACH(k) ratio[k] = v8_load(keep + ROW_LANES * (TILE + k));
+    } else if (with & WITH_GRADIENT) {
+        EACH(k) ratio[k] = v8_div(q[k], r[k]);
+    } else {
+        const v8 one = v8_set(1);
+        EACH(k) r[k] = v8_sub(one, q[k]);
+        EACH(k) ratio[k] = v8_div(q[k], r[k]);
+    }
+    v8 push = v8_load(pushes + j), near_push = v8_load(near_pushes + j);
+    /* The tile's u and v hold the P and N of its particles here. */
+    EACH(k) size[k] = v8_mul(v8_add(t->v[k], near_push), q[k]);
+    EACH(k) size[k] = v8_add(v8_add(t->u[k], push), size[k]);
+    EACH(k) size[k] = v8_mul(size[k], ratio[k]);
+    EACH(k) dx[k] = v8_mul(dx[k], size[k]);
+    EACH(k) dy[k] = v8_mul(dy[k], size[k]);
+    EACH(k) sums->a[k] = v8_sub(sums->a[k], dx[k]);
+    EACH(k) sums->b[k] = v8_sub(sums->b[k], dy[k]);
+    add_at(to_x + j, over_tile(dx));
+    add_at(to_y + j, over_tile(dy));
+}
+
+V8_INLINE void displacement_row(const skv_rows *s, int row, unsigned with, const float *keep)
+{
+    const skv_row_particles local = s->set[s->current], *p = &local;
+    const float *push = s->push, *near_push = s->near_push;
+    float *own_x = s->own[0], *own_y = s->own[1], *next_x = s->next[0], *next_y = s->next[1];
+    const int step = with & WITH_GRADIENT ? 2 * TILE * ROW_LANES : TILE * ROW_LANES;
+    for (int a = 0; a < 2; a++) {
+        zero_row(s, s->own[a], row);
+        zero_row(s, s->next[a], row + 1);
+    }
+    int end = s->row_end[row];
+    for (int i = s->row_start[row]; i < end; i += TILE) {
+        tile t;
+        tile_sums sums;
+        const v8 zero = v8_set(0);
+        EACH(k)
+        {
+            t.x[k] = v8_set(p->x[i + k]);
+            t.y[k] = v8_set(p->y[i + k]);
+            t.u[k] = v8_set(s->push[i + k]);
+            t.v[k] = v8_set(s->near_push[i + k]);
+            sums.a[k] = sums.b[k] = zero;
+        }
+        int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;
+        displacement_block(p, push, near_push, j, true, with, &t, &sums, own_x, own_y, keep);
+        keep += with & KEEP_PAIRS ? step : 0;
+        for (j += ROW_LANES; j < own_end; j += ROW_LANES) {
+            displacement_block(p, push, near_push, j, false, with, &t, &sums, own_x, own_y, keep);
+            keep += with & KEEP_PAIRS ? step : 0;
+        }
+        for (j = s->next_begin[i / TILE]; j < next_end; j += ROW_LANES) {
+            displacement_block(p, push, near_push, j, false, with, &t, &sums, next_x, next_y, keep);
+            keep += with & KEEP_PAIRS ? step : 0;
+        }
+        for (int k = 0; k < TILE; k += 2) {
+            float out[4];
+            v8_sum4(sums.a[k], sums.b[k], sums.a[k + 1], sums.b[k + 1], out);
+            s->sum[0][i + k] = out[0];
+            s->sum[1][i + k] = out[1];
+            s->sum[0][i + k + 1] = out[2];
+            s->sum[1][i + k + 1] = out[3];
+        }
+    }
+}
+
+static void displacement(const skv_rows *s, int row, bool later, const skv_row_kept *kept)
+{
+    if (kept->used >= 0)
+        later ? displacement_row(s, row, KEEP_PAIRS, kept->pairs)
+              : displacement_row(s, row, WITH_GRADIENT | KEEP_PAIRS, kept->pairs);
+    else
+        later ? displacement_row(s, row, 0, NULL) : displacement_row(s, row, WITH_GRADIENT, NULL);
+}
+
+#endif
