@@ -1,0 +1,19 @@
+/* Prints one line "name frames hash" for each of the worlds. Arguments: threads, frames. Invariant:
+ * nothing but worlds.c decides about the numbers. */
+#include "worlds.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+int main(int argc, char **argv)
+{
+    int threads = argc == 3 ? atoi(argv[1]) : 0, frames = argc == 3 ? atoi(argv[2]) : 0;
+    if (threads < 1 || frames < 1) {
+        fprintf(stderr, "usage: bits_hashes THREADS FRAMES\n");
+        return 2;
+    }
+    for (int i = 0; i < bits_count(); i++)
+        printf("%s %d %016" PRIx64 "\n", bits_name(i), frames, bits_hash(i, threads, frames));
+    return 0;
+}

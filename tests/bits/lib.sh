@@ -1,0 +1,61 @@
+# Shared by the tests of bit-equality: building the core in all its forms and comparing hashes with
+# the golden ones. Sourced, never run; the caller stands in the source folder and has set `build`.
+# shellcheck shell=bash disable=SC2034,SC2154
+
+# Frames: hashes are taken after a second, and after a tenth where a machine is slow.
+long_run=60
+short_run=6
+
+golden=tests/bits/golden.txt
+golden_scenes=tests/bits/golden-scenes.txt
+compared=0
+bad=0
+
+complain() {
+    printf '%s\n' "$*"
+    bad=$((bad + 1))
+}
+
+# core NAME CMAKE-OPTION...: builds the core and bits_hashes in a folder of their own, which is
+# printed. Ends the test if that fails.
+core() {
+    local folder=$build/bits/$1 log=$build/bits/$1.log
+    shift
+    mkdir -p "$folder"
+    if ! { cmake -S . -B "$folder" -G Ninja -DSKVALP_CORE_ONLY=ON "$@" &&
+        ninja -C "$folder" bits_hashes; } >"$log" 2>&1; then
+        tail -n 20 "$log" >&2
+        printf 'building the core with %s failed\n' "$*" >&2
+        return 1
+    fi
+    printf '%s' "$folder"
+}
+
+# same WHAT EXPECTED COMMAND...: the command must print what the file EXPECTED holds.
+same() {
+    local what=$1 expected=$2 difference
+    shift 2
+    if difference=$(diff "$expected" <("$@" 2>&1)); then
+        compared=$((compared + 1))
+        return
+    fi
+    complain "$what: not the golden hashes (< golden, > here):"
+    printf '%s\n' "$difference" | grep '^[<>]' | sort -k2,2 -s | head -n 8
+}
+
+# same_worlds WHAT FRAMES COMMAND...: the command must print the golden hashes of so many frames.
+same_worlds() {
+    local what=$1 frames=$2
+    shift 2
+    same "$what" <(awk -v frames="$frames" '$2 == frames' "$golden") "$@"
+}
+
+# verdict: the last line of a test.
+verdict() {
+    if ((bad > 0)); then
+        printf 'after a change of the physics on purpose: scripts/update-golden.sh\n'
+        exit 1
+    fi
+    ((compared > 0)) || exit 1
+    printf 'bits: %d runs gave the golden hashes\n' "$compared"
+}

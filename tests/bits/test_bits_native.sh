@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# The same bits from gcc and clang, Debug and Release, scalar, SSE2 and AVX2, on 1 to 16 threads.
+# Every build with every instruction set runs on one thread and on one other number of threads;
+# with SKV_LONG_TESTS=1 on all of them. Arguments: build folder, source folder.
+set -euo pipefail
+build=$(realpath "${1:?usage: test_bits_native.sh BUILD SOURCE}")
+cd "${2:?usage: test_bits_native.sh BUILD SOURCE}"
+# shellcheck source=tests/bits/lib.sh
+source tests/bits/lib.sh
+
+case $(uname -m) in
+x86_64) sets=(scalar sse2 avx2) ;;
+aarch64) sets=(scalar neon) ;;
+*) sets=(scalar) ;;
+esac
+many=(2 3 4 8 16)
+
+turn=0
+for compiler in gcc clang-19; do
+    for type in Release Debug; do
+        folder=$(core "$compiler-$type" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE="$type")
+        for set in "${sets[@]}"; do
+            threads=(1 "${many[turn++ % ${#many[@]}]}")
+            [[ ${SKV_LONG_TESTS:-0} != 1 ]] || threads=(1 "${many[@]}")
+            for count in "${threads[@]}"; do
+                same_worlds "$compiler $type, $set, $count threads" "$short_run" \
+                    env SKVALP_ISA="$set" "$folder/bits_hashes" "$count" "$short_run"
+            done
+        done
+        # The long run, on what a user gets: the widest instruction set.
+        [[ $type == Debug ]] ||
+            same_worlds "$compiler $type" "$long_run" "$folder/bits_hashes" 1 "$long_run"
+    done
+done
+verdict
