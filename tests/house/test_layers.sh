@@ -38,8 +38,8 @@ layer_of() {
     skvalp/skvalp.h) printf 'world' ;;
     skvalp/*.h) basename "$name" .h ;;
     */*.h) [[ -e src/$name ]] && printf '%s' "${name%%/*}" ;;
-    # A neighbour in the same folder.
-    *) [[ -e $(dirname "$1")/$name ]] && basename "$(dirname "$1")" ;;
+    # A neighbour in the same folder, which is src/LAYER or one below it.
+    *) [[ -e $(dirname "$1")/$name ]] && cut -d / -f 2 <<<"$1" ;;
     esac || true
 }
 
@@ -78,11 +78,10 @@ check_face_file() {
 
 files=0
 for layer in "${!may[@]}"; do
-    for file in src/"$layer"/*.[ch]; do
-        [[ -e $file ]] || continue
+    while IFS= read -r file; do
         check_library_file "$file" "$layer"
         files=$((files + 1))
-    done
+    done < <(find "src/$layer" -name '*.[ch]' 2>/dev/null)
 done
 for file in include/skvalp/*.h; do
     layer=$(basename "$file" .h)
@@ -94,18 +93,17 @@ for file in include/skvalp/*.h; do
     check_library_file "$file" "$layer"
     files=$((files + 1))
 done
-for file in {app,cli,bench,examples}/*.[ch]; do
-    [[ -e $file ]] || continue
+while IFS= read -r file; do
     check_face_file "$file"
     files=$((files + 1))
-done
+done < <(find app cli bench examples -name '*.[ch]' 2>/dev/null)
 for folder in src/*/; do
     layer=$(basename "$folder")
     [[ -n ${may[$layer]-} ]] || complain "$folder" "this folder is no layer"
 done
 while IFS=: read -r file line _; do
     complain "$file:$line" "the solver must not know the world"
-done < <(grep -nE '\bskv_world' src/solver/*.[ch] 2>/dev/null || true)
+done < <(grep -rnE '\bskv_world' --include='*.[ch]' src/solver 2>/dev/null || true)
 
 ((files > 0)) || complain . "no file was found to check"
 ((bad == 0)) || exit 1

@@ -49,8 +49,8 @@ mkdir -p "$work/copy/src/solver"
 printf '#include "terrain/wall_map.h"\n' >"$work/copy/src/solver/sin.c"
 bites test_layers.sh "the solver includes the terrain" "layer solver must not include"
 
-mkdir -p "$work/copy/src/solver"
-printf 'struct skv_world;\n' >"$work/copy/src/solver/sin.c"
+mkdir -p "$work/copy/src/solver/deeper"
+printf 'struct skv_world;\n' >"$work/copy/src/solver/deeper/sin.c"
 bites test_layers.sh "the solver names the world" "the solver must not know the world"
 
 printf '#include "base/memory.h"\n' >"$work/copy/cli/sin.c"
