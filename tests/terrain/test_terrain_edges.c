@@ -1,5 +1,5 @@
 /* A terrain's edges: sizes, sides, pictures without a wall, bad definitions, memory failures. */
-#include "failing_memory.h"
+#include "support/failing_memory.h"
 #include "shapes.h"
 
 #include <float.h>

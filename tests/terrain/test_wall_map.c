@@ -1,6 +1,6 @@
 /* Wall density maps against the analytic half plane, and their limits: uniform regions, open
  * sides, scale, memory. */
-#include "failing_memory.h"
+#include "support/failing_memory.h"
 #include "shapes.h"
 #include "terrain/wall_map.h"
 

@@ -1,6 +1,6 @@
 /* An allocator that counts and can be told to fail, to show that nothing leaks. */
-#ifndef SKV_TESTS_TERRAIN_FAILING_MEMORY_H
-#define SKV_TESTS_TERRAIN_FAILING_MEMORY_H
+#ifndef SKV_TESTS_SUPPORT_FAILING_MEMORY_H
+#define SKV_TESTS_SUPPORT_FAILING_MEMORY_H
 
 #include <stddef.h>
 

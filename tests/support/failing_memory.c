@@ -1,5 +1,5 @@
 /* The counting, failing allocator. */
-#include "failing_memory.h"
+#include "support/failing_memory.h"
 
 #include "skvalp/base.h"
 
