@@ -10,6 +10,7 @@ enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_BAD = 2 };
 int run_command(const cli_options *options, skv_error *error);
 int scenes_command(const cli_options *options, skv_error *error);
 int check_command(const cli_options *options, skv_error *error);
+int bench_command(const cli_options *options, skv_error *error);
 
 /* Help: of the program, of a command, of the fields that --set changes. */
 void help_print(void);

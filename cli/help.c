@@ -11,6 +11,7 @@ void help_print(void)
          "  run SCENE     simulate a scene; write numbers, tables, pictures, a video\n"
          "  check SCENE   load a scene and say what it is, or what is wrong with it\n"
          "  scenes        list the built-in scenes\n"
+         "  bench         measure what a step costs\n"
          "  help set      list the fields that --set can change\n"
          "\n"
          "SCENE is a built-in name, a .json or a .png. 'skvalp COMMAND --help' lists the options.\n"
@@ -29,6 +30,12 @@ void help_print_command(command which)
     case COMMAND_CHECK:
         puts("usage: skvalp check SCENE [OPTION...]\n\n"
              "Loads and validates a scene without running it.\n");
+        break;
+    case COMMAND_BENCH:
+        puts("usage: skvalp bench [OPTION...]\n\n"
+             "Measures what a step costs: at rest and in motion, with both pressure laws, from\n"
+             "thousands to a million particles, on one thread and on all, beside the reference\n"
+             "solver. Takes minutes; wants the machine to itself.\n");
         break;
     }
     options_print_help(which, stdout);

@@ -35,7 +35,7 @@ typedef struct option_rule {
 
 #define AT(field)      offsetof(cli_options, field)
 #define SCENE_COMMANDS (COMMAND_RUN | COMMAND_CHECK)
-#define ALL_COMMANDS   (COMMAND_RUN | COMMAND_SCENES | COMMAND_CHECK)
+#define ALL_COMMANDS   (COMMAND_RUN | COMMAND_SCENES | COMMAND_CHECK | COMMAND_BENCH)
 
 static const option_rule rules[] = {
     {"seconds", "T", COMMAND_RUN, KIND_NUMBER, AT(seconds), 0, 86400, " s",
@@ -61,7 +61,19 @@ static const option_rule rules[] = {
      "write t,id,x,y,vx,vy,pressure of every particle; - is stdout"},
     {"trace-every", "S", COMMAND_RUN, KIND_NUMBER, AT(trace_every), 0.001, 86400, " s",
      "time between the moments of --trace; default 0.1"},
-    {"json", NULL, COMMAND_RUN | COMMAND_SCENES, KIND_FLAG, AT(json), 0, 0, "",
+    {"quick", NULL, COMMAND_BENCH, KIND_FLAG, AT(quick), 0, 0, "",
+     "up to 100000 particles and fewer rounds: under a minute"},
+    {"particles", "N", COMMAND_BENCH, KIND_INTEGER, AT(particles), 1000, SKV_MAX_PARTICLES, "",
+     "measure this number of particles only"},
+    {"threads", "K", COMMAND_BENCH, KIND_INTEGER, AT(threads), 0, SKV_MAX_THREADS, "",
+     "what is measured beside one thread; 0, the default: one per core"},
+    {"csv", "FILE", COMMAND_BENCH, KIND_FILE, AT(csv), 0, 0, "",
+     "write all figures, with the processor's name; - is stdout"},
+    {"plot", "FILE.svg", COMMAND_BENCH, KIND_FILE, AT(plot), 0, 0, "",
+     "draw the cost of a particle against their number"},
+    {"markdown", NULL, COMMAND_BENCH, KIND_FLAG, AT(markdown), 0, 0, "",
+     "print the tables as Markdown"},
+    {"json", NULL, COMMAND_RUN | COMMAND_SCENES | COMMAND_BENCH, KIND_FLAG, AT(json), 0, 0, "",
      "print the result as JSON"},
     {"quiet", NULL, ALL_COMMANDS, KIND_FLAG, AT(quiet), 0, 0, "",
      "print errors and what was asked for, nothing else"},
@@ -71,7 +83,17 @@ enum { RULE_COUNT = (int)(sizeof rules / sizeof rules[0]) };
 
 static const char *command_name(command which)
 {
-    return which == COMMAND_RUN ? "run" : which == COMMAND_SCENES ? "scenes" : "check";
+    switch (which) {
+    case COMMAND_RUN:
+        return "run";
+    case COMMAND_SCENES:
+        return "scenes";
+    case COMMAND_CHECK:
+        return "check";
+    case COMMAND_BENCH:
+        return "bench";
+    }
+    return "";
 }
 
 /* Levenshtein distance; names longer than the table are not similar to any option. */
@@ -309,7 +331,7 @@ static bool ends_with_mp4(const char *name)
 static skv_result check_together(command which, const cli_options *given, skv_error *error)
 {
     bool pictures = given->png || given->video;
-    if (which != COMMAND_SCENES && !given->scene) {
+    if ((SCENE_COMMANDS & which) && !given->scene) {
         return skv_fail(
             error, SKV_ERROR_VALUE,
             "%s: SCENE is missing; name a built-in scene (see 'skvalp scenes'), a .json "
@@ -339,6 +361,13 @@ static skv_result check_together(command which, const cli_options *given, skv_er
                         "--%s: '-' and --%s would both write to stdout; name a file for one",
                         is_dash(given->trace) ? "trace" : "csv", given->json ? "json" : "csv");
     }
+    if (given->markdown && (given->json || is_dash(given->csv))) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--markdown: it and %s would both write to stdout; leave one away",
+                        given->json ? "--json" : "--csv -");
+    }
+    if (is_dash(given->plot))
+        return skv_fail(error, SKV_ERROR_VALUE, "--plot: '-' is not supported; name a file");
     if (is_dash(given->png))
         return skv_fail(error, SKV_ERROR_VALUE, "--png: '-' is not supported; name a file");
     return SKV_OK;
@@ -366,10 +395,11 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
             return skv_fail(error, SKV_ERROR_VALUE,
                             "%s: no such option; options have two dashes, see 'skvalp %s --help'",
                             text, command_name(which));
-        } else if (which == COMMAND_SCENES) {
-            return skv_fail(error, SKV_ERROR_VALUE,
-                            "scenes: it takes no name, but got '%s'; to look into one, use check",
-                            text);
+        } else if (!(SCENE_COMMANDS & which)) {
+            return skv_fail(
+                error, SKV_ERROR_VALUE, "%s: it takes no name, but got '%s'; to %s one, use %s",
+                command_name(which), text, which == COMMAND_BENCH ? "simulate" : "look into",
+                which == COMMAND_BENCH ? "run" : "check");
         } else if (result->scene) {
             return skv_fail(error, SKV_ERROR_VALUE,
                             "%s: one scene at a time, but got '%s' and '%s'; leave one away",

@@ -8,21 +8,28 @@
 #include "skvalp/scene.h"
 
 /* The commands, as bits, so that the table can say which options belong to which. */
-typedef enum command { COMMAND_RUN = 1, COMMAND_SCENES = 2, COMMAND_CHECK = 4 } command;
+typedef enum command {
+    COMMAND_RUN = 1,
+    COMMAND_SCENES = 2,
+    COMMAND_CHECK = 4,
+    COMMAND_BENCH = 8
+} command;
 
 /* Smallest and largest side of a picture in pixels. */
 #define PICTURE_MIN 16
 #define PICTURE_MAX 8192
 
 typedef struct cli_options {
-    const char *scene;                     /* null for `scenes` */
+    const char *scene;                     /* null for `scenes` and `bench` */
     double seconds;                        /* negative: what the scene says */
     double trace_every;                    /* s; 0: --trace-every was not given */
     int particles;                         /* 0: what the scene says */
     int threads;                           /* 0: one per core */
     int width, height;                     /* of pictures; 0: chosen from the world's shape */
     const char *png, *video, *csv, *trace; /* null: not wanted */
+    const char *plot;                      /* of `bench`; null: not wanted */
     bool json, tracers, quiet, help;
+    bool quick, markdown;  /* of `bench` */
     skv_setting *settings; /* --law and --set, in the order of the command line; owned */
     int setting_count;
 } cli_options;

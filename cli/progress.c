@@ -39,24 +39,35 @@ progress_line progress_start(const char *label, double total, bool quiet)
                            .updated = now};
 }
 
+static bool is_due(const progress_line *progress)
+{
+    return progress->wanted && clock_seconds() - progress->updated >= 0.1;
+}
+
+void progress_show(progress_line *progress, const char *text)
+{
+    if (!is_due(progress))
+        return;
+    int width = columns();
+    cleanup_set_line(true);
+    fprintf(stderr, "\r%-*.*s", width, width, text);
+    fflush(stderr);
+    progress->shown = true;
+    progress->updated = clock_seconds();
+}
+
 void progress_update(progress_line *progress, double simulated)
 {
-    double now = progress->wanted ? clock_seconds() : 0;
-    if (!progress->wanted || now - progress->updated < 0.1)
+    if (!is_due(progress))
         return;
-    double speed = simulated / (now - progress->started);
+    double speed = simulated / (clock_seconds() - progress->started);
     double left = speed > 0 ? (progress->total - simulated) / speed : 0;
     char line[256];
     snprintf(line, sizeof line, "%.24s  %.2f / %.2f s  %3.0f %%  %.2fx real time  %d:%02d left",
              progress->label, simulated, progress->total,
              progress->total > 0 ? 100 * simulated / progress->total : 100, speed, (int)(left / 60),
              (int)left % 60);
-    int width = columns();
-    cleanup_set_line(true);
-    fprintf(stderr, "\r%-*.*s", width, width, line);
-    fflush(stderr);
-    progress->shown = true;
-    progress->updated = now;
+    progress_show(progress, line);
 }
 
 void progress_end(progress_line *progress)

@@ -1,4 +1,4 @@
-/* The line on a terminal that says how far a run is. */
+/* The line on a terminal that says how far the work is. */
 #ifndef CLI_PROGRESS_H
 #define CLI_PROGRESS_H
 
@@ -19,6 +19,8 @@ double clock_seconds(void);
 progress_line progress_start(const char *label, double total, bool quiet);
 /* Shows where the run is, at most ten times a second. */
 void progress_update(progress_line *progress, double simulated);
+/* Shows a text of one's own, as often. */
+void progress_show(progress_line *progress, const char *text);
 /* Takes the line away. */
 void progress_end(progress_line *progress);
 

@@ -1,0 +1,84 @@
+/* Measuring: what a substep costs, in two scenes, with both pressure laws, from thousands to a
+ * million particles, beside the reference solver on the same particles.
+ *
+ * A case is a scene, a law and a number of particles; each case gives one row per number of
+ * threads, 1 and all. docs/performance.md says how the times are taken and what they came to.
+ */
+#ifndef BENCH_BENCH_H
+#define BENCH_BENCH_H
+
+#include <stdio.h>
+
+#include "skvalp/scene.h"
+
+/* Above this number of particles the reference solver is left out. */
+#define BENCH_REFERENCE_MOST 100000
+
+typedef struct bench_options {
+    bool quick;    /* up to 100 000 particles, fewer rounds */
+    int particles; /* measure this number only; 0: all that the tables ask for */
+    int threads;   /* what "all threads" means; 0: one per physical core */
+} bench_options;
+
+typedef struct bench_case {
+    const char *scene; /* "pool": at rest; "dam-break": in motion */
+    skv_law law;
+    bool viscous;  /* with pair viscosity */
+    int particles; /* as asked for */
+} bench_case;
+
+/* Seconds a substep, over the rounds. */
+typedef struct bench_time {
+    double minimum, median;
+} bench_time;
+
+typedef struct bench_row {
+    bench_case what;
+    int particles; /* as counted */
+    int threads;
+    int substeps; /* a 1/60 s frame */
+    double neighbours;
+    bench_time fast;
+    bench_time reference; /* NaN where it was left out */
+    double bytes;         /* a particle, of the solver's own arrays */
+    skv_profile phases;   /* seconds a substep of the fastest round */
+} bench_row;
+
+typedef struct bench_report {
+    char cpu[96];
+    char compiler[64];
+    const char *instruction_set;
+    int threads; /* of the rows that are not for one thread */
+    bool quick;
+    int only; /* the one number of particles that was asked for; 0: all tables */
+    int lost; /* particles that escaped or are not finite: the figures are worth nothing */
+    int count;
+    bench_row *row;
+} bench_report;
+
+/* Called before each case and each of its rounds. */
+typedef void bench_progress(const bench_case *what, int done, int total, void *user);
+
+/* Measures everything; takes under a minute with `quick` and minutes without. `report` needs
+ * bench_report_free afterwards, also on failure. */
+skv_result bench_measure(const bench_options *options, bench_progress *progress, void *user,
+                         bench_report *report, skv_error *error);
+void bench_report_free(bench_report *report);
+
+/* The row of a case, or null. `threads`: 1, or anything else for all. */
+const bench_row *bench_find(const bench_report *report, const bench_case *what, int threads);
+
+/* Nanoseconds a particle and substep. */
+double bench_ns(const bench_row *row, double seconds);
+/* How many times as long the reference takes; NaN where it was left out. */
+double bench_ratio(const bench_row *row);
+/* How many times as fast as one thread; NaN on one thread. */
+double bench_speedup(const bench_report *report, const bench_row *row);
+
+/* The report as tables to read, as aligned text or as Markdown; as CSV, one line a row; and the
+ * cost against the number of particles as a picture in SVG. */
+void bench_write_tables(FILE *out, const bench_report *report, bool markdown);
+void bench_write_csv(FILE *out, const bench_report *report);
+void bench_write_plot(FILE *out, const bench_report *report);
+
+#endif

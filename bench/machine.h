@@ -1,0 +1,12 @@
+/* What the figures were measured on. */
+#ifndef BENCH_MACHINE_H
+#define BENCH_MACHINE_H
+
+#include <stddef.h>
+
+/* The processor's name as the system tells it; "unknown" if it does not. */
+void bench_name_cpu(char *text, size_t size);
+/* The compiler that built this program, with its version. */
+void bench_name_compiler(char *text, size_t size);
+
+#endif

@@ -1,0 +1,66 @@
+/* Lists what is measured: the main table, the thesis' tables, and what the figures to reach ask
+ * for. Invariant: no case is listed twice, however many tables want it. */
+#include "plan.h"
+
+#include <string.h>
+
+const int bench_sizes[BENCH_SIZES] = {3000, 10000, 30000, 100000, 300000, 1000000};
+const char *const bench_scenes[2] = {"pool", "dam-break"};
+
+enum { QUICK_MOST = 100000 };
+
+static const skv_law laws[2] = {SKV_LAW_CALIBRATED, SKV_LAW_CLAVET};
+
+bool bench_usual_viscosity(skv_law law)
+{
+    return law == SKV_LAW_CLAVET;
+}
+
+typedef struct plan {
+    bench_case *cases;
+    int count;
+} plan;
+
+static void add(plan *p, const char *scene, skv_law law, bool viscous, int particles)
+{
+    for (int i = 0; i < p->count; i++) {
+        const bench_case *c = &p->cases[i];
+        if (strcmp(c->scene, scene) == 0 && c->law == law && c->viscous == viscous &&
+            c->particles == particles)
+            return;
+    }
+    if (p->count < BENCH_MAX_CASES)
+        p->cases[p->count++] = (bench_case){scene, law, viscous, particles};
+}
+
+/* Both scenes with both laws. */
+static void add_all(plan *p, int particles)
+{
+    for (int scene = 0; scene < 2; scene++)
+        for (int law = 0; law < 2; law++)
+            add(p, bench_scenes[scene], laws[law], bench_usual_viscosity(laws[law]), particles);
+}
+
+int bench_plan(const bench_options *options, bench_case cases[BENCH_MAX_CASES])
+{
+    plan p = {.cases = cases};
+    if (options->particles) {
+        add_all(&p, options->particles);
+        return p.count;
+    }
+    /* Table 4.2 of the thesis. */
+    for (int particles = 2000; particles <= 5000; particles += 500)
+        add_all(&p, particles);
+    /* Table 4.1: four sets of parameters. */
+    for (int scene = 0; scene < 2; scene++)
+        for (int law = 0; law < 2; law++)
+            add(&p, bench_scenes[scene], laws[law], !bench_usual_viscosity(laws[law]), 3000);
+    for (int i = 0; i < BENCH_SIZES; i++)
+        if (!options->quick || bench_sizes[i] <= QUICK_MOST)
+            add_all(&p, bench_sizes[i]);
+    /* Figures to reach that no table has. */
+    add(&p, "pool", SKV_LAW_CALIBRATED, true, 10000);
+    add(&p, "pool", SKV_LAW_CALIBRATED, false, 20000);
+    add(&p, "pool", SKV_LAW_CALIBRATED, false, 25000);
+    return p.count;
+}

@@ -1,0 +1,22 @@
+/* Which cases are measured. */
+#ifndef BENCH_PLAN_H
+#define BENCH_PLAN_H
+
+#include "bench.h"
+
+enum { BENCH_MAX_CASES = 80, BENCH_SIZES = 6 };
+
+/* The numbers of particles of the main table. */
+extern const int bench_sizes[BENCH_SIZES];
+
+/* The scenes: at rest, and in motion. */
+extern const char *const bench_scenes[2];
+
+/* The pair of law and viscosity that the main table has: clavet's law is the thesis', which has
+ * viscosity; the calibrated one is meant without. */
+bool bench_usual_viscosity(skv_law law);
+
+/* Writes the cases, each once, smallest first within a table; returns their number. */
+int bench_plan(const bench_options *options, bench_case cases[BENCH_MAX_CASES]);
+
+#endif

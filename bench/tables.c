@@ -1,0 +1,223 @@
+/* Prints a report as tables. Invariant: every figure here stands in the CSV, too, or follows from
+ * two of its columns; the thesis' figures are those of its tables 4.1 and 4.2. */
+#include <math.h>
+#include <string.h>
+
+#include "plan.h"
+#include "table.h"
+#include "targets.h"
+
+static const char *fluid_name(const bench_case *what)
+{
+    if (what->law == SKV_LAW_CLAVET)
+        return what->viscous ? "clavet" : "clavet, no viscosity";
+    return what->viscous ? "calibrated, viscous" : "calibrated";
+}
+
+static const char *scene_name(const char *scene)
+{
+    return strcmp(scene, "pool") == 0 ? "pool, at rest" : "dam break, in motion";
+}
+
+/* ---- The main table -------------------------------------------------------------------------- */
+
+static bool in_main_table(const bench_report *report, const bench_row *row)
+{
+    if (row->threads != 1)
+        return false;
+    bool listed = report->only != 0;
+    for (int i = 0; i < BENCH_SIZES; i++)
+        listed = listed || row->what.particles == bench_sizes[i];
+    return listed;
+}
+
+static void main_row(table *t, const bench_report *report, const bench_row *one)
+{
+    const bench_row *all = bench_find(report, &one->what, report->threads);
+    table_row(t);
+    table_cell(t, "%s", fluid_name(&one->what));
+    table_cell(t, "%d", one->particles);
+    table_number(t, one->neighbours, 1);
+    table_number(t, 1e3 * one->fast.minimum, -3);
+    table_number(t, bench_ns(one, one->fast.minimum), 1);
+    table_number(t, bench_ns(one, one->fast.median), 1);
+    table_number(t, bench_ns(all, all->fast.minimum), 1);
+    table_number(t, bench_ns(all, all->fast.median), 1);
+    table_number(t, bench_speedup(report, all), 2);
+    table_number(t, bench_ns(one, one->reference.minimum), 0);
+    table_number(t, bench_ratio(one), 1);
+    table_number(t, bench_ratio(all), 1);
+    table_number(t, one->bytes, 0);
+}
+
+static void write_scene(FILE *out, const bench_report *report, bool markdown, const char *scene)
+{
+    static const char *const heads[] = {
+        "law",       ">particles",   ">neighbours", ">ms/step x1", ">ns x1",
+        ">median",   ">ns x all",    ">median",     ">speed-up",   ">reference x1",
+        ">ratio x1", ">ratio x all", ">bytes",      NULL};
+    char title[64];
+    snprintf(title, sizeof title, "Cost of a substep: %s", scene_name(scene));
+    table t;
+    table_begin(&t, out, markdown, title, heads);
+    for (int fluid = 0; fluid < 4; fluid++)
+        for (int i = 0; i < report->count; i++) {
+            const bench_row *row = &report->row[i];
+            if (in_main_table(report, row) && strcmp(row->what.scene, scene) == 0 &&
+                (int)row->what.law == fluid / 2 && row->what.viscous == fluid % 2)
+                main_row(&t, report, row);
+        }
+    table_end(&t);
+}
+
+/* ---- Phases ---------------------------------------------------------------------------------- */
+
+static void phase_row(table *t, const bench_row *row)
+{
+    table_row(t);
+    table_cell(t, "%s", fluid_name(&row->what));
+    table_cell(t, "%d", row->particles);
+    table_cell(t, "%d", row->threads);
+    double sum = 0;
+    for (int i = 0; i < row->phases.count; i++) {
+        sum += row->phases.seconds[i];
+        table_number(t, bench_ns(row, row->phases.seconds[i]), 1);
+    }
+    table_number(t, bench_ns(row, fmax(0, row->fast.minimum - sum)), 1);
+    table_number(t, bench_ns(row, row->fast.minimum), 1);
+}
+
+static void write_phases(FILE *out, const bench_report *report, bool markdown)
+{
+    const skv_profile *names = &report->row[0].phases;
+    const char *heads[TABLE_COLUMNS] = {"law", ">particles", ">threads"};
+    char name[TABLE_COLUMNS][TABLE_CELL];
+    int count = 3;
+    for (int i = 0; i < names->count && count < TABLE_COLUMNS - 3; i++, count++) {
+        snprintf(name[count], TABLE_CELL, ">%s", names->name[i]);
+        heads[count] = name[count];
+    }
+    heads[count++] = ">rest";
+    heads[count++] = ">sum";
+    table t;
+    table_begin(&t, out, markdown, "Phases in the pool, ns a particle and substep", heads);
+    for (int law = 0; law < 2; law++)
+        for (int i = 0; i < report->count; i++) {
+            const bench_row *row = &report->row[i];
+            if ((int)row->what.law == law && strcmp(row->what.scene, "pool") == 0 &&
+                row->what.viscous == bench_usual_viscosity(row->what.law) &&
+                (report->only || row->what.particles == 3000 || row->what.particles == 10000 ||
+                 row->what.particles == 100000 || row->what.particles == 1000000))
+                phase_row(&t, row);
+        }
+    table_end(&t);
+}
+
+/* ---- The thesis' tables ---------------------------------------------------------------------- */
+
+/* Milliseconds of what the thesis calls a frame. Its law takes one step a frame; the calibrated law
+ * takes the substeps of 1/60 s. */
+static double frame(const bench_row *row)
+{
+    if (!row)
+        return NAN;
+    return 1e3 * row->fast.minimum * (row->what.law == SKV_LAW_CLAVET ? 1 : row->substeps);
+}
+
+static double frame_of(const bench_report *report, int scene, skv_law law, bool viscous,
+                       int particles, int threads)
+{
+    const bench_case what = {bench_scenes[scene], law, viscous, particles};
+    return frame(bench_find(report, &what, threads));
+}
+
+static void write_threading(FILE *out, const bench_report *report, bool markdown)
+{
+    static const struct {
+        double one, four, factor;
+    } thesis[2][4] = {{{36, 11, 3.3}, {34, 10, 3.4}, {24, 8.1, 3.0}, {50, 15, 3.3}},
+                      {{32, 11, 2.9}, {32, 10, 3.2}, {23, 8.5, 2.7}, {42, 14, 3.0}}};
+    static const struct {
+        skv_law law;
+        bool viscous;
+    } set[4] = {{SKV_LAW_CLAVET, true},
+                {SKV_LAW_CLAVET, false},
+                {SKV_LAW_CALIBRATED, false},
+                {SKV_LAW_CALIBRATED, true}};
+    static const char *const heads[] = {"test",        ">Tegra 3 x1",    ">Tegra 3 x4",
+                                        ">factor",     "our parameters", ">here x1",
+                                        ">here x all", ">factor",        NULL};
+    table t;
+    table_begin(&t, out, markdown,
+                "Table 4.1 of the thesis: 3000 particles, ms a frame, and the gain from threads",
+                heads);
+    for (int scene = 0; scene < 2; scene++)
+        for (int i = 0; i < 4; i++) {
+            const bench_case what = {bench_scenes[scene], set[i].law, set[i].viscous, 3000};
+            double one = frame(bench_find(report, &what, 1));
+            double all = report->threads > 1 ? frame(bench_find(report, &what, 2)) : NAN;
+            table_row(&t);
+            table_cell(&t, "%s test %d", scene ? "dynamic" : "static", i + 1);
+            table_number(&t, thesis[scene][i].one, -2);
+            table_number(&t, thesis[scene][i].four, -2);
+            table_number(&t, thesis[scene][i].factor, 1);
+            table_cell(&t, "%s", fluid_name(&what));
+            table_number(&t, one, -3);
+            table_number(&t, all, -3);
+            table_number(&t, one / all, 2);
+        }
+    table_end(&t);
+    table_note(out, "A frame of clavet is one substep, as in the thesis (slow motion); a frame of "
+                    "calibrated is 1/60 s in real time.\nThe thesis does not say what its four "
+                    "sets of parameters were.");
+}
+
+static void write_counts(FILE *out, const bench_report *report, bool markdown)
+{
+    static const struct {
+        int particles;
+        double rest, moving;
+    } thesis[] = {{2000, 6.9, 6.3}, {2500, 8.7, 8.3}, {3000, 11, 10}, {3500, 13.5, 13},
+                  {4000, 16, 15},   {4500, 18.5, 17}, {5000, 21, 21}};
+    static const char *const heads[] = {
+        ">particles", ">Tegra 3 static",    ">dynamic", ">clavet static",
+        ">dynamic",   ">calibrated static", ">dynamic", NULL};
+    table t;
+    table_begin(&t, out, markdown,
+                "Table 4.2 of the thesis: ms a frame on all threads, by number of particles",
+                heads);
+    for (size_t i = 0; i < sizeof thesis / sizeof *thesis; i++) {
+        table_row(&t);
+        table_cell(&t, "%d", thesis[i].particles);
+        table_number(&t, thesis[i].rest, 1);
+        table_number(&t, thesis[i].moving, 1);
+        for (int law = SKV_LAW_CLAVET; law >= SKV_LAW_CALIBRATED; law--)
+            for (int scene = 0; scene < 2; scene++)
+                table_number(&t,
+                             frame_of(report, scene, (skv_law)law,
+                                      bench_usual_viscosity((skv_law)law), thesis[i].particles, 2),
+                             -3);
+    }
+    table_end(&t);
+}
+
+void bench_write_tables(FILE *out, const bench_report *report, bool markdown)
+{
+    fprintf(out, "%s, %s, %d thread%s, %s, skvalp %s%s\n", report->cpu, report->instruction_set,
+            report->threads, report->threads == 1 ? "" : "s", report->compiler, skv_version(),
+            report->quick ? ", quick" : "");
+    if (report->count == 0)
+        return;
+    if (!report->only)
+        bench_write_targets(out, report, markdown);
+    for (int scene = 0; scene < 2; scene++)
+        write_scene(out, report, markdown, bench_scenes[scene]);
+    table_note(out, "ns: nanoseconds a particle and substep, the shortest time and the median; x1: "
+                    "one thread.\nreference: the same for the reference solver; ratio: how many "
+                    "times as long it takes, with as many threads.");
+    write_phases(out, report, markdown);
+    if (!report->only) {
+        write_threading(out, report, markdown);
+        write_counts(out, report, markdown);
+    }
+}

@@ -1,0 +1,132 @@
+/* skvalp bench: measures what a substep costs, and writes it down.
+ *
+ * Invariant: nothing is printed and no file gets its name before all of it has been measured.
+ */
+#include "commands.h"
+
+#include <math.h>
+
+#include "bench/bench.h"
+#include "cleanup.h"
+#include "json.h"
+#include "output_file.h"
+#include "progress.h"
+
+static void show_case(const bench_case *what, int done, int total, void *user)
+{
+    char text[128];
+    snprintf(text, sizeof text, "bench  %3.0f %%  %s, %s law, %d particles", 100.0 * done / total,
+             what->scene, skv_law_name(what->law), what->particles);
+    progress_show(user, text);
+}
+
+static void json_field(const char *key, double value)
+{
+    printf(", \"%s\": ", key);
+    json_number(stdout, value);
+}
+
+static void print_json_row(const bench_report *report, const bench_row *row)
+{
+    fputs("{\"scene\": ", stdout);
+    json_text(stdout, row->what.scene);
+    printf(", \"law\": \"%s\", \"viscosity\": %s, \"particles\": %d, \"threads\": %d, "
+           "\"substeps\": %d",
+           skv_law_name(row->what.law), row->what.viscous ? "true" : "false", row->particles,
+           row->threads, row->substeps);
+    json_field("neighbours", row->neighbours);
+    json_field("ms_per_step", 1e3 * row->fast.minimum);
+    json_field("ms_per_step_median", 1e3 * row->fast.median);
+    json_field("ns_per_particle_substep", bench_ns(row, row->fast.minimum));
+    json_field("ns_per_particle_substep_median", bench_ns(row, row->fast.median));
+    json_field("reference_ns_per_particle_substep", bench_ns(row, row->reference.minimum));
+    json_field("ratio", bench_ratio(row));
+    json_field("bytes_per_particle", row->bytes);
+    fputs(", \"phases\": {", stdout);
+    for (int i = 0; i < row->phases.count; i++) {
+        fputs(i ? ", " : "", stdout);
+        json_text(stdout, row->phases.name[i]);
+        fputs(": ", stdout);
+        json_number(stdout, bench_ns(row, row->phases.seconds[i]));
+    }
+    fputs("}, \"instruction_set\": ", stdout);
+    json_text(stdout, report->instruction_set);
+    fputs(", \"compiler\": ", stdout);
+    json_text(stdout, report->compiler);
+    fputs(", \"cpu\": ", stdout);
+    json_text(stdout, report->cpu);
+    putchar('}');
+}
+
+static void print_json(const bench_report *report)
+{
+    putchar('[');
+    for (int i = 0; i < report->count; i++) {
+        fputs(i ? ",\n " : "\n ", stdout);
+        print_json_row(report, &report->row[i]);
+    }
+    puts("\n]");
+}
+
+static skv_result open_outputs(const cli_options *options, output_file *csv, output_file *plot,
+                               skv_error *error)
+{
+    skv_result result = SKV_OK;
+    if (options->csv)
+        result = output_file_open(csv, options->csv, error);
+    if (!result && options->plot)
+        result = output_file_open(plot, options->plot, error);
+    if (!result && output_file_same(csv, plot))
+        result = skv_fail(error, SKV_ERROR_VALUE,
+                          "%s: two outputs would go there; name a second file", options->plot);
+    return result;
+}
+
+/* Writes all that was asked for. */
+static skv_result write_report(const cli_options *options, const bench_report *report,
+                               output_file *csv, output_file *plot, skv_error *error)
+{
+    if (csv->stream)
+        bench_write_csv(csv->stream, report);
+    if (plot->stream)
+        bench_write_plot(plot->stream, report);
+    skv_result result = output_file_commit(csv, error);
+    if (!result)
+        result = output_file_commit(plot, error);
+    if (result)
+        return result;
+    if (options->json)
+        print_json(report);
+    else if (options->markdown || (!options->quiet && !options_use_stdout(options)))
+        bench_write_tables(stdout, report, options->markdown);
+    return SKV_OK;
+}
+
+int bench_command(const cli_options *options, skv_error *error)
+{
+    const bench_options wanted = {options->quick, options->particles, options->threads};
+    output_file csv = {0}, plot = {0};
+    bench_report report = {0};
+    int status = STATUS_BAD;
+    cleanup_install();
+    skv_result result = open_outputs(options, &csv, &plot, error);
+    if (!result) {
+        progress_line progress = progress_start("bench", 0, options->quiet);
+        result = bench_measure(&wanted, show_case, &progress, &report, error);
+        progress_end(&progress);
+    }
+    if (!result)
+        result = write_report(options, &report, &csv, &plot, error);
+    if (!result)
+        status = STATUS_DONE;
+    if (!result && report.lost) {
+        skv_fail(error, SKV_ERROR_VALUE,
+                 "bench: %d particles escaped or are not finite; the figures are worth nothing",
+                 report.lost);
+        status = STATUS_FAILED;
+    }
+    output_file_discard(&csv);
+    output_file_discard(&plot);
+    bench_report_free(&report);
+    return status;
+}

@@ -1,0 +1,213 @@
+/* What bench reports: the JSON contract, figures that agree with each other, and the files. No
+ * test asserts a time, only that there is one. SKV_LONG_TESTS=1 measures all that --quick does. */
+#include <math.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <cmocka.h>
+#include <jansson.h>
+
+#include "program.h"
+
+static double number(const json_t *row, const char *key)
+{
+    const json_t *value = json_object_get(row, key);
+    if (!json_is_number(value))
+        fail_msg("%s is no number", key);
+    return json_number_value(value);
+}
+
+static bool close_to(double a, double b)
+{
+    return fabs(a - b) <= 1e-6 * fabs(b);
+}
+
+/* A row's figures are there, positive, and follow from each other. */
+static void check_row(const json_t *row)
+{
+    const char *scene = json_string_value(json_object_get(row, "scene"));
+    const char *law = json_string_value(json_object_get(row, "law"));
+    assert_true(strcmp(scene, "pool") == 0 || strcmp(scene, "dam-break") == 0);
+    assert_true(strcmp(law, "calibrated") == 0 || strcmp(law, "clavet") == 0);
+    assert_true(json_is_boolean(json_object_get(row, "viscosity")));
+    assert_true(json_is_string(json_object_get(row, "instruction_set")));
+    double particles = number(row, "particles"), ns = number(row, "ns_per_particle_substep");
+    assert_true(number(row, "threads") >= 1 && number(row, "substeps") >= 1);
+    assert_true(number(row, "neighbours") > 5 && number(row, "neighbours") < 60);
+    assert_true(ns > 0 && number(row, "bytes_per_particle") > 0);
+    assert_true(close_to(number(row, "ms_per_step") * 1e6, ns * particles));
+    assert_true(number(row, "ms_per_step_median") >= number(row, "ms_per_step"));
+    double reference = number(row, "reference_ns_per_particle_substep");
+    assert_true(reference > 0 && close_to(number(row, "ratio"), reference / ns));
+
+    /* The phases are a part of the time. */
+    const char *name;
+    json_t *phase, *phases = json_object_get(row, "phases");
+    double sum = 0;
+    assert_true(json_is_object(phases) && json_object_size(phases) > 0);
+    json_object_foreach(phases, name, phase)
+    {
+        assert_true(json_number_value(phase) >= 0);
+        sum += json_number_value(phase);
+    }
+    assert_true(sum > 0 && sum <= ns * 1.0001);
+}
+
+/* Runs bench and returns its array. */
+static json_t *measure(const char *folder, const char *const *arguments)
+{
+    program_result result = program_run(folder, arguments);
+    assert_int_equal(result.status, 0);
+    assert_string_equal(result.err, "");
+    json_t *array = json_loads(result.out, JSON_REJECT_DUPLICATES, NULL);
+    assert_true(json_is_array(array) && json_array_size(array) > 0);
+    for (size_t i = 0; i < json_array_size(array); i++)
+        check_row(json_array_get(array, i));
+    program_free(&result);
+    return array;
+}
+
+/* How many rows there are of a scene, a law and a number of threads. */
+static int count_rows(const json_t *array, const char *scene, const char *law, double threads)
+{
+    int count = 0;
+    for (size_t i = 0; i < json_array_size(array); i++) {
+        const json_t *row = json_array_get(array, i);
+        count += strcmp(json_string_value(json_object_get(row, "scene")), scene) == 0 &&
+                 strcmp(json_string_value(json_object_get(row, "law")), law) == 0 &&
+                 number(row, "threads") == threads;
+    }
+    return count;
+}
+
+static void test_contract(void **state)
+{
+    json_t *array =
+        measure(*state, (const char *const[]){"skvalp", "bench", "--quick", "--json", "--particles",
+                                              "1500", "--threads", "3", NULL});
+    for (double threads = 1; threads <= 3; threads += 2) {
+        assert_int_equal(count_rows(array, "pool", "calibrated", threads), 1);
+        assert_int_equal(count_rows(array, "pool", "clavet", threads), 1);
+        assert_int_equal(count_rows(array, "dam-break", "calibrated", threads), 1);
+        assert_int_equal(count_rows(array, "dam-break", "clavet", threads), 1);
+    }
+    assert_int_equal(json_array_size(array), 8);
+    for (size_t i = 0; i < 8; i++)
+        assert_in_range((int)number(json_array_get(array, i), "particles"), 1400, 1600);
+    json_decref(array);
+}
+
+static int count_character(const char *text, const char *end, char wanted)
+{
+    int count = 0;
+    for (; *text && text != end; text++)
+        count += *text == wanted;
+    return count;
+}
+
+static int count_text(const char *text, const char *wanted)
+{
+    int count = 0;
+    for (; (text = strstr(text, wanted)); text += strlen(wanted))
+        count++;
+    return count;
+}
+
+static void check_csv(const char *csv, int rows)
+{
+    assert_int_equal(count_lines(csv), 1 + rows);
+    assert_memory_equal(csv, "cpu,compiler,instruction_set,scene,law,", 39);
+    int commas = count_character(csv, strchr(csv, '\n'), ',');
+    for (const char *line = csv; *line; line = strchr(line, '\n') + 1)
+        assert_int_equal(count_character(line, strchr(line, '\n'), ','), commas);
+    assert_non_null(strstr(csv, ",dam-break,clavet,on,"));
+}
+
+/* Both panels are drawn, six lines each, and no figure went astray. */
+static void check_plot(const char *svg)
+{
+    const char end[] = "</svg>\n";
+    assert_memory_equal(svg, "<svg ", 5);
+    assert_string_equal(svg + strlen(svg) - strlen(end), end);
+    assert_int_equal(count_text(svg, "<polyline"), 12);
+    assert_int_equal(count_text(svg, "<text"), count_text(svg, "</text>"));
+    assert_null(strstr(svg, "nan"));
+    assert_null(strstr(svg, "inf"));
+    assert_non_null(strstr(svg, "prefers-color-scheme: dark"));
+}
+
+static void test_files(void **state)
+{
+    program_result result = SKVALP(*state, "bench", "--quick", "--particles", "3000", "--threads",
+                                   "2", "--markdown", "--csv", "bench.csv", "--plot", "bench.svg");
+    assert_int_equal(result.status, 0);
+    assert_string_equal(result.err, "");
+    assert_non_null(strstr(result.out, "### Cost of a substep: pool"));
+    assert_non_null(strstr(result.out, "### Cost of a substep: dam break"));
+    assert_non_null(strstr(result.out, "### Phases"));
+    program_free(&result);
+
+    assert_int_equal(folder_entries(*state), 2);
+    char *csv = file_read(*state, "bench.csv"), *svg = file_read(*state, "bench.svg");
+    check_csv(csv, 8);
+    check_plot(svg);
+    free(csv);
+    free(svg);
+
+    result = SKVALP(*state, "bench", "--quick", "--particles", "1000", "--csv", "-");
+    assert_int_equal(result.status, 0);
+    assert_memory_equal(result.out, "cpu,", 4);
+    program_free(&result);
+}
+
+static void test_interrupt(void **state)
+{
+    pid_t pid = program_start(*state, (const char *const[]){"skvalp", "bench", "--csv", "bench.csv",
+                                                            "--plot", "bench.svg", NULL});
+    nanosleep(&(struct timespec){.tv_nsec = 300000000}, NULL);
+    kill(-pid, SIGINT);
+    assert_int_equal(program_wait(pid, 10), 130);
+    assert_int_equal(folder_entries(*state), 0);
+}
+
+/* Every table, with the thesis' and the figures to reach. */
+static void test_quick(void **state)
+{
+    if (!getenv("SKV_LONG_TESTS"))
+        skip();
+    json_t *array = measure(*state, (const char *const[]){"skvalp", "bench", "--quick", "--json",
+                                                          "--csv", "quick.csv", NULL});
+    int largest = 0;
+    for (size_t i = 0; i < json_array_size(array); i++)
+        largest = (int)fmax(largest, number(json_array_get(array, i), "particles"));
+    assert_int_equal(largest, 100000);
+    char *csv = file_read(*state, "quick.csv");
+    check_csv(csv, (int)json_array_size(array));
+    free(csv);
+    json_decref(array);
+
+    program_result result = SKVALP(*state, "bench", "--quick");
+    assert_int_equal(result.status, 0);
+    assert_non_null(strstr(result.out, "Figures to reach"));
+    assert_non_null(strstr(result.out, "Table 4.1 of the thesis"));
+    assert_non_null(strstr(result.out, "Table 4.2 of the thesis"));
+    program_free(&result);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_contract, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_files, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_interrupt, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_quick, folder_setup, folder_teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
