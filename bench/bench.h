@@ -75,8 +75,8 @@ double bench_ratio(const bench_row *row);
 /* How many times as fast as one thread; NaN on one thread. */
 double bench_speedup(const bench_report *report, const bench_row *row);
 
-/* The report as tables to read, as aligned text or as Markdown; as CSV, one line a row; and the
- * cost against the number of particles as a picture in SVG. */
+/* What bench_measure has filled: as tables to read, as aligned text or as Markdown; as CSV, one
+ * line a row; and the cost against the number of particles as a picture in SVG. */
 void bench_write_tables(FILE *out, const bench_report *report, bool markdown);
 void bench_write_csv(FILE *out, const bench_report *report);
 void bench_write_plot(FILE *out, const bench_report *report);

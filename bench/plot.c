@@ -124,18 +124,17 @@ static void write_count(FILE *out, int particles)
 
 static void write_axes(const panel *p)
 {
-    static const double steps[] = {1, 2, 5};
     double right = p->left + PANEL;
-    for (double decade = 1; decade < 1e6; decade *= 10)
-        for (int i = 0; i < 3; i++) {
-            double ns = decade * steps[i], y = place_y(p, ns);
-            if (ns < p->least * 0.999 || ns > p->most * 1.001)
-                continue;
-            fprintf(p->out,
-                    "<line class=\"grid\" x1=\"%d\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>"
-                    "<text class=\"quiet\" x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n",
-                    p->left, right, y, y, p->left - 8, y + 4, ns);
-        }
+    for (int tick = 0; tick < 18; tick++) {
+        static const double steps[] = {1, 2, 5};
+        double ns = steps[tick % 3] * pow(10, tick / 3), y = place_y(p, ns);
+        if (ns < p->least * 0.999 || ns > p->most * 1.001)
+            continue;
+        fprintf(p->out,
+                "<line class=\"grid\" x1=\"%d\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>"
+                "<text class=\"quiet\" x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n",
+                p->left, right, y, y, p->left - 8, y + 4, ns);
+    }
     for (int i = 0; i < BENCH_SIZES; i++) {
         double x = place_x(p, bench_sizes[i]);
         if (x < p->left || x > right)

@@ -49,8 +49,8 @@ void bench_write_csv(FILE *out, const bench_report *report)
           "reference_ns_per_particle_substep,reference_ns_per_particle_substep_median,ratio,"
           "bytes_per_particle",
           out);
-    const skv_profile *names = report->count ? &report->row[0].phases : NULL;
-    for (int i = 0; names && i < names->count; i++)
+    const skv_profile *names = &report->row[0].phases;
+    for (int i = 0; i < names->count; i++)
         fprintf(out, ",%s_ns", names->name[i]);
     fputc('\n', out);
     for (int i = 0; i < report->count; i++) {
