@@ -34,13 +34,14 @@ void skv_pass_advance(skv_state *state, const skv_constants *constants, int begi
 void skv_pass_density(skv_state *state, const skv_constants *constants,
                       const skv_neighbours *neighbours, bool gradient, int begin, int end);
 
-/* Algorithm 6, lines 10-11: P and N of a particle from its densities, and the gauge pressure. Two
- * laws behind one signature. */
+/* Algorithm 6, lines 10-11: P and N of a particle from its densities. Two laws behind one
+ * signature. */
 typedef void skv_pressure_law(skv_state *state, const skv_constants *constants, int begin, int end);
 skv_pressure_law skv_pass_pressure_calibrated;
 skv_pressure_law skv_pass_pressure_clavet;
 
-/* Algorithm 6, lines 13-19: collects the displacement in dx, dy. */
+/* Algorithm 6, lines 13-19: collects the displacement in dx, dy, and adds the virial to the gauge
+ * pressure. */
 void skv_pass_displacement(skv_state *state, const skv_constants *constants,
                            const skv_neighbours *neighbours, int begin, int end);
 

@@ -33,11 +33,6 @@ void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours
     }
 }
 
-static void gauge(skv_state *s, const skv_constants *c, int i)
-{
-    s->pressure[i] += c->pressure_scale * s->push[i] + c->near_pressure_scale * s->near_push[i];
-}
-
 void skv_pass_pressure_calibrated(skv_state *s, const skv_constants *c, int begin, int end)
 {
     for (int i = begin; i < end; i++) {
@@ -53,7 +48,6 @@ void skv_pass_pressure_calibrated(skv_state *s, const skv_constants *c, int begi
             excess *= c->cohesion_share;
         s->push[i] = c->push_scale * excess / response;
         s->near_push[i] = c->near_push_scale * s->near_density[i] / response;
-        gauge(s, c, i);
     }
 }
 
@@ -68,7 +62,6 @@ void skv_pass_pressure_clavet(skv_state *s, const skv_constants *c, int begin, i
         float scale = strength > c->push_limit ? c->push_limit / strength : 1;
         s->push[i] = scale * push;
         s->near_push[i] = scale * near_push;
-        gauge(s, c, i);
     }
 }
 
@@ -76,7 +69,7 @@ void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neigh
                            int end)
 {
     for (int i = begin; i < end; i++) {
-        float sum_x = 0, sum_y = 0;
+        float sum_x = 0, sum_y = 0, virial = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
             int j = n->list[k];
             skv_pair pair;
@@ -86,10 +79,14 @@ void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neigh
                 ((s->push[i] + s->push[j]) + (s->near_push[i] + s->near_push[j]) * pair.q) * pair.q;
             sum_x -= size * pair.ux;
             sum_y -= size * pair.uy;
+            virial += (1 - pair.q) * size;
         }
         /* A wall pushes with the particle's own pressure, once: twice, as if it were a mirrored
          * fluid, heats the fluid. */
         s->dx[i] = sum_x + (s->push[i] * s->f1x[i] + s->near_push[i] * s->f2x[i]);
         s->dy[i] = sum_y + (s->push[i] * s->f1y[i] + s->near_push[i] * s->f2y[i]);
+        /* The virial of a smooth solid: n0 int r q is about h R, n0 int r q^2 about 2/3 h Rn. */
+        virial += s->push[i] * s->wall_density[i] + 2.0f / 3 * s->near_push[i] * s->wall_near[i];
+        s->pressure[i] += c->pressure_scale * c->h * virial;
     }
 }

@@ -47,7 +47,7 @@ typedef struct skv_constants {
     float cohesion_share;  /* calibrated: factor on C where C < 0 */
     float push_limit;      /* clavet: bound of rho N, m */
 
-    float pressure_scale, near_pressure_scale; /* gauge: Pa m per m of P and N, one iteration */
+    float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
     float contact_distance; /* m */
     float softness;         /* share of the penetration corrected a substep */

@@ -14,7 +14,6 @@ enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
 
 #define FRAME            (1.0 / 60) /* s: rates "a frame" are meant for this time */
 #define EARTH_GRAVITY    9.81
-#define PI               3.14159265358979323846
 #define COMPRESSION      0.04  /* allowed at the expected depth, calibrated law */
 #define CLAVET_LOAD      0.006 /* g H dt^2 / h^2 that the clavet law carries */
 #define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep */
@@ -187,7 +186,6 @@ static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
 skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
 {
     double dt = (double)dt_float, h = (double)f->spacing * (double)f->radius_ratio;
-    double eta = (double)f->radius_ratio;
     skv_constants c = {
         .h = (float)h,
         .inv_h = (float)(1 / h),
@@ -205,9 +203,8 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         set_clavet(&c, f, h);
     else
         set_calibrated(&c, f, h, dt);
-    /* p = density (pi/2) eta^2 h (P/12 + Pn/30) with accelerations P = 2 push / dt^2. */
-    double gauge = (double)f->density * PI / 2 * eta * eta * h * 2 / (dt * dt);
-    c.pressure_scale = (float)(gauge / 12);
-    c.near_pressure_scale = (float)(gauge / 30);
+    /* Virial pressure in the plane: sum of r f over a particle's pairs / (4 s^2), where f is a mass
+     * density s^2 times a displacement over dt^2. */
+    c.pressure_scale = (float)((double)f->density / (4 * dt * dt));
     return c;
 }

@@ -128,7 +128,6 @@ void oracle_density(oracle *o, bool gradient)
 void oracle_pressure(oracle *o)
 {
     double h = radius_of(o), rest = oracle_rest_density(o), stiffness = effective_stiffness(o);
-    double gauge = o->fluid_density * acos(-1) / 2 * o->eta * o->eta * h;
     for (int i = 0; i < o->n; i++) {
         double excess = o->density[i] - rest;
         if (o->clavet) {
@@ -145,15 +144,16 @@ void oracle_pressure(oracle *o)
             o->near_push[i] =
                 o->omega * h / 2 * (o->k_near / stiffness) * o->near_density[i] / response;
         }
-        o->pressure[i] += gauge * 2 / (o->dt * o->dt) * (o->push[i] / 12 + o->near_push[i] / 30);
     }
 }
 
 void oracle_displacement(oracle *o)
 {
+    double h = radius_of(o);
     for (int i = 0; i < o->n; i++) {
         o->dx[i] = o->push[i] * o->f1x[i] + o->near_push[i] * o->f2x[i];
         o->dy[i] = o->push[i] * o->f1y[i] + o->near_push[i] * o->f2y[i];
+        double virial = 0;
         for (int j = 0; j < o->n; j++) {
             if (j == i)
                 continue;
@@ -162,7 +162,11 @@ void oracle_displacement(oracle *o)
                 (o->push[i] + o->push[j]) * q + (o->near_push[i] + o->near_push[j]) * q * q;
             o->dx[i] -= size * ux;
             o->dy[i] -= size * uy;
+            virial += (1 - q) * h * size;
         }
+        virial +=
+            h * (o->push[i] * o->wall_density[i] + 2.0 / 3 * o->near_push[i] * o->wall_near[i]);
+        o->pressure[i] += o->fluid_density / (4 * o->dt * o->dt) * virial;
     }
 }
 

@@ -100,16 +100,14 @@ static void check_substeps(skv_law law, skv_solver solver)
         oracle_substep(&o, solver);
         assert_int_equal(skv_world_step(world, (float)o.dt), SKV_OK);
         skv_particles p = skv_world_particles(world);
-        double h = (double)skv_world_radius(world), highest = 0;
-        for (int i = 0; i < o.n; i++)
-            highest = fmax(highest, fabs(o.pressure[i]));
+        double h = (double)skv_world_radius(world);
+        double modulus = o.fluid_density * (h / o.dt) * (h / o.dt);
         for (int i = 0; i < o.n; i++) {
             assert_true(hypot((double)p.x[i] - o.x[i], (double)p.y[i] - o.y[i]) < 1e-5 * h);
             assert_true(hypot((double)p.vx[i] - o.vx[i], (double)p.vy[i] - o.vy[i]) <
                         1e-5 * h / o.dt);
-            /* The pressure is what is left of the density, to some 1e-6, after the rest density is
-             * taken from it. */
-            assert_true(fabs((double)p.pressure[i] - o.pressure[i]) < 3e-4 * highest);
+            /* The error of the pressure is that of a density, some 1e-6, times the modulus. */
+            assert_true(fabs((double)p.pressure[i] - o.pressure[i]) < 2e-6 * modulus);
         }
     }
     skv_world_destroy(world);

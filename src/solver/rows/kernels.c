@@ -88,13 +88,13 @@ static int pressure(const skv_rows *s, int row, bool later, const skv_row_consta
     return walls;
 }
 
-/* Gauge pressure, summed over the iterations. */
+/* Gauge pressure from the virial of the pairs and the walls, summed over the iterations. */
 static void gauge(const skv_rows *s, int row, int iteration, const skv_row_constants *c)
 {
-    const v8 a = v8_set(c->pressure_scale), b = v8_set(c->near_pressure_scale), zero = v8_set(0);
+    const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 p = v8_add(v8_mul(a, v8_load(s->push + i)), v8_mul(b, v8_load(s->near_push + i)));
-        v8_store(s->pressure + i, v8_add(iteration ? v8_load(s->pressure + i) : zero, p));
+        v8 before = iteration ? v8_load(s->pressure + i) : zero;
+        v8_store(s->pressure + i, v8_add(before, v8_mul(scale, collected(s, 2, i))));
     }
 }
 
@@ -132,6 +132,10 @@ V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_wall *wall)
 {
     s->own[0][i] += s->push[i] * wall->f1x + s->near_push[i] * wall->f2x;
     s->own[1][i] += s->push[i] * wall->f1y + s->near_push[i] * wall->f2y;
+    /* The virial of a smooth solid: n0 int r q is about h R, n0 int r q^2 about 2/3 h Rn. */
+    if (s->gauged)
+        s->own[2][i] +=
+            s->push[i] * wall->density + 2.0f / 3 * s->near_push[i] * wall->near_density;
 }
 
 /* Adds the walls' push to a row's displacement, from the samples of the pressure pass; where those
@@ -210,10 +214,10 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
 static void update(const skv_rows *s, int row, int iteration, const skv_row_constants *c,
                    const skv_row_boundary *boundary, const skv_near_wall *walls, int wall_count)
 {
-    if (s->gauged)
-        gauge(s, row, iteration, c);
     if (wall_count)
         add_wall_push(s, row, boundary, walls, wall_count);
+    if (s->gauged)
+        gauge(s, row, iteration, c);
     bool viscous = s->viscous && iteration == 0;
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {

@@ -19,7 +19,8 @@
 #define EACH(k) _Pragma("GCC unroll 8") for (int k = 0; k < TILE; k++)
 
 /* Compile-time variants of the pair loops. */
-enum { WITH_GRADIENT = 1, WITH_VISCOSITY = 2, KEEP_PAIRS = 4 };
+/* WITH_GAUGE: the displacement sums the virial as well. */
+enum { WITH_GRADIENT = 1, WITH_VISCOSITY = 2, KEEP_PAIRS = 4, WITH_GAUGE = 8 };
 
 /* The four particles of a tile, each in all lanes. */
 typedef struct tile {
@@ -252,7 +253,7 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
  * first iteration made them, else from q alone, r being 1 - q. */
 V8_INLINE void displacement_block(const skv_row_particles *p, const float *pushes,
                                   const float *near_pushes, int j, bool first, unsigned with,
-                                  const tile *t, tile_sums *sums, float *to_x, float *to_y,
+                                  const tile *t, tile_sums *sums, const targets *to,
                                   const float *keep)
 {
     v8 dx[TILE], dy[TILE], r[TILE], q[TILE], ratio[TILE], size[TILE];
@@ -277,22 +278,31 @@ V8_INLINE void displacement_block(const skv_row_particles *p, const float *pushe
     /* The tile's u and v hold the P and N of its particles here. */
     EACH(k) size[k] = v8_mul(v8_add(t->v[k], near_push), q[k]);
     EACH(k) size[k] = v8_add(v8_add(t->u[k], push), size[k]);
+    if (with & WITH_GAUGE) {
+        /* Distance times force: r q (P + N q), r being 1 - q. */
+        const v8 one = v8_set(1);
+        v8 virial[TILE];
+        EACH(k) virial[k] = v8_mul(v8_mul(v8_sub(one, q[k]), q[k]), size[k]);
+        EACH(k) sums->c[k] = v8_add(sums->c[k], virial[k]);
+        add_at(to->c + j, over_tile(virial));
+    }
     EACH(k) size[k] = v8_mul(size[k], ratio[k]);
     EACH(k) dx[k] = v8_mul(dx[k], size[k]);
     EACH(k) dy[k] = v8_mul(dy[k], size[k]);
     EACH(k) sums->a[k] = v8_sub(sums->a[k], dx[k]);
     EACH(k) sums->b[k] = v8_sub(sums->b[k], dy[k]);
-    add_at(to_x + j, over_tile(dx));
-    add_at(to_y + j, over_tile(dy));
+    add_at(to->a + j, over_tile(dx));
+    add_at(to->b + j, over_tile(dy));
 }
 
 V8_INLINE void displacement_row(const skv_rows *s, int row, unsigned with, const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
     const float *push = s->push, *near_push = s->near_push;
-    float *own_x = s->own[0], *own_y = s->own[1], *next_x = s->next[0], *next_y = s->next[1];
+    const targets own = {s->own[0], s->own[1], s->own[2], NULL, NULL, NULL};
+    const targets next = {s->next[0], s->next[1], s->next[2], NULL, NULL, NULL};
     const int step = with & WITH_GRADIENT ? 2 * TILE * ROW_LANES : TILE * ROW_LANES;
-    for (int a = 0; a < 2; a++) {
+    for (int a = 0; a < (with & WITH_GAUGE ? 3 : 2); a++) {
         zero_row(s, s->own[a], row);
         zero_row(s, s->next[a], row + 1);
     }
@@ -307,37 +317,40 @@ V8_INLINE void displacement_row(const skv_rows *s, int row, unsigned with, const
             t.y[k] = v8_set(p->y[i + k]);
             t.u[k] = v8_set(s->push[i + k]);
             t.v[k] = v8_set(s->near_push[i + k]);
-            sums.a[k] = sums.b[k] = zero;
+            sums.a[k] = sums.b[k] = sums.c[k] = sums.d[k] = zero;
         }
         int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;
-        displacement_block(p, push, near_push, j, true, with, &t, &sums, own_x, own_y, keep);
+        displacement_block(p, push, near_push, j, true, with, &t, &sums, &own, keep);
         keep += with & KEEP_PAIRS ? step : 0;
         for (j += ROW_LANES; j < own_end; j += ROW_LANES) {
-            displacement_block(p, push, near_push, j, false, with, &t, &sums, own_x, own_y, keep);
+            displacement_block(p, push, near_push, j, false, with, &t, &sums, &own, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
         for (j = s->next_begin[i / TILE]; j < next_end; j += ROW_LANES) {
-            displacement_block(p, push, near_push, j, false, with, &t, &sums, next_x, next_y, keep);
+            displacement_block(p, push, near_push, j, false, with, &t, &sums, &next, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
-        for (int k = 0; k < TILE; k += 2) {
-            float out[4];
-            v8_sum4(sums.a[k], sums.b[k], sums.a[k + 1], sums.b[k + 1], out);
-            s->sum[0][i + k] = out[0];
-            s->sum[1][i + k] = out[1];
-            s->sum[0][i + k + 1] = out[2];
-            s->sum[1][i + k + 1] = out[3];
-        }
+        store_sums(s, i, with & WITH_GAUGE ? WITH_GRADIENT : 0, &sums);
     }
 }
 
 static void displacement(const skv_rows *s, int row, bool later, const skv_row_kept *kept)
 {
-    if (kept->used >= 0)
-        later ? displacement_row(s, row, KEEP_PAIRS, kept->pairs)
-              : displacement_row(s, row, WITH_GRADIENT | KEEP_PAIRS, kept->pairs);
-    else
-        later ? displacement_row(s, row, 0, NULL) : displacement_row(s, row, WITH_GRADIENT, NULL);
+    bool keep = kept->used >= 0;
+    const float *pairs = kept->pairs;
+    if (s->gauged) {
+        if (later)
+            keep ? displacement_row(s, row, WITH_GAUGE | KEEP_PAIRS, pairs)
+                 : displacement_row(s, row, WITH_GAUGE, NULL);
+        else
+            keep ? displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT | KEEP_PAIRS, pairs)
+                 : displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT, NULL);
+    } else if (later) {
+        keep ? displacement_row(s, row, KEEP_PAIRS, pairs) : displacement_row(s, row, 0, NULL);
+    } else {
+        keep ? displacement_row(s, row, WITH_GRADIENT | KEEP_PAIRS, pairs)
+             : displacement_row(s, row, WITH_GRADIENT, NULL);
+    }
 }
 
 #endif

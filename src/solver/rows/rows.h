@@ -53,7 +53,7 @@ typedef struct skv_row_constants {
     float max_speed;
     float viscosity_linear, viscosity_quadratic;
     float rest_density, gradient_floor, push_scale, near_push_scale, cohesion_share, push_limit;
-    float pressure_scale, near_pressure_scale; /* to Pa m */
+    float pressure_scale; /* from the virial to Pa m */
     float contact_distance, softness, friction;
     float wall_clearance; /* how close a move may come to a wall */
     int iterations;
