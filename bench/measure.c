@@ -159,41 +159,58 @@ static skv_result time_step(runner *r, double *seconds, skv_error *error)
                   : SKV_OK;
 }
 
-static skv_result measure_round(runner *r, skv_error *error)
+static void record(runner *r, double seconds)
 {
-    for (int i = 0; i < r->steps_a_round && r->times < MOST_TIMES; i++) {
-        double seconds;
-        skv_result result = time_step(r, &seconds, error);
-        if (result != SKV_OK)
-            return result;
-        bool best = true;
-        for (int k = 0; k < r->times; k++)
-            best = best && seconds < r->seconds[k];
-        r->seconds[r->times++] = seconds;
-        if (!best)
-            continue;
-        r->best = skv_world_profile(r->world, false);
-        for (int k = 0; k < r->best.count; k++)
-            r->best.seconds[k] /= r->substeps;
-    }
-    return SKV_OK;
+    bool best = true;
+    for (int i = 0; i < r->times; i++)
+        best = best && seconds < r->seconds[i];
+    r->seconds[r->times++] = seconds;
+    if (!best)
+        return;
+    r->best = skv_world_profile(r->world, false);
+    for (int i = 0; i < r->best.count; i++)
+        r->best.seconds[i] /= r->substeps;
 }
 
-/* As many rounds as a second or so holds, judged by a step that is not counted. */
+static skv_result measure_round(runner *r, skv_error *error)
+{
+    skv_result result = SKV_OK;
+    for (int i = 0; i < r->steps_a_round && r->times < MOST_TIMES && result == SKV_OK; i++) {
+        double seconds;
+        result = time_step(r, &seconds, error);
+        if (result == SKV_OK)
+            record(r, seconds);
+    }
+    return result;
+}
+
+/* The first step of a world, which allocates and finds cold caches, counts only if it is so long
+ * that this is nothing. Returns its time in all. */
+static skv_result first_step(runner *r, double *total, skv_error *error)
+{
+    const double long_step = 0.5; /* s */
+    double seconds;
+    skv_result result = time_step(r, &seconds, error);
+    *total = seconds * r->substeps;
+    if (result == SKV_OK && *total > long_step)
+        record(r, seconds);
+    return result;
+}
+
+/* As many rounds as a second or so holds, judged by the first steps. */
 static skv_result choose_rounds(bench *b, int *rounds, skv_error *error)
 {
-    double wanted = b->options->quick ? 0.2 : 1.0, seconds, longest = 0;
-    int least = b->options->quick ? 2 : 3, most = b->options->quick ? 15 : MOST_ROUNDS;
+    double wanted = b->options->quick ? 0.2 : 1.0, longest = 0, total;
+    int most = b->options->quick ? 15 : MOST_ROUNDS;
     for (int t = 0; t < b->counts; t++) {
-        const runner *fast = &b->fast[t];
-        skv_result result = time_step(&b->fast[t], &seconds, error);
-        longest = fmax(longest, seconds * fast->substeps * fast->steps_a_round);
+        skv_result result = first_step(&b->fast[t], &total, error);
+        longest = fmax(longest, total * b->fast[t].steps_a_round);
         if (result == SKV_OK && b->with_reference)
-            result = time_step(&b->reference[t], &seconds, error);
+            result = first_step(&b->reference[t], &total, error);
         if (result != SKV_OK)
             return result;
     }
-    *rounds = (int)fmin(most, fmax(least, wanted / longest));
+    *rounds = (int)fmin(most, fmax(2, wanted / longest));
     return SKV_OK;
 }
 

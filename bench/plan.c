@@ -16,6 +16,14 @@ bool bench_usual_viscosity(skv_law law)
     return law == SKV_LAW_CLAVET;
 }
 
+bool bench_is_main_size(const bench_report *report, int particles)
+{
+    bool found = report->only == particles;
+    for (int i = 0; i < BENCH_SIZES; i++)
+        found = found || bench_sizes[i] == particles;
+    return found;
+}
+
 typedef struct plan {
     bench_case *cases;
     int count;

@@ -16,6 +16,10 @@ extern const char *const bench_scenes[2];
  * viscosity; the calibrated one is meant without. */
 bool bench_usual_viscosity(skv_law law);
 
+/* Whether the main table has this number of particles; the other sizes are there for other tables.
+ */
+bool bench_is_main_size(const bench_report *report, int particles);
+
 /* Writes the cases, each once, smallest first within a table; returns their number. */
 int bench_plan(const bench_options *options, bench_case cases[BENCH_MAX_CASES]);
 

@@ -49,15 +49,6 @@ static double value_of(const line *l, const bench_row *row)
     return bench_ns(row, l->reference ? row->reference.minimum : row->fast.minimum);
 }
 
-/* The sizes between those of the main table are there for other tables. */
-static bool is_main_size(const bench_report *report, int particles)
-{
-    bool found = report->only == particles;
-    for (int i = 0; i < BENCH_SIZES; i++)
-        found = found || bench_sizes[i] == particles;
-    return found;
-}
-
 static bool belongs(const panel *p, const line *l, const bench_row *row)
 {
     int threads = l->threads == 1 ? 1 : p->report->threads;
@@ -65,7 +56,7 @@ static bool belongs(const panel *p, const line *l, const bench_row *row)
         return false;
     return strcmp(row->what.scene, p->scene) == 0 && row->what.law == l->law &&
            row->what.viscous == bench_usual_viscosity(l->law) && row->threads == threads &&
-           is_main_size(p->report, row->what.particles) && isfinite(value_of(l, row));
+           bench_is_main_size(p->report, row->what.particles) && isfinite(value_of(l, row));
 }
 
 /* The row of a line with the fewest particles above `above`, or null. */
@@ -127,7 +118,8 @@ static void write_axes(const panel *p)
     double right = p->left + PANEL;
     for (int tick = 0; tick < 18; tick++) {
         static const double steps[] = {1, 2, 5};
-        double ns = steps[tick % 3] * pow(10, tick / 3), y = place_y(p, ns);
+        int decade = tick / 3;
+        double ns = steps[tick % 3] * pow(10, decade), y = place_y(p, ns);
         if (ns < p->least * 0.999 || ns > p->most * 1.001)
             continue;
         fprintf(p->out,
@@ -238,7 +230,7 @@ static void set_ranges(panel *p)
         const bench_row *row = &p->report->row[i];
         double ns = bench_ns(row, row->fast.minimum);
         double reference = bench_ns(row, row->reference.minimum);
-        if (is_main_size(p->report, row->what.particles)) {
+        if (bench_is_main_size(p->report, row->what.particles)) {
             fewest = fmin(fewest, row->particles);
             biggest = fmax(biggest, row->particles);
         }

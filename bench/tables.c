@@ -21,16 +21,6 @@ static const char *scene_name(const char *scene)
 
 /* ---- The main table -------------------------------------------------------------------------- */
 
-static bool in_main_table(const bench_report *report, const bench_row *row)
-{
-    if (row->threads != 1)
-        return false;
-    bool listed = report->only != 0;
-    for (int i = 0; i < BENCH_SIZES; i++)
-        listed = listed || row->what.particles == bench_sizes[i];
-    return listed;
-}
-
 static void main_row(table *t, const bench_report *report, const bench_row *one)
 {
     const bench_row *all = bench_find(report, &one->what, report->threads);
@@ -63,8 +53,9 @@ static void write_scene(FILE *out, const bench_report *report, bool markdown, co
     for (int fluid = 0; fluid < 4; fluid++)
         for (int i = 0; i < report->count; i++) {
             const bench_row *row = &report->row[i];
-            if (in_main_table(report, row) && strcmp(row->what.scene, scene) == 0 &&
-                (int)row->what.law == fluid / 2 && row->what.viscous == fluid % 2)
+            if (row->threads == 1 && bench_is_main_size(report, row->what.particles) &&
+                strcmp(row->what.scene, scene) == 0 && (int)row->what.law == fluid / 2 &&
+                row->what.viscous == fluid % 2)
                 main_row(&t, report, row);
         }
     table_end(&t);

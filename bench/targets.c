@@ -63,9 +63,10 @@ static const bench_row *find_pool(const bench_report *report, const target *t, b
 }
 
 /* Whether a row counts for the figures over all sizes. */
-static bool is_main(const bench_row *row)
+static bool is_main(const bench_report *report, const bench_row *row)
 {
-    return row->what.particles >= 3000 && row->what.viscous == bench_usual_viscosity(row->what.law);
+    return bench_is_main_size(report, row->what.particles) &&
+           row->what.viscous == bench_usual_viscosity(row->what.law);
 }
 
 /* The row whose `value` is the largest (sign 1) or smallest (sign -1). */
@@ -75,7 +76,7 @@ static finding extreme(const bench_report *report, int sign,
     finding found = {NAN, NULL};
     for (int i = 0; i < report->count; i++) {
         const bench_row *row = &report->row[i];
-        double here = is_main(row) ? value(report, row) : NAN;
+        double here = is_main(report, row) ? value(report, row) : NAN;
         if (isfinite(here) && (!found.where || sign * here > sign * found.value))
             found = (finding){here, row};
     }
@@ -96,7 +97,7 @@ static double dearness(const bench_report *report, const bench_row *row)
         return NAN;
     for (int i = 0; i < report->count; i++) {
         const bench_row *other = &report->row[i];
-        if (other->threads == 1 && is_main(other) && other->what.law == row->what.law &&
+        if (other->threads == 1 && is_main(report, other) && other->what.law == row->what.law &&
             strcmp(other->what.scene, row->what.scene) == 0)
             cheapest = fmin(cheapest, bench_ns(other, other->fast.minimum));
     }

@@ -51,7 +51,7 @@ tidy() {
 
 install_packages "${packages_build[@]}" "${packages_lint[@]}" libcmocka-dev
 mapfile -t all_c < <(find . -path ./build -prune -o -name '*.[ch]' -print | sort)
-mapfile -t product_c < <(printf '%s\n' "${all_c[@]}" | grep -E '^\./(src|cli|app)/.*\.c$')
+mapfile -t product_c < <(printf '%s\n' "${all_c[@]}" | grep -E '^\./(src|bench|cli|app)/.*\.c$')
 mapfile -t shell < <(find scripts tests -name '*.sh' | sort)
 
 check shellcheck shellcheck -x run.sh test.sh .ci/run "${shell[@]}"

@@ -75,14 +75,14 @@ static json_t *measure(const char *folder, const char *const *arguments)
 }
 
 /* How many rows there are of a scene, a law and a number of threads. */
-static int count_rows(const json_t *array, const char *scene, const char *law, double threads)
+static int count_rows(const json_t *array, const char *scene, const char *law, int threads)
 {
     int count = 0;
     for (size_t i = 0; i < json_array_size(array); i++) {
         const json_t *row = json_array_get(array, i);
         count += strcmp(json_string_value(json_object_get(row, "scene")), scene) == 0 &&
                  strcmp(json_string_value(json_object_get(row, "law")), law) == 0 &&
-                 number(row, "threads") == threads;
+                 (int)number(row, "threads") == threads;
     }
     return count;
 }
@@ -92,7 +92,7 @@ static void test_contract(void **state)
     json_t *array =
         measure(*state, (const char *const[]){"skvalp", "bench", "--quick", "--json", "--particles",
                                               "1500", "--threads", "3", NULL});
-    for (double threads = 1; threads <= 3; threads += 2) {
+    for (int threads = 1; threads <= 3; threads += 2) {
         assert_int_equal(count_rows(array, "pool", "calibrated", threads), 1);
         assert_int_equal(count_rows(array, "pool", "clavet", threads), 1);
         assert_int_equal(count_rows(array, "dam-break", "calibrated", threads), 1);
