@@ -48,6 +48,7 @@ typedef struct bench_report {
     char cpu[96];
     char compiler[64];
     const char *instruction_set;
+    double load; /* processes that wanted to run in the minute before; NaN where it is unknown */
     int threads; /* of the rows that are not for one thread */
     bool quick;
     int only; /* the one number of particles that was asked for; 0: all tables */

@@ -2,7 +2,10 @@
  * and Markdown as they are. */
 #include "machine.h"
 
+#include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void make_plain(char *text)
@@ -42,4 +45,14 @@ void bench_name_compiler(char *text, size_t size)
     snprintf(text, size, "unknown");
 #endif
     make_plain(text);
+}
+
+double bench_load(void)
+{
+    char line[64] = "";
+    FILE *file = fopen("/proc/loadavg", "r");
+    bool known = file && fgets(line, sizeof line, file);
+    if (file)
+        fclose(file);
+    return known ? strtod(line, NULL) : NAN;
 }

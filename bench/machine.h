@@ -9,4 +9,8 @@ void bench_name_cpu(char *text, size_t size);
 /* The compiler that built this program, with its version. */
 void bench_name_compiler(char *text, size_t size);
 
+/* How many processes wanted to run in the last minute, on average; NaN if the system does not say.
+ */
+double bench_load(void);
+
 #endif

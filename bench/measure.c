@@ -275,6 +275,7 @@ skv_result bench_measure(const bench_options *options, bench_progress *progress,
     bench_case cases[BENCH_MAX_CASES];
     int count = bench_plan(options, cases);
     *report = (bench_report){.instruction_set = skv_instruction_set(),
+                             .load = bench_load(),
                              .quick = options->quick,
                              .only = options->particles};
     bench_name_cpu(report->cpu, sizeof report->cpu);

@@ -194,9 +194,12 @@ static void write_counts(FILE *out, const bench_report *report, bool markdown)
 
 void bench_write_tables(FILE *out, const bench_report *report, bool markdown)
 {
-    fprintf(out, "%s, %s, %d thread%s, %s, skvalp %s%s\n", report->cpu, report->instruction_set,
+    fprintf(out, "%s, %s, %d thread%s, %s, skvalp %s%s", report->cpu, report->instruction_set,
             report->threads, report->threads == 1 ? "" : "s", report->compiler, skv_version(),
             report->quick ? ", quick" : "");
+    if (isfinite(report->load))
+        fprintf(out, ", load %.1f before", report->load);
+    fputc('\n', out);
     if (!report->only)
         bench_write_targets(out, report, markdown);
     for (int scene = 0; scene < 2; scene++)
