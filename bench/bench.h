@@ -57,8 +57,8 @@ typedef struct bench_report {
     bench_row *row;
 } bench_report;
 
-/* Called before each case and each of its rounds. */
-typedef void bench_progress(const bench_case *what, int done, int total, void *user);
+/* Called before each case and each of its rounds; `done` is the share of the work that is, 0..1. */
+typedef void bench_progress(const bench_case *what, double done, void *user);
 
 /* Measures everything; takes under a minute with `quick` and minutes without. `report` needs
  * bench_report_free afterwards, also on failure. */

@@ -214,14 +214,14 @@ static skv_result choose_rounds(bench *b, int *rounds, skv_error *error)
     return SKV_OK;
 }
 
-static skv_result run_rounds(bench *b, bench_progress *progress, void *user, int done, int total,
+static skv_result run_rounds(bench *b, bench_progress *progress, void *user, double done,
                              skv_error *error)
 {
     int rounds, reference_rounds = b->options->quick ? 2 : REFERENCE_ROUNDS;
     skv_result result = choose_rounds(b, &rounds, error);
     for (int round = 0; result == SKV_OK && (round < rounds || round < reference_rounds); round++) {
         if (progress)
-            progress(&b->what, done, total, user);
+            progress(&b->what, done, user);
         for (int t = 0; t < b->counts && result == SKV_OK; t++) {
             if (round < rounds)
                 result = measure_round(&b->fast[t], error);
@@ -269,6 +269,12 @@ static void add_rows(const bench *b, bench_report *report)
     }
 }
 
+/* What a case takes, roughly: the same for each, and more for many particles. */
+static double effort(const bench_case *what)
+{
+    return 50000 + what->particles;
+}
+
 skv_result bench_measure(const bench_options *options, bench_progress *progress, void *user,
                          bench_report *report, skv_error *error)
 {
@@ -284,13 +290,16 @@ skv_result bench_measure(const bench_options *options, bench_progress *progress,
     if (!report->row)
         return skv_fail(error, SKV_ERROR_MEMORY, "bench: out of memory");
     skv_result result = SKV_OK;
-    for (int i = 0; i < count && result == SKV_OK; i++) {
+    double total = 0, past = 0;
+    for (int i = 0; i < count; i++)
+        total += effort(&cases[i]);
+    for (int i = 0; i < count && result == SKV_OK; past += effort(&cases[i++])) {
         bench b = {.options = options, .what = cases[i]};
         if (progress)
-            progress(&b.what, i, count, user);
+            progress(&b.what, past / total, user);
         result = open_bench(&b, error);
         if (result == SKV_OK)
-            result = run_rounds(&b, progress, user, i, count, error);
+            result = run_rounds(&b, progress, user, past / total, error);
         if (result == SKV_OK)
             add_rows(&b, report);
         close_bench(&b);

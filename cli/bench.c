@@ -12,10 +12,10 @@
 #include "output_file.h"
 #include "progress.h"
 
-static void show_case(const bench_case *what, int done, int total, void *user)
+static void show_case(const bench_case *what, double done, void *user)
 {
     char text[128];
-    snprintf(text, sizeof text, "bench  %3.0f %%  %s, %s law, %d particles", 100.0 * done / total,
+    snprintf(text, sizeof text, "bench  %3.0f %%  %s, %s law, %d particles", 100 * done,
              what->scene, skv_law_name(what->law), what->particles);
     progress_show(user, text);
 }
