@@ -3,6 +3,28 @@
 #ifndef SKV_BASE_EXACT_H
 #define SKV_BASE_EXACT_H
 
+/* The smaller and the larger of two; b if a is NaN. Not fmin and fmax: of 0 and -0 these may return
+ * either, and processors differ. */
+static inline float skv_minf(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+static inline float skv_maxf(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+static inline double skv_min(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double skv_max(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* e^x for |x| <= 700, relative error below 1e-14. */
 double skv_exp(double x);
 

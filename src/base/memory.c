@@ -1,21 +1,22 @@
 /* The allocator hooks. Invariant: what skv_calloc returns is zeroed and cache-line aligned. */
 #include "base/memory.h"
 
-#include <stdlib.h>
+#include "base/platform.h"
+
 #include <string.h>
 
+/* Only skv_calloc calls it, and always asks for SKV_ALIGNMENT. */
 static void *default_allocate(size_t bytes, size_t alignment, void *user)
 {
+    (void)alignment;
     (void)user;
-    /* aligned_alloc wants a multiple of the alignment. */
-    size_t rounded = (bytes + alignment - 1) & ~(alignment - 1);
-    return rounded < bytes ? NULL : aligned_alloc(alignment, rounded);
+    return skv_platform_allocate(bytes);
 }
 
 static void default_release(void *memory, void *user)
 {
     (void)user;
-    free(memory);
+    skv_platform_release(memory);
 }
 
 static const skv_allocator default_allocator = {default_allocate, default_release, NULL};

@@ -9,12 +9,7 @@
 #include "base/pool.h"
 
 #include "base/memory.h"
-
-#include <pthread.h>
-#include <sched.h>
-#include <stdatomic.h>
-#include <stdio.h>
-#include <unistd.h>
+#include "base/platform.h"
 
 enum { CHUNK = 128, SPINS = 3000, YIELDS = 20, MAX_THREADS = 64 };
 
@@ -26,11 +21,8 @@ typedef struct seat {
 
 struct skv_pool {
     int threads;
-    pthread_t worker[MAX_THREADS];
+    skv_crew *crew;
     seat seats[MAX_THREADS];
-    pthread_mutex_t mutex;
-    pthread_cond_t changed;
-    atomic_int sleepers;
     atomic_uint generation; /* raised to start a team */
     atomic_uint phase;      /* raised when all members have reached a barrier */
     atomic_int arrived;
@@ -53,11 +45,10 @@ void skv_pool_pause(int *turns)
     if (++*turns < SPINS)
         relax_cpu();
     else
-        sched_yield();
+        skv_platform_yield();
 }
 
-/* Waits until a counter has left `old`. A sleeper counts itself before it looks again, and raise()
- * looks for sleepers after it has raised: one of the two sees the other. */
+/* Waits until a counter has left `old`. */
 static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
 {
     for (int turns = 0; turns < SPINS + YIELDS;) {
@@ -65,22 +56,13 @@ static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
             return;
         skv_pool_pause(&turns);
     }
-    pthread_mutex_lock(&pool->mutex);
-    atomic_fetch_add(&pool->sleepers, 1);
-    while (atomic_load(counter) == old)
-        pthread_cond_wait(&pool->changed, &pool->mutex);
-    atomic_fetch_sub(&pool->sleepers, 1);
-    pthread_mutex_unlock(&pool->mutex);
+    skv_crew_sleep(pool->crew, counter, old);
 }
 
 static void raise(skv_pool *pool, atomic_uint *counter)
 {
     atomic_fetch_add(counter, 1);
-    if (atomic_load(&pool->sleepers) == 0)
-        return;
-    pthread_mutex_lock(&pool->mutex);
-    pthread_cond_broadcast(&pool->changed);
-    pthread_mutex_unlock(&pool->mutex);
+    skv_crew_wake(pool->crew);
 }
 
 void skv_pool_barrier(skv_pool *pool)
@@ -96,38 +78,17 @@ void skv_pool_barrier(skv_pool *pool)
     }
 }
 
-static void *worker_main(void *argument)
+static void worker_main(void *argument)
 {
     const seat *own = argument;
     skv_pool *pool = own->pool;
     for (unsigned seen = 0;; seen++) {
         wait_for_change(pool, &pool->generation, seen);
         if (pool->quit)
-            return NULL;
+            return;
         pool->member(own->thread, pool->context);
         skv_pool_barrier(pool);
     }
-}
-
-/* One per physical core: a core's first hardware thread is the one that heads its sibling list. */
-static int physical_cores(void)
-{
-    long online = sysconf(_SC_NPROCESSORS_ONLN);
-    int cores = 0;
-    for (int cpu = 0; cpu < online; cpu++) {
-        char path[96];
-        snprintf(path, sizeof path, "/sys/devices/system/cpu/cpu%d/topology/thread_siblings_list",
-                 cpu);
-        FILE *file = fopen(path, "r");
-        int first = cpu;
-        if (file) {
-            if (fscanf(file, "%d", &first) != 1)
-                first = cpu;
-            fclose(file);
-        }
-        cores += first == cpu;
-    }
-    return cores < 1 ? 1 : cores > MAX_THREADS ? MAX_THREADS : cores;
 }
 
 skv_result skv_pool_create(int threads, skv_pool **out, skv_error *error)
@@ -137,16 +98,19 @@ skv_result skv_pool_create(int threads, skv_pool **out, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE, "threads: %d is out of range; allowed is 0..%d",
                         threads, MAX_THREADS);
     skv_pool *pool = skv_calloc(1, sizeof *pool);
-    if (!pool)
+    skv_crew *crew = skv_crew_create();
+    if (!pool || !crew) {
+        skv_crew_join(crew);
+        skv_free(pool);
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the task pool");
-    pthread_mutex_init(&pool->mutex, NULL);
-    pthread_cond_init(&pool->changed, NULL);
-    int wanted = threads ? threads : physical_cores();
+    }
+    int cores = skv_platform_cores();
+    int wanted = threads ? threads : cores < MAX_THREADS ? cores : MAX_THREADS;
+    pool->crew = crew;
     pool->threads = wanted;
     for (int i = 1; i < wanted; i++) {
         pool->seats[i] = (seat){pool, i};
-        if (pthread_create(&pool->worker[i], NULL, worker_main, &pool->seats[i])) {
-            pool->threads = i;
+        if (!skv_crew_start(crew, worker_main, &pool->seats[i])) {
             skv_pool_destroy(pool);
             return skv_fail(error, SKV_ERROR_LIMIT,
                             "the system refused to start thread %d of %d; use fewer threads", i + 1,
@@ -163,10 +127,7 @@ void skv_pool_destroy(skv_pool *pool)
         return;
     pool->quit = true;
     raise(pool, &pool->generation);
-    for (int i = 1; i < pool->threads; i++)
-        pthread_join(pool->worker[i], NULL);
-    pthread_cond_destroy(&pool->changed);
-    pthread_mutex_destroy(&pool->mutex);
+    skv_crew_join(pool->crew);
     skv_free(pool);
 }
 

@@ -1,8 +1,6 @@
 /* Result codes and one-line messages. Invariant: a message never holds a control character. */
+#include "base/format.h"
 #include "skvalp/base.h"
-
-#include <stdarg.h>
-#include <stdio.h>
 
 #define TEXT_OF(number)  #number
 #define VERSION(a, b, c) TEXT_OF(a) "." TEXT_OF(b) "." TEXT_OF(c)
@@ -39,7 +37,7 @@ skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
         return code;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(error->text, sizeof error->text, format, arguments);
+    skv_format(error->text, sizeof error->text, format, arguments);
     va_end(arguments);
     error->code = code;
     for (char *c = error->text; *c; c++) {

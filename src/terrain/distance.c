@@ -8,6 +8,7 @@
  */
 #include "terrain/distance.h"
 
+#include "base/exact.h"
 #include "base/memory.h"
 #include "terrain/terrain.h"
 
@@ -50,7 +51,7 @@ static inline void offer(const transform *t, size_t at, int x, int y, uint32_t c
     int count = skv_cell_segments(t->coverage, cx, cy, segments);
     float square = squared_distance(&segments[0], (float)x, (float)y);
     if (count == 2)
-        square = fminf(square, squared_distance(&segments[1], (float)x, (float)y));
+        square = skv_minf(square, squared_distance(&segments[1], (float)x, (float)y));
     float distance = sqrtf(square);
     if (distance < t->field[at]) {
         t->field[at] = distance;

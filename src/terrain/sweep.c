@@ -7,6 +7,7 @@
  * from walls as the limit, up to rounding.
  */
 #include "base/assert.h"
+#include "base/exact.h"
 #include "terrain/sample.h"
 
 #include <math.h>
@@ -55,7 +56,7 @@ static double first_below(double a, double b, double c)
         return 2;
     /* The smallest positive root in the form that does not cancel; negative if there is none. */
     double divisor = sqrt(discriminant) - b;
-    return divisor > 0 && 2 * a < divisor ? fmax(0, 2 * a / divisor) : 2;
+    return divisor > 0 && 2 * a < divisor ? skv_max(0, 2 * a / divisor) : 2;
 }
 
 /* The same inside a saddle, from (u, v) by (du, dv): straight up to the diagonal that joins the
@@ -177,16 +178,16 @@ static double march(const move *m, double distance)
         double x = m->x0 + t * m->dx, y = m->y0 + t * m->dy, end, hit = 2;
         bool inside = inside_grid(m->terrain, x, y);
         if (inside) {
-            end = fmin(1, fmin(next_line(m->x0, m->dx, x), next_line(m->y0, m->dy, y)));
+            end = skv_min(1, skv_min(next_line(m->x0, m->dx, x), next_line(m->y0, m->dy, y)));
             /* Rounding may leave the point on the line that it has just met. */
-            end = fmax(end, t + 1e-9);
+            end = skv_max(end, t + 1e-9);
             if (held.active)
-                end = fmin(end, t + GUARDED_PIECE / m->length);
+                end = skv_min(end, t + GUARDED_PIECE / m->length);
             hit = first_below_in_cell(m, m->limit - m->tolerance, t, end);
             if (hit <= 1)
-                hit = fmin(hit, first_below_in_cell(m, m->limit, t, end));
+                hit = skv_min(hit, first_below_in_cell(m, m->limit, t, end));
         } else {
-            end = fmin(1, t + 0.5 / m->length);
+            end = skv_min(1, t + 0.5 / m->length);
             if (distance_at(m, end) < m->limit - m->tolerance)
                 hit = 0;
         }

@@ -2,11 +2,10 @@
 #include "terrain/terrain.h"
 
 #include "base/assert.h"
+#include "base/exact.h"
 #include "base/memory.h"
 #include "terrain/contour.h"
 #include "terrain/distance.h"
-
-#include <math.h>
 
 #define TERRAIN_COOKIE 0x7e44a1
 
@@ -58,7 +57,7 @@ static float reach_of_air(const skv_coverage *coverage, int y, int beside)
     float reach = -1;
     for (int x = rim; x < coverage->columns - rim; x++) {
         if (!skv_is_solid(row[x]))
-            reach = fmaxf(reach, skv_is_solid(other[x]) ? skv_crossing(row[x], other[x]) : 0.5f);
+            reach = skv_maxf(reach, skv_is_solid(other[x]) ? skv_crossing(row[x], other[x]) : 0.5f);
     }
     return reach;
 }

@@ -4,6 +4,7 @@
  * walked from the bottom up, so that counting and filling agree.
  */
 #include "base/assert.h"
+#include "base/exact.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -69,10 +70,10 @@ static lattice make_lattice(const skv_terrain *terrain, float spacing, float x0,
 {
     return (lattice){terrain,
                      spacing,
-                     fmaxf(x0, 0),
-                     fmaxf(y0, 0),
-                     fminf(x1, skv_terrain_width(terrain)),
-                     fminf(y1, skv_terrain_height(terrain)),
+                     skv_maxf(x0, 0),
+                     skv_maxf(y0, 0),
+                     skv_minf(x1, skv_terrain_width(terrain)),
+                     skv_minf(y1, skv_terrain_height(terrain)),
                      inside,
                      user};
 }

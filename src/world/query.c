@@ -1,6 +1,7 @@
 /* Reading a world: statistics, hash, circle query. Invariant: nothing here changes the world, and
  * every sum runs in creation order, so the same world gives the same bits. */
 #include "base/assert.h"
+#include "base/exact.h"
 #include "base/memory.h"
 #include "solver/lattice.h"
 #include "solver/pair.h"
@@ -111,7 +112,7 @@ skv_stats skv_world_stats(const skv_world *world)
         double x = (double)s->x[i], y = (double)s->y[i];
         double speed_squared = vx * vx + vy * vy;
         speeds_squared += speed_squared;
-        stats.max_speed = fmax(stats.max_speed, sqrt(speed_squared));
+        stats.max_speed = skv_max(sqrt(speed_squared), stats.max_speed);
         stats.momentum_x += mass * vx;
         stats.momentum_y += mass * vy;
         stats.potential_energy -=

@@ -4,7 +4,7 @@
  * Invariant: a pass writes a particle's own elements only, and none that the same pass reads from
  * others; so the result does not depend on the number of threads.
  */
-#include "base/clock.h"
+#include "base/platform.h"
 #include "world/frame.h"
 
 #include <math.h>

@@ -22,6 +22,7 @@
  * number of threads.
  */
 #include "base/assert.h"
+#include "base/exact.h"
 #include "world/frame.h"
 
 #include <math.h>
@@ -37,8 +38,8 @@ skv_pull skv_make_pull(const skv_hand *hand, float dt)
         .inv_radius = 1 / hand->radius,
         .attraction = hand->attraction,
         /* Half each at most: more than the whole velocity would turn it round. */
-        .friction = fminf(0.5f, dt * hand->friction),
-        .follow = fminf(0.5f, dt * hand->follow),
+        .friction = skv_minf(0.5f, dt * hand->friction),
+        .follow = skv_minf(0.5f, dt * hand->follow),
     };
 }
 

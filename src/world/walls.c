@@ -1,8 +1,7 @@
 /* Meeting walls: swept moves and contact. Invariant: a move ends where the terrain's sweep lets it,
  * so nothing passes a wall, however fast it is. */
+#include "base/exact.h"
 #include "world/frame.h"
-
-#include <math.h>
 
 float skv_move_at_walls(const skv_world *world, float *x, float *y, float dx, float dy,
                         float *distance)
@@ -29,6 +28,6 @@ float skv_contact_depth(const skv_world *world, float x, float y, float *nx, flo
     if (!(depth > 0))
         return 0;
     float beyond = skv_terrain_distance(terrain, x + depth * *nx, y + depth * *ny);
-    float gain = fmaxf(-depth, fminf(depth, beyond - *distance));
+    float gain = skv_maxf(-depth, skv_minf(depth, beyond - *distance));
     return 0.5f * (depth + gain);
 }

@@ -4,6 +4,7 @@
  * succeeds as a whole or leaves the world as it was.
  */
 #include "base/assert.h"
+#include "base/exact.h"
 #include "base/memory.h"
 #include "world/world_internal.h"
 
@@ -121,7 +122,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->gravity_y = def->gravity_y;
         world->h = def->fluid.spacing * def->fluid.radius_ratio;
         float pixel = skv_terrain_pixel_size(world->terrain);
-        world->wall_clearance = fminf(0.1f * def->fluid.spacing, 0.5f * pixel);
+        world->wall_clearance = skv_minf(0.1f * def->fluid.spacing, 0.5f * pixel);
         float lowest, highest;
         skv_terrain_free_range(world->terrain, &lowest, &highest);
         float depth = def->depth > 0 ? def->depth : highest - lowest;

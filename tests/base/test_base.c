@@ -1,8 +1,8 @@
 /* Results, messages, allocator hooks, assert handler, and the exact functions against libm. */
 #include "base/assert.h"
-#include "base/clock.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "base/platform.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -21,7 +21,7 @@ complain() {
 core() {
     local folder=$build/bits/$1 log=$build/bits/$1.log
     shift
-    mkdir -p "$folder"
+    mkdir -p "$build/bits"
     if ! { cmake -S . -B "$folder" -G Ninja -DSKVALP_CORE_ONLY=ON "$@" &&
         ninja -C "$folder" bits_hashes; } >"$log" 2>&1; then
         tail -n 20 "$log" >&2
@@ -48,6 +48,15 @@ same_worlds() {
     local what=$1 frames=$2
     shift 2
     same "$what" <(awk -v frames="$frames" '$2 == frames' "$golden") "$@"
+}
+
+# set_is WHAT EXPECTED COMMAND...: the command must name the expected instruction set as the one in
+# use; else the comparison would prove nothing about it.
+set_is() {
+    local what=$1 expected=$2 found
+    shift 2
+    found=$("$@" 2>&1) || true
+    [[ $found == "$expected" ]] || complain "$what: the instruction set is $found, not $expected"
 }
 
 # verdict: the last line of a test.

@@ -9,7 +9,10 @@ cd "${2:?usage: test_bits_native.sh BUILD SOURCE}"
 source tests/bits/lib.sh
 
 case $(uname -m) in
-x86_64) sets=(scalar sse2 avx2) ;;
+x86_64)
+    sets=(scalar sse2)
+    grep -qw avx2 /proc/cpuinfo && sets+=(avx2) || printf 'bits: this processor has no AVX2\n'
+    ;;
 aarch64) sets=(scalar neon) ;;
 *) sets=(scalar) ;;
 esac
@@ -20,6 +23,7 @@ for compiler in gcc clang-19; do
     for type in Release Debug; do
         folder=$(core "$compiler-$type" -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE="$type")
         for set in "${sets[@]}"; do
+            set_is "$compiler $type" "$set" env SKVALP_ISA="$set" "$folder/bits_hashes"
             threads=(1 "${many[turn++ % ${#many[@]}]}")
             [[ ${SKV_LONG_TESTS:-0} != 1 ]] || threads=(1 "${many[@]}")
             for count in "${threads[@]}"; do

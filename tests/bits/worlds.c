@@ -116,6 +116,11 @@ const char *bits_name(int number)
     return kinds[number].name;
 }
 
+const char *bits_instruction_set(void)
+{
+    return skv_instruction_set();
+}
+
 static skv_terrain *make_terrain(const world_kind *kind)
 {
     static uint8_t coverage[WIDTH * HEIGHT];

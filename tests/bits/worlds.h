@@ -9,6 +9,9 @@
 int bits_count(void);
 const char *bits_name(int number);
 
+/* The instruction set in use. */
+const char *bits_instruction_set(void);
+
 /* Makes world `number`, steps it `frames` times on so many threads, and returns a hash of all that
  * can be read of it; 0 if that failed. */
 uint64_t bits_hash(int number, int threads, int frames);

@@ -1,8 +1,8 @@
 /* Choosing the kernels: the widest instruction set that the processor has, or the one named by the
  * environment variable SKVALP_ISA (sse2, avx2 or scalar), for tests. The results are the same. */
+#include "base/platform.h"
 #include "solver/rows/rows_internal.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static const skv_row_kernels *widest(void)
@@ -17,7 +17,7 @@ static const skv_row_kernels *widest(void)
 const skv_row_kernels *skv_row_kernels_chosen(void)
 {
     const skv_row_kernels *best = widest();
-    const char *wish = getenv("SKVALP_ISA");
+    const char *wish = skv_platform_variable("SKVALP_ISA");
     if (!wish)
         return best;
     if (strcmp(wish, "scalar") == 0)

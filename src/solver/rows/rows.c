@@ -9,8 +9,8 @@
  *
  * Invariant: every order that these rules allow gives the same bits.
  */
-#include "base/clock.h"
 #include "base/memory.h"
+#include "base/platform.h"
 #include "solver/rows/rows_internal.h"
 
 #include <math.h>

@@ -1,0 +1,53 @@
+/* What the core asks of the system it runs on, and all of it.
+ *
+ * Besides, the core needs no more of a C library than <math.h>'s sqrt, fabs, ceil, floor and
+ * isfinite and <string.h>'s mem... and strcmp: it is freestanding. posix/platform.c implements
+ * this for Linux and its kin, wasm/platform.c for WebAssembly without any library.
+ */
+#ifndef SKV_BASE_PLATFORM_H
+#define SKV_BASE_PLATFORM_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Memory for programs that set no hooks of their own, aligned to SKV_ALIGNMENT; null if there is
+ * none left. */
+void *skv_platform_allocate(size_t bytes);
+void skv_platform_release(void *memory);
+
+/* Ends the program: a caller's mistake that no assert handler wanted to know of. */
+_Noreturn void skv_platform_abort(void);
+
+/* Seconds from an arbitrary origin, monotonic; always 0 where there is no clock. */
+double skv_clock(void);
+
+/* The value of an environment variable; null if it is not set. */
+const char *skv_platform_variable(const char *name);
+
+/* Physical cores, at least 1. */
+int skv_platform_cores(void);
+
+/* Lets another thread run. */
+void skv_platform_yield(void);
+
+/* A crew: threads, and a bed for those of them that have nothing to do. */
+typedef struct skv_crew skv_crew;
+
+/* A crew without threads; null if memory is out. */
+skv_crew *skv_crew_create(void);
+
+/* Starts a thread that runs `work`; false if the system has none left, or has no threads. */
+bool skv_crew_start(skv_crew *crew, void (*work)(void *argument), void *argument);
+
+/* Waits until all threads have returned, then frees the crew; null is allowed. */
+void skv_crew_join(skv_crew *crew);
+
+/* Sleeps as long as *counter is `old`. */
+void skv_crew_sleep(skv_crew *crew, atomic_uint *counter, unsigned old);
+
+/* Wakes the sleepers; to be called after a counter has changed. Costs next to nothing if there are
+ * none. */
+void skv_crew_wake(skv_crew *crew);
+
+#endif

@@ -1,0 +1,14 @@
+/* What the core needs of <math.h> where there is no C library. All of it becomes instructions. */
+#ifndef SKV_WASM_MATH_H
+#define SKV_WASM_MATH_H
+
+double sqrt(double x);
+float sqrtf(float x);
+double fabs(double x);
+float fabsf(float x);
+double ceil(double x);
+double floor(double x);
+
+#define isfinite(x) __builtin_isfinite(x)
+
+#endif
