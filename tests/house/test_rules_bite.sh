@@ -42,6 +42,9 @@ bites test_layers.sh "base includes world" "layer base must not include"
 printf '#include <jansson.h>\n' >>"$work/copy/$sin"
 bites test_layers.sh "the core includes jansson" "the core must not depend on <jansson.h>"
 
+printf '#include <stdio.h>\n' >>"$work/copy/$sin"
+bites test_layers.sh "the core prints by itself" "the core must not depend on <stdio.h>"
+
 printf '#include <skvalp/render.h>\n' >>"$work/copy/include/skvalp/world.h"
 bites test_layers.sh "a public header includes one to its right" "layer world must not include"
 
