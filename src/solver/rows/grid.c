@@ -25,7 +25,8 @@ static void count_cells(skv_rows *rows, skv_row_thread *own)
     const int last_cell = rows->cells_used - 1, last_row = rows->row_count - ROW_MARGIN - 1;
     for (int row = own->old_first; row < own->old_end; row++) {
         for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
-            float x = p->x[i] * ROW_CELLS + ROW_MARGIN * ROW_CELLS, y = p->y[i] + ROW_MARGIN;
+            float x = (p->x[i] + (float)ROW_MARGIN) * (float)ROW_CELLS;
+            float y = p->y[i] + (float)ROW_MARGIN;
             int cell = cell_of(x, ROW_CELLS, last_cell), to = cell_of(y, 1, last_row);
             rows->key[i] = to * rows->stride + cell;
             own->histogram[rows->key[i]]++;

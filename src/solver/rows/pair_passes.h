@@ -15,8 +15,16 @@
 /* Keeps r above 0; pairs closer than 1e-6 h have the strength of that distance. */
 #define TINY_SQUARED 1e-12f
 
-#define TILE    ROW_TILE
+#define TILE ROW_TILE
+/* The pair loops are inlined into each of their variants and unrolled over the tile. The scalar
+ * build, which is for checking and not for speed, does without: it would take compilers minutes. */
+#if defined(SKV_SIMD_SCALAR)
+#define VARIANT static __attribute__((noinline))
+#define EACH(k) for (int k = 0; k < TILE; k++)
+#else
+#define VARIANT V8_INLINE
 #define EACH(k) _Pragma("GCC unroll 8") for (int k = 0; k < TILE; k++)
+#endif
 
 /* Compile-time variants of the pair loops. */
 /* WITH_GAUGE: the displacement sums the virial as well. */
@@ -50,8 +58,8 @@ V8_INLINE v8 over_tile(const v8 *a)
 
 /* Differences to eight partners at j, their distance and q. In the first block of a tile the
  * partners before and at particle k itself are masked out: j + lane > i + k. */
-V8_INLINE void measure(const skv_row_particles *p, int j, bool first, const tile *t, v8 *dx, v8 *dy,
-                       v8 *r, v8 *q)
+VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *t, v8 *dx, v8 *dy,
+                     v8 *r, v8 *q)
 {
     const v8 one = v8_set(1), zero = v8_set(0), tiny = v8_set(TINY_SQUARED);
     v8 xj = v8_load(p->x + j), yj = v8_load(p->y + j);
@@ -67,9 +75,9 @@ V8_INLINE void measure(const skv_row_particles *p, int j, bool first, const tile
 }
 
 /* The impulse of pairs that approach each other; dx, dy from i to j, in displacement units. */
-V8_INLINE void viscosity(const skv_row_particles *p, int j, const tile *t, const v8 *dx,
-                         const v8 *dy, const v8 *inverse, const v8 *q, v8 sigma, v8 beta,
-                         tile_sums *sums, const targets *to)
+VARIANT void viscosity(const skv_row_particles *p, int j, const tile *t, const v8 *dx, const v8 *dy,
+                       const v8 *inverse, const v8 *q, v8 sigma, v8 beta, tile_sums *sums,
+                       const targets *to)
 {
     const v8 zero = v8_set(0), one = v8_set(1), half = v8_set(0.5f);
     v8 uj = v8_load(p->u + j), vj = v8_load(p->v + j), w[TILE], share[TILE], ix[TILE], iy[TILE];
@@ -86,9 +94,9 @@ V8_INLINE void viscosity(const skv_row_particles *p, int j, const tile *t, const
 }
 
 /* Pass A for a tile and eight partners. */
-V8_INLINE void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
-                             const tile *t, v8 sigma, v8 beta, tile_sums *sums, const targets *to,
-                             float *keep)
+VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
+                           const tile *t, v8 sigma, v8 beta, tile_sums *sums, const targets *to,
+                           float *keep)
 {
     v8 dx[TILE], dy[TILE], r[TILE], q[TILE], q2[TILE], q3[TILE];
     measure(p, j, first, t, dx, dy, r, q);
@@ -161,7 +169,7 @@ static void zero_targets(const skv_rows *s, int row, unsigned with)
     }
 }
 
-V8_INLINE void store_sums(const skv_rows *s, int i, unsigned with, const tile_sums *sums)
+VARIANT void store_sums(const skv_rows *s, int i, unsigned with, const tile_sums *sums)
 {
     const v8 zero = v8_set(0);
     EACH(k)
@@ -185,8 +193,8 @@ V8_INLINE void store_sums(const skv_rows *s, int i, unsigned with, const tile_su
     }
 }
 
-V8_INLINE void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                           float *keep)
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
+                         float *keep)
 {
     /* A copy: the compiler need not fear that a store changes it. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -251,10 +259,10 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
 
 /* Pass B for a tile and eight partners. `with` tells how q and q/r are had: WITH_GRADIENT as the
  * first iteration made them, else from q alone, r being 1 - q. */
-V8_INLINE void displacement_block(const skv_row_particles *p, const float *pushes,
-                                  const float *near_pushes, int j, bool first, unsigned with,
-                                  const tile *t, tile_sums *sums, const targets *to,
-                                  const float *keep)
+VARIANT void displacement_block(const skv_row_particles *p, const float *pushes,
+                                const float *near_pushes, int j, bool first, unsigned with,
+                                const tile *t, tile_sums *sums, const targets *to,
+                                const float *keep)
 {
     v8 dx[TILE], dy[TILE], r[TILE], q[TILE], ratio[TILE], size[TILE];
     if (with & KEEP_PAIRS) {
@@ -295,7 +303,7 @@ V8_INLINE void displacement_block(const skv_row_particles *p, const float *pushe
     add_at(to->b + j, over_tile(dy));
 }
 
-V8_INLINE void displacement_row(const skv_rows *s, int row, unsigned with, const float *keep)
+VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
     const float *push = s->push, *near_push = s->near_push;
