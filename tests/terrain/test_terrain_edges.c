@@ -1,6 +1,6 @@
 /* A terrain's edges: sizes, sides, pictures without a wall, bad definitions, memory failures. */
-#include "support/failing_memory.h"
 #include "shapes.h"
+#include "support/failing_memory.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Wall density maps against the analytic half plane, and their limits: uniform regions, open
  * sides, scale, memory. */
-#include "support/failing_memory.h"
 #include "shapes.h"
+#include "support/failing_memory.h"
 #include "terrain/wall_map.h"
 
 #include <math.h>
