@@ -283,7 +283,7 @@ static directive read_directive(const char **at, va_list *arguments)
         d.precision = read_number(at, arguments);
     }
     if (**at == 'h' || **at == 'l' || **at == 'z')
-        d.length = *(*at)++;
+        d.length = (unsigned char)*(*at)++;
     if ((d.length == 'h' || d.length == 'l') && **at == d.length) {
         d.length += 'H' - 'h';
         ++*at;

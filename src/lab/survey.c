@@ -375,8 +375,9 @@ bool skv_survey_surface(const skv_survey *s, double x0, double y0, double x1, do
         return false;
     ray r = {s, x0, y0, dx / length, dy / length};
     double step = s->h / 4;
-    for (double at = length; at > -step; at -= step) {
-        double inner = at > 0 ? at : 0;
+    int steps = (int)ceil(length / step);
+    for (int k = 0; k <= steps; k++) {
+        double inner = fmax(length - k * step, 0);
         if (fill_on_ray(&r, inner) < 0.5 || !has_depth(&r, inner, s->h))
             continue;
         double outer = fmin(inner + step, length);

@@ -106,7 +106,10 @@ static skv_result prepare_neighbours(measurement *m, skv_error *error)
 {
     skv_force_meter *meter = m->meter;
     double h = (double)m->world->h;
-    if (meter->h != h || memcmp(meter->box, m->box, sizeof m->box) != 0) {
+    bool moved = meter->h != h;
+    for (int k = 0; k < 4; k++)
+        moved = moved || meter->box[k] != m->box[k];
+    if (moved) {
         skv_neighbours_destroy(&meter->neighbours);
         meter->h = 0;
         float reach = (float)m->reach;
