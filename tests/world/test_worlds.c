@@ -34,6 +34,7 @@ typedef struct trial {
     painted picture;
     skv_world *world;
     float pixel; /* m */
+    skv_solver solver;
     int particles;
     int chamber[MAX_PARTICLES]; /* in which each particle started */
     char failure[640];          /* empty: none so far */
@@ -94,6 +95,8 @@ static bool set_up(trial *t)
     def.terrain = terrain;
     def.fluid = skv_default_fluid_def(law);
     def.fluid.spacing = choose_spacing(terrain, &s, dice_int(&t->dice, 300, MAX_PARTICLES - 1));
+    t->solver = dice_int(&t->dice, 0, 2) ? SKV_SOLVER_FAST : SKV_SOLVER_REFERENCE;
+    def.solver = t->solver;
     def.threads = 1;
     def.capacity = MAX_PARTICLES;
     /* Half of the worlds know of the violence that comes, the others step as for plain water. */
@@ -205,11 +208,12 @@ static bool run_world(uint64_t seed, bool talk)
     bool good = set_up(t) && slosh(t);
     if (!good || talk)
         print_message("world %llu (%s, %s, %d x %d pixels, %d chambers, %d particles, law %s, "
-                      "spacing %.1f px, %d substeps): %s\n",
+                      "%s solver, spacing %.1f px, %d substeps): %s\n",
                       (unsigned long long)seed, painted_kind_name(t->picture.kind),
                       t->picture.grey ? "grey" : "black and white", t->picture.width,
                       t->picture.height, t->picture.chambers, t->particles,
                       t->world ? skv_law_name(skv_world_fluid(t->world)->law) : "-",
+                      t->solver == SKV_SOLVER_FAST ? "fast" : "reference",
                       t->world ? (double)(skv_world_spacing(t->world) / t->pixel) : 0.0,
                       t->world ? skv_world_substeps(t->world) : 0, good ? "fine" : t->failure);
     skv_world_destroy(t->world);
