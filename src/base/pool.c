@@ -3,15 +3,15 @@
  * Invariant: a team's members run at the same time, each on a thread of its own, and between two
  * teams no worker touches anything but the pool. A team is announced by raising `generation`;
  * members meet by raising `phase`. Whoever waits for one of these counters spins briefly before it
- * sleeps: a phase takes tens of microseconds and a sleep costs as much, but spinning beside a busy
- * process would cost a whole time slice.
+ * sleeps: a phase takes tens of microseconds and a sleep costs as much, but spinning or yielding
+ * beside a busy process costs whole time slices (docs/performance.md).
  */
 #include "base/pool.h"
 
 #include "base/memory.h"
 #include "base/platform.h"
 
-enum { CHUNK = 128, SPINS = 3000, YIELDS = 20, MAX_THREADS = 64 };
+enum { CHUNK = 128, SPINS = 400, MAX_THREADS = 64 };
 
 /* What a worker is started with. */
 typedef struct seat {
@@ -51,7 +51,7 @@ void skv_pool_pause(int *turns)
 /* Waits until a counter has left `old`. */
 static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
 {
-    for (int turns = 0; turns < SPINS + YIELDS;) {
+    for (int turns = 0; turns < SPINS;) {
         if (atomic_load_explicit(counter, memory_order_acquire) != old)
             return;
         skv_pool_pause(&turns);
