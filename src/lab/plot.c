@@ -154,21 +154,29 @@ static double pixel(const axis *a, double value)
     return a->from + (value - a->low) / (a->high - a->low) * (a->to - a->from);
 }
 
+static int first_tick(const axis *a)
+{
+    return (int)ceil(a->low / a->tick - 1e-6);
+}
+
+static int last_tick(const axis *a)
+{
+    return (int)floor(a->high / a->tick + 1e-6);
+}
+
 static void draw_ticks(sink *out, const axis *x, const axis *y)
 {
-    for (double v = ceil(x->low / x->tick - 1e-6) * x->tick; v <= x->high + 1e-6 * x->tick;
-         v += x->tick) {
-        double value = fabs(v) < 1e-9 * x->tick ? 0 : v;
+    for (int k = first_tick(x); k <= last_tick(x); k++) {
+        double v = k * x->tick;
         say(out, "<path class='grid' d='M%.1f %.1fV%.1f'/>\n", pixel(x, v), y->from, y->to);
         say(out, "<text x='%.1f' y='%.1f' text-anchor='middle'>%.6g</text>\n", pixel(x, v),
-            y->from + 18, value);
+            y->from + 18, v);
     }
-    for (double v = ceil(y->low / y->tick - 1e-6) * y->tick; v <= y->high + 1e-6 * y->tick;
-         v += y->tick) {
-        double value = fabs(v) < 1e-9 * y->tick ? 0 : v;
+    for (int k = first_tick(y); k <= last_tick(y); k++) {
+        double v = k * y->tick;
         say(out, "<path class='grid' d='M%.1f %.1fH%.1f'/>\n", x->from, pixel(y, v), x->to);
         say(out, "<text x='%.1f' y='%.1f' text-anchor='end'>%.6g</text>\n", x->from - 8,
-            pixel(y, v) + 4, value);
+            pixel(y, v) + 4, v);
     }
 }
 
