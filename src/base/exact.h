@@ -3,6 +3,8 @@
 #ifndef SKV_BASE_EXACT_H
 #define SKV_BASE_EXACT_H
 
+#include "base/ieee.h"
+
 /* The smaller and the larger of two; b if a is NaN. Not fmin and fmax: of 0 and -0 these may return
  * either, and processors differ. */
 static inline float skv_minf(float a, float b)

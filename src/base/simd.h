@@ -9,6 +9,8 @@
 #ifndef SKV_BASE_SIMD_H
 #define SKV_BASE_SIMD_H
 
+#include "base/ieee.h"
+
 #include <stdint.h>
 
 #define V8_INLINE static inline __attribute__((always_inline))
@@ -76,7 +78,7 @@ V8_INLINE v8 v8_and(v8 a, v8 b)
 }
 
 #elif !defined(SKV_SIMD_SCALAR) &&                                                                 \
-    (defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__))
+    (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -89,7 +91,7 @@ typedef __m128 v4;
 #define V4_MAX   _mm_max_ps
 #define V4_MIN   _mm_min_ps
 #define V4_AND   _mm_and_ps
-#elif defined(__ARM_NEON)
+#elif defined(__aarch64__)
 #include <arm_neon.h>
 #define V8_NAME      "neon"
 typedef float32x4_t v4;

@@ -59,6 +59,20 @@ set_is() {
     [[ $found == "$expected" ]] || complain "$what: the instruction set is $found, not $expected"
 }
 
+# fused ARCHIVE OBJDUMP: instructions that multiply and add in one.
+fused() {
+    "$2" -d --no-show-raw-insn "$1" 2>/dev/null |
+        awk '$2 ~ /^(vfn?m(add|sub)|fn?m(add|sub)$|fml[as]$)/ { print $2 }' | sort | uniq -c
+}
+
+# fuses_nothing ARCHIVE OBJDUMP: there must be none.
+fuses_nothing() {
+    local line
+    while read -r line; do
+        complain "$1: rounds once instead of twice: $line"
+    done < <(fused "$@")
+}
+
 # verdict: the last line of a test.
 verdict() {
     if ((bad > 0)); then
