@@ -14,7 +14,8 @@ fresh_copy() {
     rm -rf "$work/copy"
     mkdir "$work/copy"
     local part
-    for part in app bench cli docs examples include scenes src tests README.md CHANGELOG.md LICENSE; do
+    for part in app bench cli docs examples include scenes src tests README.md CHANGELOG.md LICENSE \
+        CMakeLists.txt; do
         [[ ! -e $source/$part ]] || cp -r "$source/$part" "$work/copy/"
     done
 }
