@@ -36,9 +36,9 @@ static void integers_and_text(void **unused)
         compare("%d %i %u %x %X %#x %c|", n, n, (unsigned)n, (unsigned)n, (unsigned)n, (unsigned)n,
                 'a' + i);
         compare("%5d|%-7d|%07d|%+d|%.4d|%8.3d|%*d|%-*d|", n, n, n, n, n, n, i, n, i, n);
-        compare("%lld %ld %zu %llx %hhx %hd %02x %#10x %lu", (long long)n << 31, (long)n, (size_t)n,
-                (unsigned long long)n, (unsigned char)n, (short)n, (unsigned)n, (unsigned)n,
-                (unsigned long)n);
+        compare("%lld %ld %zu %llx %hhx %hd %02x %#10x %lu", (long long)n * 2147483648, (long)n,
+                (size_t)n, (unsigned long long)n, (unsigned char)n, (short)n, (unsigned)n,
+                (unsigned)n, (unsigned long)n);
     }
     compare("%s and %10s, %-10s| %.3s %.*s 100%%", "one", "two", "three", "fourth", 2, "fifth");
     compare("%.3s", (const char[]){'a', 'b', 'c'});
