@@ -19,4 +19,12 @@ if (threads === undefined) {
         const hash = BigInt.asUintN(64, bits_hash(i, Number(threads), Number(frames)));
         console.log(`${text(bits_name(i))} ${frames} ${hash.toString(16).padStart(16, '0')}`);
     }
+    // The memory of worlds that are gone serves again.
+    const held = memory.buffer.byteLength;
+    for (let i = 0; i < 2 * bits_count(); i++) {
+        bits_hash(i % bits_count(), 1, 1);
+    }
+    if (memory.buffer.byteLength > held) {
+        console.log(`memory leaks: ${held} bytes have become ${memory.buffer.byteLength}`);
+    }
 }

@@ -19,13 +19,16 @@ complain() {
 # core NAME CMAKE-OPTION...: builds the core and bits_hashes in a folder of their own, which is
 # printed. Ends the test if that fails.
 core() {
-    local folder=$build/bits/$1 log=$build/bits/$1.log
+    local folder=$build/bits/$1 log=$build/bits/$1.log status=0
     shift
     mkdir -p "$build/bits"
-    if ! { cmake -S . -B "$folder" -G Ninja -DSKVALP_CORE_ONLY=ON "$@" &&
-        ninja -C "$folder" bits_hashes; } >"$log" 2>&1; then
+    {
+        cmake -S . -B "$folder" -G Ninja -DSKVALP_CORE_ONLY=ON "$@" &&
+            ninja -C "$folder" bits_hashes
+    } >"$log" 2>&1 || status=$?
+    if ((status)); then
         tail -n 20 "$log" >&2
-        printf 'building the core with %s failed\n' "$*" >&2
+        printf 'building the core with %s failed with status %d\n' "$*" "$status" >&2
         return 1
     fi
     printf '%s' "$folder"
