@@ -11,11 +11,14 @@ int run_command(const cli_options *options, skv_error *error);
 int scenes_command(const cli_options *options, skv_error *error);
 int check_command(const cli_options *options, skv_error *error);
 int bench_command(const cli_options *options, skv_error *error);
+int lab_command(const cli_options *options, skv_error *error);
 
 /* Help: of the program, of a command, of the fields that --set changes. */
 void help_print(void);
 void help_print_command(command which);
 void help_print_settings(void);
+/* The experiments and their parameters. */
+void help_print_lab(void);
 
 /* "skvalp: note: ..." on stderr for everything that loading a scene has to say. */
 void print_notices(const skv_scene *scene);

@@ -2,6 +2,10 @@
  * layer's registry, so neither can fall behind. */
 #include "commands.h"
 
+#include <string.h>
+
+#include "skvalp/lab.h"
+
 void help_print(void)
 {
     puts("skvalp - a real-time 2D particle fluid\n"
@@ -11,6 +15,7 @@ void help_print(void)
          "  run SCENE     simulate a scene; write numbers, tables, pictures, a video\n"
          "  check SCENE   load a scene and say what it is, or what is wrong with it\n"
          "  scenes        list the built-in scenes\n"
+         "  lab           measure the fluid and compare it with the textbook\n"
          "  bench         measure what a step costs\n"
          "  help set      list the fields that --set can change\n"
          "\n"
@@ -37,8 +42,15 @@ void help_print_command(command which)
              "thousands to a million particles, on one thread and on all, beside the reference\n"
              "solver. Takes minutes; wants the machine to itself.\n");
         break;
+    case COMMAND_LAB:
+        puts("usage: skvalp lab [EXPERIMENT...] [OPTION...]\n\n"
+             "Runs experiments, all of them if none is named, and compares what is measured with\n"
+             "theory. Exit status 1 if a figure misses what it must reach.\n");
+        break;
     }
     options_print_help(which, stdout);
+    if (which == COMMAND_LAB)
+        help_print_lab();
 }
 
 void help_print_settings(void)
@@ -69,5 +81,33 @@ void help_print_settings(void)
         }
         printf("%s%s\n    %s\n", *field->default_text ? ", default " : "", field->default_text,
                field->help);
+    }
+}
+
+/* "0.5..100 m/s^2, default 9.81", or the choices. */
+static void print_range(const skv_lab_parameter *p)
+{
+    if (p->choices) {
+        printf("%s, default %.*s", p->choices, (int)strcspn(p->choices, "|"), p->choices);
+    } else {
+        printf("%.10g..%.10g%s%s, default %.10g", p->minimum, p->maximum, *p->unit ? " " : "",
+               p->unit, p->value);
+    }
+}
+
+void help_print_lab(void)
+{
+    puts("\nExperiments:");
+    for (int i = 0; skv_experiment_info(i); i++) {
+        const skv_experiment *info = skv_experiment_info(i);
+        printf("  %-14s %s\n", info->name, info->description);
+    }
+    puts("\nParameters, for --set PATH=VALUE:");
+    int count;
+    const skv_lab_parameter *parameters = skv_lab_parameters(&count);
+    for (int i = 0; i < count; i++) {
+        printf("  %s  ", parameters[i].path);
+        print_range(&parameters[i]);
+        printf("\n      %s\n", parameters[i].help);
     }
 }

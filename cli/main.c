@@ -15,10 +15,9 @@ static const struct {
     command which;
     int (*run)(const cli_options *, skv_error *);
 } commands[] = {
-    {"run", COMMAND_RUN, run_command},
-    {"scenes", COMMAND_SCENES, scenes_command},
-    {"check", COMMAND_CHECK, check_command},
-    {"bench", COMMAND_BENCH, bench_command},
+    {"run", COMMAND_RUN, run_command},       {"scenes", COMMAND_SCENES, scenes_command},
+    {"check", COMMAND_CHECK, check_command}, {"bench", COMMAND_BENCH, bench_command},
+    {"lab", COMMAND_LAB, lab_command},
 };
 enum { COMMAND_COUNT = (int)(sizeof commands / sizeof commands[0]) };
 
@@ -54,11 +53,10 @@ static int help(int count, char **arguments, skv_error *error)
     } else if (count > 0 && strcmp(arguments[0], "set") == 0) {
         help_print_settings();
     } else if (count > 0) {
-        skv_fail(
-            error, SKV_ERROR_VALUE,
-            "help: there is none on '%s'; say help run, help scenes, help check, help bench or "
-            "help set",
-            arguments[0]);
+        skv_fail(error, SKV_ERROR_VALUE,
+                 "help: there is none on '%s'; say help run, help scenes, help check, help bench, "
+                 "help lab or help set",
+                 arguments[0]);
         return STATUS_BAD;
     } else {
         help_print();
@@ -68,12 +66,9 @@ static int help(int count, char **arguments, skv_error *error)
 
 static int unknown_command(const char *name, skv_error *error)
 {
-    static const char *const names[] = {"run", "scenes", "check", "bench", "help"};
+    static const char *const names[] = {"run", "scenes", "check", "bench", "lab", "help"};
     const char *nearest = nearest_name(name, names, (int)(sizeof names / sizeof names[0]));
-    if (strcmp(name, "lab") == 0) {
-        skv_fail(error, SKV_ERROR_VALUE,
-                 "%s: this version has none; see 'skvalp --help' for what it has", name);
-    } else if (nearest) {
+    if (nearest) {
         skv_fail(error, SKV_ERROR_VALUE, "%s: no such command; did you mean %s?", name, nearest);
     } else {
         skv_fail(error, SKV_ERROR_VALUE, "%s: no such command; see 'skvalp --help'", name);

@@ -35,7 +35,7 @@ typedef struct option_rule {
 
 #define AT(field)      offsetof(cli_options, field)
 #define SCENE_COMMANDS (COMMAND_RUN | COMMAND_CHECK)
-#define ALL_COMMANDS   (COMMAND_RUN | COMMAND_SCENES | COMMAND_CHECK | COMMAND_BENCH)
+#define ALL_COMMANDS   (COMMAND_RUN | COMMAND_SCENES | COMMAND_CHECK | COMMAND_BENCH | COMMAND_LAB)
 
 static const option_rule rules[] = {
     {"seconds", "T", COMMAND_RUN, KIND_NUMBER, AT(seconds), 0, 86400, " s",
@@ -44,7 +44,7 @@ static const option_rule rules[] = {
      "wanted number of particles; default: the scene's"},
     {"threads", "K", COMMAND_RUN, KIND_INTEGER, AT(threads), 0, SKV_MAX_THREADS, "",
      "threads to compute on; 0, the default: one per core"},
-    {"law", "LAW", SCENE_COMMANDS, KIND_LAW, 0, 0, 0, "",
+    {"law", "LAW", SCENE_COMMANDS | COMMAND_LAB, KIND_LAW, 0, 0, 0, "",
      "pressure law: calibrated or clavet; same as --set fluid.law=LAW"},
     {"set", "PATH=VALUE", SCENE_COMMANDS, KIND_SETTING, 0, 0, 0, "",
      "override a field of the scene, see 'skvalp help set'; may be repeated"},
@@ -73,8 +73,14 @@ static const option_rule rules[] = {
      "draw the cost of a particle against their number"},
     {"markdown", NULL, COMMAND_BENCH, KIND_FLAG, AT(markdown), 0, 0, "",
      "print the tables as Markdown"},
-    {"json", NULL, COMMAND_RUN | COMMAND_SCENES | COMMAND_BENCH, KIND_FLAG, AT(json), 0, 0, "",
-     "print the result as JSON"},
+    {"set", "PATH=VALUE", COMMAND_LAB, KIND_SETTING, 0, 0, 0, "",
+     "change a parameter of the experiments, listed below; may be repeated"},
+    {"plot", "DIR", COMMAND_LAB, KIND_FILE, AT(plot), 0, 0, "",
+     "write each experiment's curve with the theory over it as DIR/NAME.svg and NAME.csv"},
+    {"threads", "K", COMMAND_LAB, KIND_INTEGER, AT(threads), 0, SKV_MAX_THREADS, "",
+     "threads to compute on; 0, the default: one per core"},
+    {"json", NULL, COMMAND_RUN | COMMAND_SCENES | COMMAND_BENCH | COMMAND_LAB, KIND_FLAG, AT(json),
+     0, 0, "", "print the result as JSON"},
     {"quiet", NULL, ALL_COMMANDS, KIND_FLAG, AT(quiet), 0, 0, "",
      "print errors and what was asked for, nothing else"},
     {"help", NULL, ALL_COMMANDS, KIND_FLAG, AT(help), 0, 0, "", "show this help"},
@@ -92,6 +98,8 @@ static const char *command_name(command which)
         return "check";
     case COMMAND_BENCH:
         return "bench";
+    case COMMAND_LAB:
+        return "lab";
     }
     return "";
 }
@@ -367,7 +375,8 @@ static skv_result check_together(command which, const cli_options *given, skv_er
                         given->json ? "--json" : "--csv -");
     }
     if (is_dash(given->plot))
-        return skv_fail(error, SKV_ERROR_VALUE, "--plot: '-' is not supported; name a file");
+        return skv_fail(error, SKV_ERROR_VALUE, "--plot: '-' is not supported; name a %s",
+                        which == COMMAND_LAB ? "folder" : "file");
     if (is_dash(given->png))
         return skv_fail(error, SKV_ERROR_VALUE, "--png: '-' is not supported; name a file");
     return SKV_OK;
@@ -378,7 +387,8 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
 {
     *result = (cli_options){.seconds = -1};
     result->settings = calloc((size_t)count + 1, sizeof *result->settings);
-    if (!result->settings)
+    result->experiments = calloc((size_t)count + 1, sizeof *result->experiments);
+    if (!result->settings || !result->experiments)
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", command_name(which));
     bool only_names = false;
     for (int i = 0; i < count; i++) {
@@ -395,6 +405,8 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
             return skv_fail(error, SKV_ERROR_VALUE,
                             "%s: no such option; options have two dashes, see 'skvalp %s --help'",
                             text, command_name(which));
+        } else if (which == COMMAND_LAB) {
+            result->experiments[result->experiment_count++] = text;
         } else if (!(SCENE_COMMANDS & which)) {
             return skv_fail(
                 error, SKV_ERROR_VALUE, "%s: it takes no name, but got '%s'; to %s one, use %s",
@@ -416,8 +428,10 @@ void options_free(cli_options *options)
     for (int i = 0; i < options->setting_count; i++)
         free((char *)options->settings[i].path);
     free(options->settings);
+    free(options->experiments);
     options->settings = NULL;
-    options->setting_count = 0;
+    options->experiments = NULL;
+    options->setting_count = options->experiment_count = 0;
 }
 
 skv_scene_options options_for_scene(const cli_options *options)

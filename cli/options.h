@@ -12,7 +12,8 @@ typedef enum command {
     COMMAND_RUN = 1,
     COMMAND_SCENES = 2,
     COMMAND_CHECK = 4,
-    COMMAND_BENCH = 8
+    COMMAND_BENCH = 8,
+    COMMAND_LAB = 16
 } command;
 
 /* Smallest and largest side of a picture in pixels. */
@@ -20,14 +21,16 @@ typedef enum command {
 #define PICTURE_MAX 8192
 
 typedef struct cli_options {
-    const char *scene;                     /* null for `scenes` and `bench` */
+    const char *scene;        /* null for `scenes`, `bench` and `lab` */
+    const char **experiments; /* of `lab`, as given; none: all of them; owned */
+    int experiment_count;
     double seconds;                        /* negative: what the scene says */
     double trace_every;                    /* s; 0: --trace-every was not given */
     int particles;                         /* 0: what the scene says */
     int threads;                           /* 0: one per core */
     int width, height;                     /* of pictures; 0: chosen from the world's shape */
     const char *png, *video, *csv, *trace; /* null: not wanted */
-    const char *plot;                      /* of `bench`; null: not wanted */
+    const char *plot;                      /* of `bench` a file, of `lab` a folder; null: none */
     bool json, tracers, quiet, help;
     bool quick, markdown;  /* of `bench` */
     skv_setting *settings; /* --law and --set, in the order of the command line; owned */

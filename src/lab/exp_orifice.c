@@ -1,17 +1,18 @@
 /* A jet from a slot in the side of a tank: its speed, and how much flows.
  *
  * The slot's edge is sharp: the wall is bevelled to the outside. A plug holds the water for three
- * seconds and is then gone. Particles that pass a gate one slot height outside, where the jet has
- * contracted and its pressure is gone, are held against Torricelli's speed for their height below
- * the level at that moment; the flow is theirs, against the slot's height times that speed.
+ * seconds and is then gone. A little more than a slot height outside, where the jet has contracted
+ * and its pressure is gone, a region gives its speed and its height, which is set against the level
+ * in the tank, and a gate counts how much flows.
  */
 #include "lab/experiment.h"
 #include "lab/theory.h"
 
 #include <math.h>
 
-enum { WAIT = 3, GAUGES = 5, MAX_SAMPLES = 300 };
-enum { C_SLOT, C_GRAVITY, C_HEAD, C_SURFACE, C_LOW, C_HIGH };
+enum { WAIT = 3, GAUGES = 5 };
+/* How far the jet is below the surface: on average, at the start and at the end of watching. */
+enum { C_GRAVITY, C_FALL, C_FALL_START, C_FALL_END, C_TIME };
 
 /* In slot heights. */
 #define WALL    1.0 /* thickness of the wall */
@@ -81,8 +82,7 @@ static skv_result build(stage *s, tank *t, skv_error *error)
     return result;
 }
 
-/* The gate stands one slot height inside of the wall's outer face plus one: where the jet has
- * contracted. The section around it is as long as the water flies in a few frames. */
+/* The gate, and around it half a slot height of the jet. */
 static skv_result add_jet_instruments(stage *s, tank *t, double watch, skv_error *error)
 {
     double x = t->width + 1.2 * t->slot, low = t->low - 2 * t->slot, high = t->high + t->slot;
@@ -134,31 +134,31 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
         skv_lab_history(s->lab, t.section, 7, times, speed, 1);
         skv_plot_point(&found->plot, times[0] - start, speed[0]);
         if (i == 0)
-            found->condition[C_LOW] = level(s, &t);
+            found->condition[C_FALL_START] = level(s, &t);
     }
     if (result != SKV_OK)
         return result;
     double jet = skv_lab_reading(s->lab, t.section, 3);
     found->measured[0] = skv_lab_reading(s->lab, t.section, 7);
-    found->measured[1] = skv_lab_reading(s->lab, t.gate, 0) / t.slot;
-    found->condition[C_SLOT] = t.slot;
+    /* The coefficient is the flow over what the whole slot would pass at sqrt(2 g head). */
+    double head = surface - (t.low + t.high) / 2;
+    found->measured[1] = skv_lab_reading(s->lab, t.gate, 0) / (t.slot * sqrt(2 * t.gravity * head));
     found->condition[C_GRAVITY] = t.gravity;
-    found->condition[C_HEAD] = surface - (t.low + t.high) / 2;
-    found->condition[C_SURFACE] = surface - jet;
-    found->condition[C_HIGH] = level(s, &t) - jet;
-    found->condition[C_LOW] -= jet;
-    /* The discharge coefficient is a ratio already. */
-    found->measured[1] /= skv_theory_jet_speed(t.gravity, found->condition[C_HEAD]);
+    found->condition[C_FALL] = surface - jet;
+    found->condition[C_FALL_START] -= jet;
+    found->condition[C_FALL_END] = level(s, &t) - jet;
+    found->condition[C_TIME] = watch;
     return SKV_OK;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
 {
-    expected->theory[0] = skv_theory_jet_speed(condition[C_GRAVITY], condition[C_SURFACE]);
+    expected->theory[0] = skv_theory_jet_speed(condition[C_GRAVITY], condition[C_FALL]);
     expected->theory[1] = skv_theory_contraction();
     skv_plot_begin(plot, "theory: sqrt(2 g h)", CURVE_THEORY);
-    skv_plot_point(plot, 0, skv_theory_jet_speed(condition[C_GRAVITY], condition[C_LOW]));
-    skv_plot_point(plot, WATCH, skv_theory_jet_speed(condition[C_GRAVITY], condition[C_HIGH]));
+    skv_plot_point(plot, 0, skv_theory_jet_speed(condition[C_GRAVITY], condition[C_FALL_START]));
+    skv_plot_point(plot, condition[C_TIME],
+                   skv_theory_jet_speed(condition[C_GRAVITY], condition[C_FALL_END]));
 }
 
 const experiment skv_exp_orifice = {

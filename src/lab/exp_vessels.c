@@ -82,9 +82,19 @@ static double level_of(const stage *s, const vessels *v, int vessel)
     return sum;
 }
 
+/* The level that the water put in amounts to. */
+static double filled_level(const stage *s, const vessels *v)
+{
+    double ducts = (VESSELS - 1) * WALL * DUCT * v->level * v->level, width = 0;
+    for (int i = 0; i < VESSELS; i++)
+        width += v->x1[i] - v->x0[i];
+    return (skv_world_particle_count(s->world) * s->spacing * s->spacing - ducts) / width;
+}
+
 static skv_result measure(stage *s, findings *found, skv_error *error)
 {
     static const char *const labels[VESSELS] = {"left", "middle", "right"};
+    static const curve_style styles[VESSELS] = {CURVE_LINE, CURVE_RINGS, CURVE_DOTS};
     vessels v = {.level = skv_settings_length(s->settings, PARAM_VESSELS_LEVEL),
                  .head = skv_settings_length(s->settings, PARAM_VESSELS_HEAD)};
     s->total = RUN;
@@ -99,12 +109,12 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
         lowest = fmin(lowest, level_of(s, &v, i));
         double times[MAX_SAMPLES], levels[MAX_SAMPLES];
         int count = skv_lab_history(s->lab, v.gauges[i][1], 2, times, levels, MAX_SAMPLES);
-        skv_plot_begin(&found->plot, labels[i], i == 0 ? CURVE_LINE : CURVE_DOTS);
+        skv_plot_begin(&found->plot, labels[i], styles[i]);
         for (int k = 0; k < count; k += i == 0 ? 1 : 20)
             skv_plot_point(&found->plot, times[k], levels[k]);
     }
     found->measured[0] = highest - lowest;
-    found->condition[0] = v.level;
+    found->condition[0] = filled_level(s, &v);
     return SKV_OK;
 }
 

@@ -1,9 +1,9 @@
 /* Draws curves as SVG.
  *
  * The picture is text of a fixed size in one column of a page, with colours that read on white and
- * on dark paper, and that people who see red and green alike can tell apart: dots and a blue line
- * are measured, the dashed orange line is theory. Invariant: every number written is finite and
- * every mark lies inside the frame.
+ * on dark paper, and that people who see red and green alike can tell apart: blue dots,
+ * rings and lines are measured, the dashed orange line is theory. Invariant: every number written
+ * is finite and every mark lies inside the frame.
  */
 #include "lab/plot.h"
 
@@ -180,12 +180,22 @@ static void draw_ticks(sink *out, const axis *x, const axis *y)
     }
 }
 
+static bool is_marked(curve_style style)
+{
+    return style == CURVE_DOTS || style == CURVE_RINGS;
+}
+
+static void say_mark(sink *out, curve_style style, double x, double y)
+{
+    say(out, "<circle class='%s' cx='%.1f' cy='%.1f' r='3.5'/>\n",
+        style == CURVE_RINGS ? "rings" : "dots", x, y);
+}
+
 static void draw_curve(sink *out, const curve *c, const axis *x, const axis *y)
 {
-    if (c->style == CURVE_DOTS) {
+    if (is_marked(c->style)) {
         for (int i = 0; i < c->count; i++)
-            say(out, "<circle class='dots' cx='%.1f' cy='%.1f' r='3.5'/>\n", pixel(x, c->x[i]),
-                pixel(y, c->y[i]));
+            say_mark(out, c->style, pixel(x, c->x[i]), pixel(y, c->y[i]));
         return;
     }
     say(out, "<polyline class='%s' points='", c->style == CURVE_THEORY ? "theory" : "line");
@@ -200,16 +210,16 @@ static void draw_legend(sink *out, const skv_plot *p)
     double at = WIDTH - RIGHT;
     for (int i = p->count - 1; i >= 0; i--) {
         const curve *c = &p->curves[i];
-        at -= 7.0 * (double)strlen(c->label);
+        at -= 7.4 * (double)strlen(c->label);
         say(out, "<text x='%.1f' y='32'>", at);
         say_escaped(out, c->label);
         say(out, "</text>\n");
-        if (c->style == CURVE_DOTS)
-            say(out, "<circle class='dots' cx='%.1f' cy='28' r='3.5'/>\n", at - 10);
+        if (is_marked(c->style))
+            say_mark(out, c->style, at - 10, 28);
         else
             say(out, "<path class='%s' d='M%.1f 28h22'/>\n",
                 c->style == CURVE_THEORY ? "theory" : "line", at - 27);
-        at -= 40;
+        at -= 46;
     }
 }
 
@@ -230,7 +240,8 @@ skv_result skv_plot_write_svg(const skv_plot *p, skv_write *write, void *user, s
         WIDTH, HEIGHT, WIDTH, HEIGHT);
     say(out, "<style>text{font:13px sans-serif;fill:#444}.title{font-weight:bold}"
              ".grid{stroke:#888;stroke-opacity:.25}.frame{stroke:#666;fill:none}"
-             ".dots{fill:#1f6feb}.line{stroke:#1f6feb;stroke-width:1.8;fill:none}"
+             ".dots{fill:#1f6feb}.rings{fill:#fff;stroke:#1f6feb}.line{stroke:#1f6feb;stroke-width:"
+             "1.8;fill:none}"
              ".theory{stroke:#d9730d;stroke-width:2;stroke-dasharray:7 4;fill:none}</style>\n"
              "<rect width='100%%' height='100%%' fill='#fff'/>\n");
     say(out, "<text class='title' x='%d' y='18'>", LEFT);

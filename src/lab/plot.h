@@ -6,7 +6,7 @@
 
 enum { MAX_CURVES = 8 };
 
-typedef enum curve_style { CURVE_DOTS, CURVE_LINE, CURVE_THEORY } curve_style;
+typedef enum curve_style { CURVE_DOTS, CURVE_RINGS, CURVE_LINE, CURVE_THEORY } curve_style;
 
 typedef struct curve {
     char label[48];

@@ -1,0 +1,126 @@
+/* What lab reports: the JSON contract, the table, the plots, and the exit status. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <jansson.h>
+
+#include "program.h"
+
+static json_t *parse(const program_result *result)
+{
+    json_error_t error;
+    json_t *array = json_loads(result->out, JSON_REJECT_DUPLICATES, &error);
+    if (!json_is_array(array))
+        fail_msg("%s in '%s', stderr '%s'", error.text, result->out, result->err);
+    return array;
+}
+
+static void test_contract(void **state)
+{
+    static const char *const keys[] = {"experiment", "quantity", "unit",      "measured",
+                                       "theory",     "ratio",    "tolerance", "pass"};
+    program_result result =
+        SKVALP(*state, "lab", "rest", "hydrostatics", "rest", "--set", "particles=600", "--json");
+    json_t *array = parse(&result);
+    /* The order of the command line, each experiment once. */
+    assert_int_equal(json_array_size(array), 10);
+    bool all = true;
+    for (size_t i = 0; i < 10; i++) {
+        const json_t *row = json_array_get(array, i);
+        assert_int_equal(json_object_size(row), 8);
+        for (int k = 0; k < 8; k++)
+            assert_non_null(json_object_get(row, keys[k]));
+        assert_string_equal(json_string_value(json_object_get(row, "experiment")),
+                            i < 3 ? "rest" : "hydrostatics");
+        double measured = json_number_value(json_object_get(row, "measured"));
+        double theory = json_number_value(json_object_get(row, "theory"));
+        double tolerance = json_number_value(json_object_get(row, "tolerance"));
+        const json_t *ratio = json_object_get(row, "ratio");
+        double miss = measured;
+        assert_true(json_is_null(ratio) == (theory == 0));
+        if (theory != 0) {
+            assert_true(fabs(json_number_value(ratio) * theory / measured - 1) < 1e-6);
+            miss = measured / theory - 1;
+        }
+        bool pass = json_is_true(json_object_get(row, "pass"));
+        assert_true(pass == (fabs(miss) <= tolerance));
+        all = all && pass;
+    }
+    assert_int_equal(result.status, all ? 0 : 1);
+    assert_int_equal(count_lines(result.err), all ? 0 : 1);
+    json_decref(array);
+    program_free(&result);
+}
+
+static void test_status(void **state)
+{
+    /* One that passes, and one that does not: the thesis' law is no pressure gauge. */
+    program_result good = SKVALP(*state, "lab", "u-tube", "--set", "particles=1000", "--set",
+                                 "u-tube.arm=0.15", "--quiet");
+    assert_int_equal(good.status, 0);
+    assert_string_equal(good.out, "");
+    assert_string_equal(good.err, "");
+    program_free(&good);
+    program_result bad =
+        SKVALP(*state, "lab", "hydrostatics", "--set", "particles=600", "--law", "clavet");
+    assert_int_equal(bad.status, 1);
+    assert_non_null(strstr(bad.out, "MISS"));
+    assert_non_null(strstr(bad.err, "figures miss"));
+    assert_int_equal(count_lines(bad.err), 1);
+    program_free(&bad);
+}
+
+static void test_same_on_any_number_of_threads(void **state)
+{
+    program_result one =
+        SKVALP(*state, "lab", "droplet", "--set", "particles=500", "--threads", "1", "--json");
+    program_result three =
+        SKVALP(*state, "lab", "droplet", "--set", "particles=500", "--threads", "3", "--json");
+    assert_string_equal(one.out, three.out);
+    program_free(&one);
+    program_free(&three);
+}
+
+static void test_plots(void **state)
+{
+    for (int again = 0; again < 2; again++) {
+        program_result result =
+            SKVALP(*state, "lab", "slosh", "--set", "particles=400", "--plot", "plots", "--quiet");
+        assert_true(result.status == 0 || result.status == 1);
+        program_free(&result);
+    }
+    assert_int_equal(folder_entries(*state), 1);
+    char *svg = file_read(*state, "plots/slosh.svg"), *csv = file_read(*state, "plots/slosh.csv");
+    assert_non_null(strstr(svg, "Sloshing tank"));
+    assert_non_null(strstr(svg, "</svg>"));
+    assert_non_null(strstr(csv, "measured,0,"));
+    assert_non_null(strstr(csv, "theory: small waves,0,"));
+    free(svg);
+    free(csv);
+    /* A file is no folder. */
+    file_write(*state, "taken", "");
+    program_result result =
+        SKVALP(*state, "lab", "slosh", "--set", "particles=400", "--plot", "taken", "--quiet");
+    assert_int_equal(result.status, 2);
+    assert_non_null(strstr(result.err, "taken"));
+    program_free(&result);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_contract, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_status, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_same_on_any_number_of_threads, folder_setup,
+                                        folder_teardown),
+        cmocka_unit_test_setup_teardown(test_plots, folder_setup, folder_teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
