@@ -11,7 +11,7 @@
 #include "base/memory.h"
 #include "base/platform.h"
 
-enum { CHUNK = 128, SPINS = 400, MAX_THREADS = 64 };
+enum { CHUNK = 128, SPINS = 4000, MAX_THREADS = 64 };
 
 /* What a worker is started with. */
 typedef struct seat {

@@ -11,6 +11,10 @@
 
 #include <string.h>
 
+/* What one thing costs in the pair passes, for cutting the rows into equal shares: a block of four
+ * by eight pairs, a particle, a particle near a wall. Measured; only the balance depends on it. */
+enum { BLOCK_COST = 3, PARTICLE_COST = 1, WALL_COST = 10 };
+
 /* A coordinate's cell; the comparisons also catch a NaN. */
 static int cell_of(float position, int first, int last)
 {
@@ -19,19 +23,40 @@ static int cell_of(float position, int first, int last)
     return position < (float)last ? (int)position : last;
 }
 
+/* The cell within its row of a particle at x. */
+static int column_of(const skv_rows *rows, float x)
+{
+    return cell_of((x + (float)ROW_MARGIN) * (float)ROW_CELLS, ROW_CELLS, rows->cells_used - 1);
+}
+
+static int *histogram_row(const skv_rows *rows, int thread, int row)
+{
+    return rows->thread[thread].histogram + (size_t)row * (size_t)rows->stride;
+}
+
+/* Whether a thread has counted particles in a row. Most have gone nowhere, so for nearly all rows
+ * that is one thread. */
+static bool has_counted(const skv_rows *rows, int thread, int row)
+{
+    return rows->thread[thread].lowest <= row && row <= rows->thread[thread].highest;
+}
+
 static void count_cells(skv_rows *rows, skv_row_thread *own)
 {
     const skv_row_particles *p = &rows->set[rows->current];
-    const int last_cell = rows->cells_used - 1, last_row = rows->row_count - ROW_MARGIN - 1;
+    const int last_row = rows->row_count - ROW_MARGIN - 1;
+    int lowest = rows->row_count, highest = -1;
     for (int row = own->old_first; row < own->old_end; row++) {
         for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
-            float x = (p->x[i] + (float)ROW_MARGIN) * (float)ROW_CELLS;
-            float y = p->y[i] + (float)ROW_MARGIN;
-            int cell = cell_of(x, ROW_CELLS, last_cell), to = cell_of(y, 1, last_row);
-            rows->key[i] = to * rows->stride + cell;
+            int to = cell_of(p->y[i] + (float)ROW_MARGIN, 1, last_row);
+            lowest = to < lowest ? to : lowest;
+            highest = to > highest ? to : highest;
+            rows->key[i] = to * rows->stride + column_of(rows, p->x[i]);
             own->histogram[rows->key[i]]++;
         }
     }
+    own->lowest = lowest;
+    own->highest = highest;
 }
 
 /* Adds up rows first..end-1 over the threads. */
@@ -40,15 +65,41 @@ static void count_rows(skv_rows *rows, int first, int end)
     for (int row = first; row < end; row++) {
         int size = 0;
         for (int t = 0; t < rows->threads; t++) {
-            const int *counts = rows->thread[t].histogram + (size_t)row * (size_t)rows->stride;
-            for (int c = 0; c < rows->cells_used; c++)
+            const int *counts = histogram_row(rows, t, row);
+            int cells = has_counted(rows, t, row) ? rows->stride : 0;
+            for (int c = 0; c < cells; c++)
                 size += counts[c];
         }
         rows->row_size[row] = size;
     }
 }
 
-/* Lays out the rows and cuts them into one share a thread, equal in particles. */
+/* What a row is likely to cost: what it had to do in the last substep, and its particles now. */
+static int cost_of(const skv_rows *rows, int row)
+{
+    int walls = rows->wall_count[row] > 0 ? rows->wall_count[row] : 0;
+    return BLOCK_COST * rows->row_blocks[row] + PARTICLE_COST * rows->row_size[row] +
+           WALL_COST * walls;
+}
+
+/* Cuts the rows into one share a thread, about equal in cost. */
+static void share_out(skv_rows *rows)
+{
+    int64_t total = 0, before = 0;
+    for (int row = rows->first; row < rows->end; row++)
+        total += cost_of(rows, row);
+    int row = rows->first;
+    for (int t = 0; t < rows->threads; t++) {
+        int64_t share = total * (t + 1) / rows->threads;
+        rows->thread[t].first = row;
+        while (row < rows->end && before + cost_of(rows, row) / 2 < share)
+            before += cost_of(rows, row++);
+        if (t == rows->threads - 1)
+            row = rows->end;
+        rows->thread[t].end = row;
+    }
+}
+
 static void lay_out_rows(skv_rows *rows)
 {
     int place = ROW_LANES;
@@ -64,36 +115,37 @@ static void lay_out_rows(skv_rows *rows)
             rows->first = rows->first < row ? rows->first : row;
             rows->end = row + 1;
             rows->widest = rows->widest > size ? rows->widest : size;
+        } else {
+            rows->row_blocks[row] = rows->wall_count[row] = 0;
         }
     }
-    int row = rows->first;
-    int64_t before = 0;
-    for (int t = 0; t < rows->threads; t++) {
-        int64_t share = (int64_t)rows->count * (t + 1) / rows->threads;
-        rows->thread[t].first = row;
-        while (row < rows->end && before + rows->row_size[row] / 2 < share)
-            before += rows->row_size[row++];
-        if (t == rows->threads - 1)
-            row = rows->end;
-        rows->thread[t].end = row;
-    }
+    share_out(rows);
 }
 
-/* Turns the counts of a row's cells into places, thread by thread. */
+/* Turns the counts of a row's cells into places, thread by thread; eight empty cells at a time. */
 static void place_cells(skv_rows *rows, int row)
 {
-    size_t offset = (size_t)row * (size_t)rows->stride;
-    int *start = rows->cell_start + offset, place = rows->new_start[row];
-    for (int c = 0; c < rows->cells_used; c++) {
-        start[c] = place;
-        for (int t = 0; t < rows->threads; t++) {
-            int *count = rows->thread[t].histogram + offset + c, size = *count;
-            *count = place;
-            place += size;
+    int *start = rows->cell_start + (size_t)row * (size_t)rows->stride;
+    int place = rows->new_start[row], *counts[ROW_MAX_THREADS], counted = 0;
+    for (int t = 0; t < rows->threads; t++)
+        if (has_counted(rows, t, row))
+            counts[counted++] = histogram_row(rows, t, row);
+    for (int c = 0; c < rows->stride; c += ROW_LANES) {
+        int any = 0;
+        for (int t = 0; t < counted; t++)
+            for (int k = 0; k < ROW_LANES; k++)
+                any |= counts[t][c + k];
+        for (int k = 0; k < ROW_LANES; k++)
+            start[c + k] = place;
+        for (int k = 0; any && k < ROW_LANES; k++) {
+            start[c + k] = place;
+            for (int t = 0; t < counted; t++) {
+                int size = counts[t][c + k];
+                counts[t][c + k] = place;
+                place += size;
+            }
         }
     }
-    for (int c = rows->cells_used; c < rows->stride; c++)
-        start[c] = place;
 }
 
 static void move_particles(skv_rows *rows, skv_row_thread *own)
@@ -101,16 +153,18 @@ static void move_particles(skv_rows *rows, skv_row_thread *own)
     const skv_row_particles *from = &rows->set[rows->current], *to = &rows->set[!rows->current];
     for (int row = own->old_first; row < own->old_end; row++) {
         for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
-            int key = rows->key[i], place = own->histogram[key]++;
+            int place = own->histogram[rows->key[i]]++;
             to->x[place] = from->x[i];
             to->y[place] = from->y[i];
             to->u[place] = from->u[i];
             to->v[place] = from->v[i];
             to->clear[place] = from->clear[i];
             to->number[place] = from->number[i];
-            rows->cell[place] = (uint16_t)(key % rows->stride);
         }
     }
+    if (own->lowest <= own->highest)
+        memset(own->histogram + (size_t)own->lowest * (size_t)rows->stride, 0,
+               (size_t)(own->highest - own->lowest + 1) * (size_t)rows->stride * sizeof(int));
 }
 
 static void put_dummies(skv_rows *rows, int row)
@@ -119,45 +173,69 @@ static void put_dummies(skv_rows *rows, int row)
     for (int i = rows->new_end[row]; i < skv_row_padded_end(rows->new_end[row]); i++) {
         p->x[i] = p->y[i] = p->clear[i] = ROW_FAR;
         p->u[i] = p->v[i] = 0;
-        rows->cell[i] = 0;
     }
 }
 
 /* Particles in exactly one place would stay together for ever: the pair has no direction. The later
- * one is put a thousandth of h aside. */
+ * one is put a thousandth of h aside, to whichever side leaves it in its cell. */
 static void part_coincident(skv_rows *rows, int row)
 {
     const skv_row_particles *p = &rows->set[rows->current];
+    const int *start = rows->cell_start + (size_t)row * (size_t)rows->stride;
     for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
-        for (int j = i + 1; j < rows->row_end[row] && rows->cell[j] == rows->cell[i]; j++) {
+        int cell = column_of(rows, p->x[i]);
+        for (int j = i + 1; j < start[cell + 1]; j++) {
             if (p->x[i] != p->x[j] || p->y[i] != p->y[j])
                 continue;
             float ux, uy;
             skv_made_up_direction((uint32_t)p->number[i], (uint32_t)p->number[j], &ux, &uy);
-            p->x[j] += 1e-3f * ux;
+            float moved = p->x[j] + 1e-3f * ux;
+            p->x[j] = column_of(rows, moved) == cell ? moved : p->x[j] - 1e-3f * ux;
             p->y[j] += 1e-3f * uy;
             p->clear[j] -= 1e-3f;
         }
     }
 }
 
-static int share_of(int count, int thread, int threads)
+/* The new order becomes the current one. The old particles' memory is free until the next sort and
+ * holds the sums. */
+static void turn_over(skv_rows *rows)
 {
-    return (int)((int64_t)count * thread / threads);
+    int *swap = rows->row_start;
+    rows->row_start = rows->new_start;
+    rows->new_start = swap;
+    swap = rows->row_end;
+    rows->row_end = rows->new_end;
+    rows->new_end = swap;
+    const skv_row_particles *old = &rows->set[rows->current];
+    rows->sum[0] = old->x;
+    rows->sum[1] = old->y;
+    rows->sum[2] = old->u;
+    rows->sum[3] = old->v;
+    rows->push = old->clear;
+    rows->near_push = (float *)(void *)old->number;
+    rows->current = !rows->current;
+}
+
+static int share_of(int first, int end, int thread, int threads)
+{
+    return first + (int)((int64_t)(end - first) * thread / threads);
 }
 
 void skv_rows_sort(skv_rows *rows, int thread, bool first, skv_pool *pool)
 {
     skv_row_thread *own = &rows->thread[thread];
-    int from = share_of(rows->row_count, thread, rows->threads);
-    int to = share_of(rows->row_count, thread + 1, rows->threads);
     count_cells(rows, own);
     skv_pool_barrier(pool);
-    count_rows(rows, from, to);
+    count_rows(rows, share_of(0, rows->row_count, thread, rows->threads),
+               share_of(0, rows->row_count, thread + 1, rows->threads));
     skv_pool_barrier(pool);
     if (thread == 0)
         lay_out_rows(rows);
     skv_pool_barrier(pool);
+    /* The empty row after the last is looked into as well. */
+    int from = share_of(rows->first, rows->end + 1, thread, rows->threads);
+    int to = share_of(rows->first, rows->end + 1, thread + 1, rows->threads);
     for (int row = from; row < to; row++)
         place_cells(rows, row);
     skv_pool_barrier(pool);
@@ -165,24 +243,34 @@ void skv_rows_sort(skv_rows *rows, int thread, bool first, skv_pool *pool)
     for (int row = from; row < to; row++)
         put_dummies(rows, row);
     skv_pool_barrier(pool);
-    for (int t = 0; t < rows->threads; t++)
-        memset(rows->thread[t].histogram + (size_t)from * (size_t)rows->stride, 0,
-               (size_t)(to - from) * (size_t)rows->stride * sizeof(int));
     own->old_first = own->first;
     own->old_end = own->end;
-    if (thread == 0) {
-        int *swap = rows->row_start;
-        rows->row_start = rows->new_start;
-        rows->new_start = swap;
-        swap = rows->row_end;
-        rows->row_end = rows->new_end;
-        rows->new_end = swap;
-        rows->current = !rows->current;
-    }
+    if (thread == 0)
+        turn_over(rows);
     skv_pool_barrier(pool);
     if (first) {
         for (int row = own->first; row < own->end; row++)
             part_coincident(rows, row);
         skv_pool_barrier(pool);
     }
+}
+
+void skv_rows_find_ranges(skv_rows *rows, int row)
+{
+    const skv_row_particles *p = &rows->set[rows->current];
+    const int *own = rows->cell_start + (size_t)row * (size_t)rows->stride;
+    const int *next = own + rows->stride;
+    int end = rows->row_end[row], blocks = 0;
+    for (int i = rows->row_start[row]; i < end; i += ROW_TILE) {
+        int last = i + ROW_TILE - 1 < end ? i + ROW_TILE - 1 : end - 1, tile = i / ROW_TILE;
+        int from = column_of(rows, p->x[i]) - ROW_CELLS;
+        int to = column_of(rows, p->x[last]) + ROW_CELLS + 1;
+        rows->own_end[tile] = own[to];
+        rows->next_begin[tile] = next[from];
+        rows->next_end[tile] = next[to];
+        int ahead = rows->own_end[tile] - (i + 1);
+        blocks += 1 + (ahead > ROW_LANES ? (ahead - 1) / ROW_LANES : 0) +
+                  (rows->next_end[tile] - rows->next_begin[tile] + ROW_LANES - 1) / ROW_LANES;
+    }
+    rows->row_blocks[row] = blocks;
 }

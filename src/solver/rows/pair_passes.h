@@ -131,25 +131,6 @@ VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsign
     }
 }
 
-/* The two ranges of partners of each tile: in the own row up to a radius ahead, in the next row
- * within a radius to both sides. */
-static int find_ranges(const skv_rows *s, int row)
-{
-    const int *own = s->cell_start + (size_t)row * (size_t)s->stride, *next = own + s->stride;
-    int end = s->row_end[row], blocks = 0;
-    for (int i = s->row_start[row]; i < end; i += TILE) {
-        int last = i + TILE - 1 < end ? i + TILE - 1 : end - 1;
-        int from = s->cell[i] - ROW_CELLS, to = s->cell[last] + ROW_CELLS + 1;
-        s->own_end[i / TILE] = own[to];
-        s->next_begin[i / TILE] = next[from];
-        s->next_end[i / TILE] = next[to];
-        int ahead = s->own_end[i / TILE] - (i + 1);
-        blocks += 1 + (ahead > ROW_LANES ? (ahead - 1) / ROW_LANES : 0) +
-                  (s->next_end[i / TILE] - s->next_begin[i / TILE] + ROW_LANES - 1) / ROW_LANES;
-    }
-    return blocks;
-}
-
 static void zero_row(const skv_rows *s, float *array, int row)
 {
     int begin = s->row_start[row], end = skv_row_padded_end(s->row_end[row]);
@@ -236,7 +217,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
                     skv_row_kept *kept)
 {
-    int blocks = find_ranges(s, row);
+    int blocks = s->row_blocks[row];
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     bool keep = blocks <= kept->room;
     kept->used = keep ? blocks : -1;

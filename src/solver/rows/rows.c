@@ -20,7 +20,11 @@
 /* Rounding must not make a lower bound of a distance too large. */
 #define SAFE_BOUND 0.999f
 
-enum { FLOATS_A_BLOCK = 2 * ROW_TILE * ROW_LANES, MAX_CELLS = 1 << 26 };
+enum {
+    FLOATS_A_BLOCK = 2 * ROW_TILE * ROW_LANES,
+    ROW_NUMBERS = 8, /* integers kept for each row */
+    MAX_CELLS = 1 << 26
+};
 
 /* What the members of a team share. */
 typedef struct run {
@@ -42,26 +46,26 @@ skv_result skv_rows_create(float width, float height, skv_rows **out, skv_error 
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver");
     double cells = ceil((double)width * ROW_CELLS) + 2 * ROW_MARGIN * ROW_CELLS + 1;
     double row_count = ceil((double)height) + 2 * ROW_MARGIN + 1;
-    if (cells + ROW_CELLS + 2 > UINT16_MAX || cells * row_count > MAX_CELLS) {
+    if (cells * row_count > MAX_CELLS) {
         skv_free(rows);
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "the world is too large for its smoothing radius; use a larger spacing");
     }
     rows->cells_used = (int)cells;
-    rows->stride = (int)cells + ROW_CELLS + 2;
+    rows->stride = ((int)cells + ROW_CELLS + 2 + ROW_LANES - 1) & ~(ROW_LANES - 1);
     rows->row_count = (int)row_count;
     size_t in_rows = (size_t)rows->row_count + 2;
     size_t grid = in_rows * (size_t)rows->stride;
-    int *block = skv_calloc(grid + 7 * in_rows, sizeof *block);
+    int *block = skv_calloc(grid + ROW_NUMBERS * in_rows, sizeof *block);
     if (!block) {
         skv_free(rows);
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver's grid");
     }
     rows->grid_block = block;
     rows->cell_start = block;
-    int **by_row[] = {&rows->row_start, &rows->row_end,    &rows->new_start, &rows->new_end,
-                      &rows->row_size,  &rows->wall_first, &rows->wall_count};
-    for (int a = 0; a < 7; a++)
+    int **by_row[] = {&rows->row_start, &rows->row_end,    &rows->new_start,  &rows->new_end,
+                      &rows->row_size,  &rows->row_blocks, &rows->wall_first, &rows->wall_count};
+    for (int a = 0; a < ROW_NUMBERS; a++)
         *by_row[a] = block + grid + in_rows * (size_t)a;
     *out = rows;
     return SKV_OK;
@@ -161,17 +165,15 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     int capacity = count > rows->capacity * 2 ? count : rows->capacity * 2;
     size_t slots = (size_t)capacity + (size_t)rows->row_count * 3 * ROW_LANES + 4 * ROW_LANES;
     float **floats[] = {
-        &rows->set[0].x,         &rows->set[0].y,     &rows->set[0].u, &rows->set[0].v,
-        &rows->set[0].clear,     &rows->set[1].x,     &rows->set[1].y, &rows->set[1].u,
-        &rows->set[1].v,         &rows->set[1].clear, &rows->own[0],   &rows->own[1],
-        &rows->own[2],           &rows->own[3],       &rows->next[0],  &rows->next[1],
-        &rows->next[2],          &rows->next[3],      &rows->sum[0],   &rows->sum[1],
-        &rows->sum[2],           &rows->sum[3],       &rows->push,     &rows->near_push,
-        &rows->gradient_squared, &rows->pressure,
+        &rows->set[0].x,     &rows->set[0].y, &rows->set[0].u,         &rows->set[0].v,
+        &rows->set[0].clear, &rows->set[1].x, &rows->set[1].y,         &rows->set[1].u,
+        &rows->set[1].v,     &rows->own[0],   &rows->own[1],           &rows->own[2],
+        &rows->own[3],       &rows->next[0],  &rows->next[1],          &rows->next[2],
+        &rows->next[3],      &rows->pressure, &rows->gradient_squared, &rows->set[1].clear,
     };
     enum { FLOATS = sizeof floats / sizeof *floats };
     size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
-    size_t total = stride * (FLOATS + 2) + array_stride(slots / 2 + 1) + 3 * tiles;
+    size_t total = stride * (FLOATS + 2) + 3 * tiles;
     float *block = skv_calloc(total, sizeof *block);
     if (!block)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
@@ -182,12 +184,11 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     int **ints[] = {&rows->set[0].number, &rows->set[1].number};
     for (int a = 0; a < 2; a++, block += stride)
         *ints[a] = (int *)(void *)block;
-    /* The sort is over when the pressure begins. */
-    rows->key = (int *)(void *)rows->push;
+    /* The sort is over when the sums begin. */
+    rows->key = (int *)(void *)rows->own[0];
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
     for (int a = 0; a < 3; a++, block += tiles)
         *by_tile[a] = (int *)(void *)block;
-    rows->cell = (uint16_t *)(void *)block;
     rows->capacity = capacity;
     rows->slots = (int)slots;
     rows->particle_bytes = total * sizeof *block;
@@ -296,6 +297,8 @@ static void run_density(const lane *l, int row)
 {
     skv_rows *rows = l->shared->rows;
     int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
+    if (!l->later)
+        skv_rows_find_ranges(rows, row);
     l->shared->kernels->density(rows, row, l->later, l->shared->constants, &l->own->kept[slot]);
 }
 

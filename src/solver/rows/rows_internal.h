@@ -47,8 +47,9 @@ typedef struct skv_near_wall {
 
 /* What a thread owns. */
 typedef struct skv_row_thread {
-    int *histogram; /* particles per cell of the rows that this thread sorts */
-    int first, end; /* its rows, as cut by particle count */
+    int *histogram; /* particles per cell of the rows that this thread sorts; 0 between sorts */
+    int lowest, highest; /* rows that it has counted particles in */
+    int first, end;      /* its rows, as cut by what they cost */
     int old_first, old_end;
     skv_row_kept kept[ROW_SLOTS];
     float *kept_memory;
@@ -66,16 +67,17 @@ struct skv_rows {
     skv_row_particles set[2];
     int current;
     int *key;        /* the cell a particle moves to, by old place */
-    uint16_t *cell;  /* a particle's cell within its row */
     int *cell_start; /* row_count * stride: place of each cell's first particle */
     int *row_start, *row_end, *row_size;
     int *new_start, *new_end;             /* of the sort under way */
     int *own_end, *next_begin, *next_end; /* partner ranges by tile */
+    int *row_blocks;                      /* blocks of pairs in a row's ranges */
     int *wall_first, *wall_count;         /* a row's samples in its thread's near_walls; count -1:
                                              not all found a place */
 
     /* Accumulators, see rows.h. The displacement pass reuses those of density and near density,
-     * which the pressure has consumed by then. */
+     * which the pressure has consumed by then. `sum`, `push` and `near_push` lie in the set that
+     * is not current. */
     float *own[ROW_SUMS], *next[ROW_SUMS], *sum[ROW_SUMS];
     float *viscous_own[2], *viscous_next[2], *viscous_sum[2]; /* null without viscosity */
     float *push, *near_push, *gradient_squared, *pressure;
@@ -120,6 +122,11 @@ extern const skv_row_kernels skv_row_kernels_avx2;
 /* grid.c: sorts all particles; called by every thread of the pool with its index. `first`: parts
  * coincident particles as well. Ends with a barrier. */
 void skv_rows_sort(skv_rows *rows, int thread, bool first, skv_pool *pool);
+
+/* Finds the two ranges of partners of each tile of a row, and how many blocks of pairs they make:
+ * in the own row up to a radius ahead, in the next row within a radius to both sides. Once a
+ * substep: in its later iterations the partners stay the same, though they move. */
+void skv_rows_find_ranges(skv_rows *rows, int row);
 
 /* A row's places, dummies included: its end rounded up so that a block of eight that begins before
  * the end stays inside. */
