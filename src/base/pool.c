@@ -2,16 +2,19 @@
  *
  * Invariant: a team's members run at the same time, each on a thread of its own, and between two
  * teams no worker touches anything but the pool. A team is announced by raising `generation`;
- * members meet by raising `phase`. Whoever waits for one of these counters spins briefly before it
- * sleeps: a phase takes tens of microseconds and a sleep costs as much, but spinning or yielding
- * beside a busy process costs whole time slices (docs/performance.md).
+ * members meet by raising `phase`. Whoever waits for one of these counters spins before it sleeps:
+ * a phase takes tens of microseconds and a sleep costs as much, but spinning or yielding beside a
+ * busy process costs whole time slices. So a member spins the longer the more often that has
+ * helped, and briefly again once it has not (docs/performance.md).
  */
 #include "base/pool.h"
 
 #include "base/memory.h"
 #include "base/platform.h"
 
-enum { CHUNK = 128, SPINS = 4000, MAX_THREADS = 64 };
+/* Turns of spinning, about 40 ns each: the fewest, the most, and how many more after a success. */
+enum { SPINS = 400, MOST_SPINS = 4000, MORE_SPINS = 64 };
+enum { CHUNK = 128, MAX_THREADS = 64 };
 
 /* What a worker is started with. */
 typedef struct seat {
@@ -26,6 +29,7 @@ struct skv_pool {
     atomic_uint generation; /* raised to start a team */
     atomic_uint phase;      /* raised when all members have reached a barrier */
     atomic_int arrived;
+    atomic_int patience; /* turns to spin at a barrier; a hint, so races do no harm */
     bool quit;
     skv_member *member;
     void *context;
@@ -48,15 +52,15 @@ void skv_pool_pause(int *turns)
         skv_platform_yield();
 }
 
-/* Waits until a counter has left `old`. */
-static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
+/* Spins until a counter has left `old`; false if it has not after so many turns. */
+static bool spin(atomic_uint *counter, unsigned old, int most)
 {
-    for (int turns = 0; turns < SPINS;) {
+    for (int turns = 0; turns < most; turns++) {
         if (atomic_load_explicit(counter, memory_order_acquire) != old)
-            return;
-        skv_pool_pause(&turns);
+            return true;
+        relax_cpu();
     }
-    skv_crew_sleep(pool->crew, counter, old);
+    return false;
 }
 
 static void raise(skv_pool *pool, atomic_uint *counter)
@@ -73,9 +77,16 @@ void skv_pool_barrier(skv_pool *pool)
     if (atomic_fetch_add(&pool->arrived, 1) == pool->threads - 1) {
         atomic_store(&pool->arrived, 0);
         raise(pool, &pool->phase);
-    } else {
-        wait_for_change(pool, &pool->phase, phase);
+        return;
     }
+    int patience = atomic_load_explicit(&pool->patience, memory_order_relaxed);
+    int next = SPINS;
+    if (spin(&pool->phase, phase, patience))
+        next = patience + MORE_SPINS < MOST_SPINS ? patience + MORE_SPINS : MOST_SPINS;
+    else
+        skv_crew_sleep(pool->crew, &pool->phase, phase);
+    if (next != patience)
+        atomic_store_explicit(&pool->patience, next, memory_order_relaxed);
 }
 
 static void worker_main(void *argument)
@@ -83,7 +94,8 @@ static void worker_main(void *argument)
     const seat *own = argument;
     skv_pool *pool = own->pool;
     for (unsigned seen = 0;; seen++) {
-        wait_for_change(pool, &pool->generation, seen);
+        if (!spin(&pool->generation, seen, SPINS))
+            skv_crew_sleep(pool->crew, &pool->generation, seen);
         if (pool->quit)
             return;
         pool->member(own->thread, pool->context);
@@ -108,6 +120,7 @@ skv_result skv_pool_create(int threads, skv_pool **out, skv_error *error)
     int wanted = threads ? threads : cores < MAX_THREADS ? cores : MAX_THREADS;
     pool->crew = crew;
     pool->threads = wanted;
+    atomic_init(&pool->patience, SPINS);
     for (int i = 1; i < wanted; i++) {
         pool->seats[i] = (seat){pool, i};
         if (!skv_crew_start(crew, worker_main, &pool->seats[i])) {

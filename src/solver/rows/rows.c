@@ -163,7 +163,8 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     if (count <= rows->capacity)
         return SKV_OK;
     int capacity = count > rows->capacity * 2 ? count : rows->capacity * 2;
-    size_t slots = (size_t)capacity + (size_t)rows->row_count * 3 * ROW_LANES + 4 * ROW_LANES;
+    /* A row's dummies and the gap to the next multiple of eight are fewer than two blocks. */
+    size_t slots = (size_t)capacity + (size_t)rows->row_count * 2 * ROW_LANES + 4 * ROW_LANES;
     float **floats[] = {
         &rows->set[0].x,     &rows->set[0].y, &rows->set[0].u,         &rows->set[0].v,
         &rows->set[0].clear, &rows->set[1].x, &rows->set[1].y,         &rows->set[1].u,
@@ -231,10 +232,11 @@ skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous
     return result;
 }
 
-/* How many provisional rows the particles are taken in with: one a thread. */
+/* How many provisional rows the particles are taken in with: one a thread, but not so many that
+ * their dummies, three blocks each, find no place. */
 static int provisional_rows(const skv_rows *rows)
 {
-    return rows->threads < rows->row_count ? rows->threads : rows->row_count;
+    return rows->threads < rows->row_count / 2 ? rows->threads : rows->row_count / 2;
 }
 
 /* Takes a share of the particles in as one provisional row, in the order of their numbers; the sort
