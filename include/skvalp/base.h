@@ -71,6 +71,18 @@ typedef struct skv_allocator {
  * (aligned_alloc and free). Set it before the first object is created: not thread-safe. */
 SKV_API void skv_set_allocator(const skv_allocator *allocator);
 
+/* A host program's own threads, lent to a world for its steps. `run` is called on the thread that
+ * steps; it calls member(team) `count` times, on as many threads as it likes, and returns when all
+ * of these calls have returned. Those that begin while the team gathers, at most 0.1 ms, share the
+ * step's work; later ones find the team complete and return at once. So fewer threads than `count`,
+ * or one after the other, work too, and give the same bits. Members wait for each other within a
+ * step: give them threads that nothing else keeps busy. */
+typedef struct skv_task_system {
+    int threads; /* how many members to ask for, 1..SKV_MAX_THREADS */
+    void (*run)(void *user, int count, void (*member)(void *team), void *team);
+    void *user;
+} skv_task_system;
+
 /* Receives a failed assertion: the condition as text, the file and the line. If it returns, the
  * function that was misused returns without effect (null, zero or SKV_ERROR_VALUE). */
 typedef void skv_assert_handler(const char *condition, const char *file, int line, void *user);

@@ -68,8 +68,9 @@ typedef struct skv_world_def {
     float depth;  /* m: the deepest fluid to expect, for the substep rule; 0: the free height */
     int substeps; /* a 1/60 s frame; 0: by the rule of docs/model.md; at most 1000 */
     int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
-    skv_solver solver; /* default SKV_SOLVER_FAST */
-    int capacity;      /* particles to make room for at creation; the world grows beyond it */
+    skv_task_system tasks; /* a host's threads instead, if tasks.run is set; `threads` is ignored */
+    skv_solver solver;     /* default SKV_SOLVER_FAST */
+    int capacity;          /* particles to make room for at creation; the world grows beyond it */
     int cookie;
 } skv_world_def;
 

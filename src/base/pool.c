@@ -1,4 +1,4 @@
-/* A pool of persistent threads for short phases.
+/* A pool of persistent threads, or of threads that a host lends, for short phases.
  *
  * Invariant: a team's members run at the same time, each on a thread of its own, and between two
  * teams no worker touches anything but the pool. A team is announced by raising `generation`;
@@ -14,6 +14,11 @@
 
 /* Turns of spinning, about 40 ns each: the fewest, the most, and how many more after a success. */
 enum { SPINS = 400, MOST_SPINS = 4000, MORE_SPINS = 64 };
+/* How long the first of the lent threads waits for the others, in turns. */
+enum { GATHERING = 2500 };
+/* A door's state: the number of threads that have come in, and this once it is closed. */
+#define CLOSED 0x80000000u
+
 enum { CHUNK = 128, MAX_THREADS = 64 };
 
 /* What a worker is started with. */
@@ -23,7 +28,10 @@ typedef struct seat {
 } seat;
 
 struct skv_pool {
-    int threads;
+    int threads;          /* the most of a team */
+    int size;             /* of the running team */
+    skv_task_system lent; /* run null: own threads */
+    atomic_uint door;     /* of lent threads' teams */
     skv_crew *crew;
     seat seats[MAX_THREADS];
     atomic_uint generation; /* raised to start a team */
@@ -71,10 +79,10 @@ static void raise(skv_pool *pool, atomic_uint *counter)
 
 void skv_pool_barrier(skv_pool *pool)
 {
-    if (!pool || pool->threads == 1)
+    if (!pool || pool->size == 1)
         return;
     unsigned phase = atomic_load(&pool->phase);
-    if (atomic_fetch_add(&pool->arrived, 1) == pool->threads - 1) {
+    if (atomic_fetch_add(&pool->arrived, 1) == pool->size - 1) {
         atomic_store(&pool->arrived, 0);
         raise(pool, &pool->phase);
         return;
@@ -98,9 +106,26 @@ static void worker_main(void *argument)
             skv_crew_sleep(pool->crew, &pool->generation, seen);
         if (pool->quit)
             return;
-        pool->member(own->thread, pool->context);
+        pool->member(own->thread, pool->size, pool->context);
         skv_pool_barrier(pool);
     }
+}
+
+/* A pool of so many threads, none of them started; null if memory is out. */
+static skv_pool *make_pool(int threads, skv_error *error)
+{
+    skv_pool *pool = skv_calloc(1, sizeof *pool);
+    skv_crew *crew = skv_crew_create();
+    if (!pool || !crew) {
+        skv_crew_join(crew);
+        skv_free(pool);
+        skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the task pool");
+        return NULL;
+    }
+    pool->crew = crew;
+    pool->threads = pool->size = threads;
+    atomic_init(&pool->patience, SPINS);
+    return pool;
 }
 
 skv_result skv_pool_create(int threads, skv_pool **out, skv_error *error)
@@ -109,27 +134,35 @@ skv_result skv_pool_create(int threads, skv_pool **out, skv_error *error)
     if (threads < 0 || threads > MAX_THREADS)
         return skv_fail(error, SKV_ERROR_VALUE, "threads: %d is out of range; allowed is 0..%d",
                         threads, MAX_THREADS);
-    skv_pool *pool = skv_calloc(1, sizeof *pool);
-    skv_crew *crew = skv_crew_create();
-    if (!pool || !crew) {
-        skv_crew_join(crew);
-        skv_free(pool);
-        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the task pool");
-    }
     int cores = skv_platform_cores();
     int wanted = threads ? threads : cores < MAX_THREADS ? cores : MAX_THREADS;
-    pool->crew = crew;
-    pool->threads = wanted;
-    atomic_init(&pool->patience, SPINS);
+    skv_pool *pool = make_pool(wanted, error);
+    if (!pool)
+        return SKV_ERROR_MEMORY;
     for (int i = 1; i < wanted; i++) {
         pool->seats[i] = (seat){pool, i};
-        if (!skv_crew_start(crew, worker_main, &pool->seats[i])) {
+        if (!skv_crew_start(pool->crew, worker_main, &pool->seats[i])) {
             skv_pool_destroy(pool);
             return skv_fail(error, SKV_ERROR_LIMIT,
                             "the system refused to start thread %d of %d; use fewer threads", i + 1,
                             wanted);
         }
     }
+    *out = pool;
+    return SKV_OK;
+}
+
+skv_result skv_pool_create_lent(const skv_task_system *tasks, skv_pool **out, skv_error *error)
+{
+    *out = NULL;
+    if (tasks->threads < 1 || tasks->threads > MAX_THREADS)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "tasks.threads: %d is out of range; allowed is 1..%d", tasks->threads,
+                        MAX_THREADS);
+    skv_pool *pool = make_pool(tasks->threads, error);
+    if (!pool)
+        return SKV_ERROR_MEMORY;
+    pool->lent = *tasks;
     *out = pool;
     return SKV_OK;
 }
@@ -149,16 +182,53 @@ int skv_pool_threads(const skv_pool *pool)
     return pool ? pool->threads : 1;
 }
 
+/* Takes a place in the team that is gathering: its index, or -1 if the team is complete. */
+static int join(skv_pool *pool)
+{
+    unsigned door = atomic_load(&pool->door);
+    while (!(door & CLOSED) && door < (unsigned)pool->threads)
+        if (atomic_compare_exchange_weak(&pool->door, &door, door + 1))
+            return (int)door;
+    return -1;
+}
+
+/* What a lent thread runs. */
+static void enter(void *team)
+{
+    skv_pool *pool = team;
+    int thread = join(pool);
+    if (thread < 0)
+        return;
+    if (thread == 0) {
+        for (int t = 0; t < GATHERING && atomic_load(&pool->door) < (unsigned)pool->threads; t++)
+            relax_cpu();
+        unsigned door = atomic_load(&pool->door);
+        do
+            pool->size = (int)door;
+        while (!atomic_compare_exchange_weak(&pool->door, &door, door | CLOSED));
+    }
+    for (int turns = 0; !(atomic_load(&pool->door) & CLOSED);)
+        skv_pool_pause(&turns);
+    pool->member(thread, pool->size, pool->context);
+}
+
 void skv_pool_team(skv_pool *pool, skv_member *member, void *context)
 {
     if (!pool || pool->threads == 1) {
-        member(0, context);
+        member(0, 1, context);
         return;
     }
     pool->member = member;
     pool->context = context;
+    if (pool->lent.run) {
+        atomic_store(&pool->door, 0);
+        pool->lent.run(pool->lent.user, pool->threads, enter, pool);
+        /* Does the work if the host has called nobody; else the door is closed. */
+        enter(pool);
+        return;
+    }
     raise(pool, &pool->generation);
-    member(0, context);
+    member(0, pool->size, context);
     skv_pool_barrier(pool);
 }
 
@@ -170,9 +240,10 @@ typedef struct range {
     void *context;
 } range;
 
-static void take_chunks(int thread, void *context)
+static void take_chunks(int thread, int threads, void *context)
 {
     (void)thread;
+    (void)threads;
     range *r = context;
     for (;;) {
         int begin = atomic_fetch_add(&r->next, CHUNK);

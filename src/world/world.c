@@ -82,7 +82,8 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     const skv_terrain *terrain = world->terrain;
     float width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
     float margin = 2 * world->h;
-    skv_result result = skv_pool_create(def->threads, &world->pool, error);
+    skv_result result = def->tasks.run ? skv_pool_create_lent(&def->tasks, &world->pool, error)
+                                       : skv_pool_create(def->threads, &world->pool, error);
     if (result == SKV_OK)
         result = skv_wall_map_create(terrain, world->h, world->fluid.spacing, &world->walls, error);
     if (result == SKV_OK && world->solver == SKV_SOLVER_REFERENCE)

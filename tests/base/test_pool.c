@@ -1,6 +1,8 @@
-/* The task pool: every index once, for any number of threads, thousands of short runs in a row. */
+/* The task pool: every index once, for any number of threads, thousands of short runs in a row,
+ * on its own threads and on those that a host lends. */
 #include "base/pool.h"
 
+#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -55,6 +57,103 @@ static void no_pool_means_the_calling_thread(void **unused)
     assert_int_equal(touched[1000], 0);
 }
 
+/* Hosts: each calls `member` in its own way. `user` is the number of threads that it has. */
+
+typedef struct job {
+    void (*member)(void *team);
+    void *team;
+} job;
+
+static void *work(void *argument)
+{
+    const job *j = argument;
+    j->member(j->team);
+    return NULL;
+}
+
+static void run_on_threads(void *user, int count, void (*member)(void *team), void *team)
+{
+    int threads = *(int *)user < count ? *(int *)user : count;
+    job j = {member, team};
+    pthread_t thread[8];
+    for (int t = 0; t < threads; t++)
+        assert_int_equal(pthread_create(&thread[t], NULL, work, &j), 0);
+    for (int t = 0; t < threads; t++)
+        pthread_join(thread[t], NULL);
+}
+
+static void run_one_by_one(void *user, int count, void (*member)(void *team), void *team)
+{
+    for (int i = 0; i < count && i < *(int *)user; i++)
+        member(team);
+}
+
+static void check_lent(const skv_task_system *tasks)
+{
+    skv_pool *pool;
+    assert_int_equal(skv_pool_create_lent(tasks, &pool, NULL), SKV_OK);
+    assert_int_equal(skv_pool_threads(pool), tasks->threads);
+    memset(touched, 0, sizeof touched);
+    int one = 1, rounds = 30;
+    for (int round = 0; round < rounds; round++)
+        skv_pool_run(pool, MOST, touch, &one);
+    for (int i = 0; i < MOST; i++)
+        assert_int_equal(touched[i], rounds);
+    skv_pool_destroy(pool);
+}
+
+static void a_host_may_lend_as_many_threads_as_it_has(void **unused)
+{
+    (void)unused;
+    for (int asked = 1; asked <= 4; asked++) {
+        for (int has = 0; has <= 4; has++) {
+            check_lent(&(skv_task_system){asked, run_on_threads, &has});
+            check_lent(&(skv_task_system){asked, run_one_by_one, &has});
+        }
+    }
+}
+
+/* All members of a team meet, as often as they like. */
+
+typedef struct meeting {
+    skv_pool *pool;
+    atomic_int here;
+    int most;
+} meeting;
+
+static void meet(int thread, int threads, void *context)
+{
+    meeting *m = context;
+    for (int round = 1; round <= 1000; round++) {
+        atomic_fetch_add(&m->here, 1);
+        skv_pool_barrier(m->pool);
+        if (atomic_load(&m->here) != round * threads)
+            m->most = -1000;
+        skv_pool_barrier(m->pool);
+    }
+    if (thread == 0 && m->most >= 0)
+        m->most = threads > m->most ? threads : m->most;
+}
+
+static void members_meet_at_barriers(void **unused)
+{
+    (void)unused;
+    int has = 3;
+    const skv_task_system lent = {3, run_on_threads, &has};
+    for (int own = 0; own < 2; own++) {
+        meeting m = {0};
+        assert_int_equal(own ? skv_pool_create(3, &m.pool, NULL)
+                             : skv_pool_create_lent(&lent, &m.pool, NULL),
+                         SKV_OK);
+        for (int i = 0; i < 20; i++) {
+            atomic_store(&m.here, 0);
+            skv_pool_team(m.pool, meet, &m);
+        }
+        assert_in_range(m.most, own ? 3 : 1, 3);
+        skv_pool_destroy(m.pool);
+    }
+}
+
 static void bad_thread_numbers_are_refused(void **unused)
 {
     (void)unused;
@@ -65,6 +164,10 @@ static void bad_thread_numbers_are_refused(void **unused)
     assert_non_null(strstr(error.text, "0..64"));
     assert_int_equal(skv_pool_create(65, &pool, NULL), SKV_ERROR_VALUE);
     skv_pool_destroy(NULL);
+    const skv_task_system none = {0, run_one_by_one, NULL};
+    assert_int_equal(skv_pool_create_lent(&none, &pool, &error), SKV_ERROR_VALUE);
+    assert_null(pool);
+    assert_non_null(strstr(error.text, "1..64"));
 }
 
 int main(void)
@@ -72,6 +175,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_index_runs_exactly_once),
         cmocka_unit_test(no_pool_means_the_calling_thread),
+        cmocka_unit_test(a_host_may_lend_as_many_threads_as_it_has),
+        cmocka_unit_test(members_meet_at_barriers),
         cmocka_unit_test(bad_thread_numbers_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

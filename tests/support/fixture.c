@@ -8,19 +8,23 @@
 
 #include <cmocka.h>
 
-static skv_world *make(skv_law law, skv_solver solver, float viscosity, float spacing, int threads,
-                       float gravity)
+skv_world_def fixture_def(skv_law law, skv_solver solver, float viscosity, float spacing,
+                          int threads)
 {
     skv_world_def def = skv_default_world_def();
     def.fluid = skv_default_fluid_def(law);
     def.fluid.spacing = spacing;
-    def.gravity_y = gravity;
     def.threads = threads;
     def.solver = solver;
     def.fluid.viscosity_linear = def.fluid.viscosity_quadratic = viscosity;
+    return def;
+}
+
+static skv_world *make(const skv_world_def *def)
+{
     skv_world *world;
     skv_error error;
-    if (skv_world_create(&def, &world, &error) != SKV_OK)
+    if (skv_world_create(def, &world, &error) != SKV_OK)
         fail_msg("%s", error.text);
     return world;
 }
@@ -36,30 +40,34 @@ static void fill(skv_world *world, float x0, float y0, float x1, float y1)
 
 skv_world *fixture_tank(skv_law law, float spacing, int threads)
 {
-    return make(law, SKV_SOLVER_FAST, 0, spacing, threads, -9.81f);
+    skv_world_def def = fixture_def(law, SKV_SOLVER_FAST, 0, spacing, threads);
+    return make(&def);
 }
 
 skv_world *fixture_tank_with(skv_law law, skv_solver solver, float spacing)
 {
-    return make(law, solver, 0, spacing, 1, -9.81f);
+    skv_world_def def = fixture_def(law, solver, 0, spacing, 1);
+    return make(&def);
 }
 
-skv_world *fixture_dam_with(skv_law law, skv_solver solver, float viscosity, float spacing,
-                            int threads)
+skv_world *fixture_dam_of(const skv_world_def *def)
 {
-    skv_world *world = make(law, solver, viscosity, spacing, threads, -9.81f);
+    skv_world *world = make(def);
     fill(world, 0, 0, 0.4f, 0.7f);
     return world;
 }
 
 skv_world *fixture_dam(skv_law law, float spacing, int threads)
 {
-    return fixture_dam_with(law, SKV_SOLVER_FAST, 0, spacing, threads);
+    skv_world_def def = fixture_def(law, SKV_SOLVER_FAST, 0, spacing, threads);
+    return fixture_dam_of(&def);
 }
 
 skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity)
 {
-    skv_world *world = make(law, solver, viscosity, 0.012f, 1, 0);
+    skv_world_def def = fixture_def(law, solver, viscosity, 0.012f, 1);
+    def.gravity_y = 0;
+    skv_world *world = make(&def);
     fill(world, 0.7f, 0.35f, 0.9f, 0.55f);
     return world;
 }

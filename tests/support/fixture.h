@@ -4,6 +4,10 @@
 
 #include "skvalp/skvalp.h"
 
+/* A definition with these values; gravity as by default. */
+skv_world_def fixture_def(skv_law law, skv_solver solver, float viscosity, float spacing,
+                          int threads);
+
 /* A closed tank of 1.6 x 0.9 m without particles; fails the test on any error. */
 skv_world *fixture_tank(skv_law law, float spacing, int threads);
 
@@ -11,8 +15,7 @@ skv_world *fixture_tank_with(skv_law law, skv_solver solver, float spacing);
 
 /* The same with a block of fluid in the lower left corner, as a dam that breaks at once. */
 skv_world *fixture_dam(skv_law law, float spacing, int threads);
-skv_world *fixture_dam_with(skv_law law, skv_solver solver, float viscosity, float spacing,
-                            int threads);
+skv_world *fixture_dam_of(const skv_world_def *def);
 
 /* A blob of about 300 particles in the middle of a weightless tank, away from all walls; viscosity
  * in 1/s and 1/m. */

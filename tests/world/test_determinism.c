@@ -2,6 +2,7 @@
  * warm step. */
 #include "support/fixture.h"
 
+#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,10 +24,9 @@ static void stir(skv_world *world, int frame)
     assert_int_equal(skv_world_set_gravity(world, frame > 20 ? 5.0f : 0, -9.81f, NULL), SKV_OK);
 }
 
-static uint64_t stirred_hash(skv_law law, skv_solver solver, int threads)
+static uint64_t stirred_hash_of(const skv_world_def *def)
 {
-    /* With viscosity, so that no pass is left out. */
-    skv_world *world = fixture_dam_with(law, solver, 1, 0.014f, threads);
+    skv_world *world = fixture_dam_of(def);
     for (int f = 0; f < FRAMES; f++) {
         stir(world, f);
         fixture_run(world, 1);
@@ -34,6 +34,13 @@ static uint64_t stirred_hash(skv_law law, skv_solver solver, int threads)
     uint64_t hash = skv_world_hash(world);
     skv_world_destroy(world);
     return hash;
+}
+
+static uint64_t stirred_hash(skv_law law, skv_solver solver, int threads)
+{
+    /* With viscosity, so that no pass is left out. */
+    skv_world_def def = fixture_def(law, solver, 1, 0.014f, threads);
+    return stirred_hash_of(&def);
 }
 
 static void threads_and_restarts_give_the_same_hash(void **unused)
@@ -46,6 +53,46 @@ static void threads_and_restarts_give_the_same_hash(void **unused)
             for (int t = 0; t < 4; t++)
                 assert_int_equal(stirred_hash((skv_law)law, (skv_solver)solver, threads[t]), once);
         }
+    }
+}
+
+/* A host with another number of threads free each time: none to four. */
+
+typedef struct job {
+    void (*member)(void *team);
+    void *team;
+} job;
+
+static void *work(void *argument)
+{
+    const job *j = argument;
+    j->member(j->team);
+    return NULL;
+}
+
+static void lend(void *user, int count, void (*member)(void *team), void *team)
+{
+    int *call = user, threads = ++*call % 5;
+    assert_true(threads <= count);
+    job j = {member, team};
+    pthread_t thread[5];
+    for (int t = 0; t < threads; t++)
+        assert_int_equal(pthread_create(&thread[t], NULL, work, &j), 0);
+    for (int t = 0; t < threads; t++)
+        pthread_join(thread[t], NULL);
+}
+
+static void a_hosts_threads_give_the_same_hash(void **unused)
+{
+    (void)unused;
+    for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
+        int calls = 0;
+        skv_world_def def =
+            fixture_def(SKV_LAW_CALIBRATED, (skv_solver)solver, 1, 0.014f, SKV_MAX_THREADS);
+        def.tasks = (skv_task_system){4, lend, &calls};
+        uint64_t once = stirred_hash(SKV_LAW_CALIBRATED, (skv_solver)solver, 1);
+        assert_int_equal(stirred_hash_of(&def), once);
+        assert_true(calls >= FRAMES);
     }
 }
 
@@ -132,6 +179,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_and_restarts_give_the_same_hash),
+        cmocka_unit_test(a_hosts_threads_give_the_same_hash),
         cmocka_unit_test(instruction_sets_give_the_same_hash),
         cmocka_unit_test(the_hash_sees_every_particle),
         cmocka_unit_test(looking_at_a_world_does_not_change_it),

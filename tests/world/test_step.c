@@ -126,7 +126,7 @@ static void both_solvers_agree_at_walls(void **unused)
 {
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
-        skv_world *fast = fixture_dam_with((skv_law)law, SKV_SOLVER_FAST, 0, 0.014f, 2);
+        skv_world *fast = fixture_dam((skv_law)law, 0.014f, 2);
         fixture_run(fast, 20);
         skv_particles p = skv_world_particles(fast);
         skv_world *slow = fixture_tank_with((skv_law)law, SKV_SOLVER_REFERENCE, 0.014f);

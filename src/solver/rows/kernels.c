@@ -25,6 +25,9 @@ static int sample_walls(const skv_rows *s, int row, bool gradient, const skv_row
             continue;
         skv_row_wall wall;
         p->clear[i] = boundary->walls(boundary->context, p->x[i], p->y[i], &wall);
+        /* As add_wall_push will see it, if it has to sample again. */
+        if (p->clear[i] >= 1)
+            continue;
         s->own[0][i] += wall.density;
         s->own[1][i] += wall.near_density;
         if (gradient) {

@@ -73,7 +73,7 @@ skv_result skv_rows_create(float width, float height, skv_rows **out, skv_error 
 
 static void free_threads(skv_rows *rows)
 {
-    for (int t = 0; t < rows->threads; t++) {
+    for (int t = 0; t < rows->thread_room; t++) {
         skv_free(rows->thread[t].kept_memory);
         skv_free(rows->thread[t].near_walls);
     }
@@ -81,7 +81,7 @@ static void free_threads(skv_rows *rows)
     skv_free(rows->histogram_block);
     rows->thread = NULL;
     rows->histogram_block = NULL;
-    rows->threads = 0;
+    rows->thread_room = 0;
 }
 
 void skv_rows_destroy(skv_rows *rows)
@@ -97,7 +97,7 @@ void skv_rows_destroy(skv_rows *rows)
 
 static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
 {
-    if (threads == rows->threads)
+    if (threads == rows->thread_room)
         return SKV_OK;
     free_threads(rows);
     size_t cells = (size_t)rows->row_count * (size_t)rows->stride;
@@ -110,7 +110,7 @@ static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d threads", threads);
     }
     rows->histogram_block = histograms;
-    rows->threads = threads;
+    rows->thread_room = threads;
     for (int t = 0; t < threads; t++)
         rows->thread[t].histogram = histograms + cells * (size_t)t;
     return SKV_OK;
@@ -122,8 +122,9 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
     /* A tile at rest has 6 or 7 blocks; rows of twice the usual density have their place. */
     int blocks = (rows->widest + ROW_TILE) / ROW_TILE * 12 + 64;
     /* The analyser can't know that skv_fail never says SKV_OK. */
-    int walls = rows->count / rows->threads / 2 + 256; /* NOLINT(clang-analyzer-core.DivideZero) */
-    for (int t = 0; t < rows->threads; t++) {
+    int walls =
+        rows->count / rows->thread_room / 2 + 256; /* NOLINT(clang-analyzer-core.DivideZero) */
+    for (int t = 0; t < rows->thread_room; t++) {
         skv_row_thread *own = &rows->thread[t];
         if (blocks > own->kept[0].room) {
             int room = blocks + blocks / 2;
@@ -422,9 +423,12 @@ static void take_substep(lane *l, bool first, bool last)
     book(rows, l->thread, ROW_RELAX, &start);
 }
 
-static void member(int thread, void *context)
+static void member(int thread, int threads, void *context)
 {
     run *shared = context;
+    if (thread == 0)
+        shared->rows->threads = threads;
+    skv_pool_barrier(shared->pool);
     lane l = {.shared = shared, .own = &shared->rows->thread[thread], .thread = thread};
     double start = skv_clock();
     take_in(shared->rows, thread, shared->frame);

@@ -83,9 +83,9 @@ struct skv_rows {
     float *push, *near_push, *gradient_squared, *pressure;
 
     skv_row_thread *thread;
-    int threads;
-    bool viscous; /* pair viscosity in the first iteration */
-    bool gauged;  /* this substep computes the gauge pressure */
+    int thread_room, threads; /* threads to have memory for, and at work in this call */
+    bool viscous;             /* pair viscosity in the first iteration */
+    bool gauged;              /* this substep computes the gauge pressure */
     void *block, *viscous_block, *grid_block, *histogram_block;
     size_t particle_bytes;
     double seconds[ROW_PHASES];
