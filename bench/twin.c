@@ -55,6 +55,7 @@ skv_result bench_twin(const skv_world *source, const skv_fluid_def *fluid, skv_s
     def.substeps = skv_world_substeps(source);
     def.threads = threads;
     def.solver = solver;
+    def.sleep = false;
     def.capacity = skv_world_particle_count(source);
     result = skv_world_create(&def, twin, error);
     if (result != SKV_OK) {

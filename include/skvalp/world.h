@@ -70,7 +70,9 @@ typedef struct skv_world_def {
     int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
     skv_task_system tasks; /* a host's threads instead, if tasks.run is set; `threads` is ignored */
     skv_solver solver;     /* default SKV_SOLVER_FAST */
-    int capacity;          /* particles to make room for at creation; the world grows beyond it */
+    bool sleep;   /* default true: fluid that has been at rest for a while is not stepped until
+                     something disturbs it (docs/model.md). Only with SKV_SOLVER_FAST. */
+    int capacity; /* particles to make room for at creation; the world grows beyond it */
     int cookie;
 } skv_world_def;
 
@@ -157,6 +159,8 @@ SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, s
 
 /* Plain facts. Reading functions may run on several threads at once, never beside a step. */
 SKV_API int skv_world_particle_count(const skv_world *world);
+/* Particles that do not sleep: those that the last step moved, and those added since. */
+SKV_API int skv_world_awake_count(const skv_world *world);
 SKV_API int skv_world_substeps(const skv_world *world); /* a 1/60 s frame */
 SKV_API int skv_world_threads(const skv_world *world);
 SKV_API double skv_world_time(const skv_world *world);   /* s, simulated */

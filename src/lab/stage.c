@@ -81,6 +81,7 @@ static skv_result make_world(const stage *s, const stage_plan *plan, skv_world *
     def.gravity_y = (float)plan->gravity_y;
     def.depth = (float)plan->depth;
     def.substeps = (int)s->settings->value[PARAM_SUBSTEPS];
+    def.sleep = false; /* it would cut small motions off, docs/model.md */
     def.threads = s->options ? s->options->threads : 0;
     skv_result result = make_terrain(s, plan, &def.terrain, error);
     if (result != SKV_OK)

@@ -285,6 +285,7 @@ static void compose_fluid(composer *c)
     c->scene->gravity_x = c->value[SKV_F_GRAVITY_X].number;
     c->scene->gravity_y = c->value[SKV_F_GRAVITY_Y].number;
     c->scene->substeps = (int)c->value[SKV_F_SUBSTEPS].number;
+    c->scene->sleep = !is_given(c, SKV_F_SLEEP) || c->value[SKV_F_SLEEP].number != 0;
 }
 
 /* Where the fluid starts. */

@@ -63,6 +63,8 @@ static const skv_field fields[SKV_F_COUNT] = {
                          "number of particles; the spacing follows from it"},
     [SKV_F_SUBSTEPS] = {"substeps", WHOLE, "", 0, 1000, NULL, "0",
                         "substeps in 1/60 s; 0: by depth and gravity"},
+    [SKV_F_SLEEP] = {"sleep", FLAG, "", 0, 1, NULL, "true",
+                     "fluid at rest is not stepped until something disturbs it"},
     [SKV_F_DEPTH] = {"depth", NUMBER, "m", 0, 100, NULL, "0",
                      "deepest fluid to expect, for the substeps; 0: from the start"},
 
@@ -91,7 +93,7 @@ static const skv_field fields[SKV_F_COUNT] = {
     [SKV_F_FLUID_SPACING] = {"fluid.spacing", NUMBER, "m", 0.0005, 0.1, NULL, "",
                              "one particle per spacing^2; instead of particles"},
     [SKV_F_FLUID_RADIUS_RATIO] = {"fluid.radius_ratio", NUMBER, "", 2, 4, NULL, "3",
-                                  "smoothing radius in spacings (clavet: 2.75)"},
+                                  "smoothing radius in spacings (clavet: 2.85)"},
     [SKV_F_FLUID_DENSITY] = {"fluid.density", NUMBER, "kg/m^2", 1, 20000, NULL, "1000",
                              "mass of a square metre of the sheet"},
     [SKV_F_FLUID_VISCOSITY_LINEAR] = {"fluid.viscosity_linear", NUMBER, "1/s", 0, 1000, NULL, "0",

@@ -32,6 +32,7 @@ typedef enum skv_field_id {
     SKV_F_SECONDS,
     SKV_F_PARTICLES,
     SKV_F_SUBSTEPS,
+    SKV_F_SLEEP,
     SKV_F_DEPTH,
     SKV_F_WORLD_WIDTH,
     SKV_F_WORLD_HEIGHT,

@@ -82,6 +82,7 @@ skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world
     def.gravity_y = (float)scene->gravity_y;
     def.depth = (float)scene->depth;
     def.substeps = scene->substeps;
+    def.sleep = scene->sleep;
     def.threads = threads;
     def.capacity = scene->particles;
     result = skv_world_create(&def, world, error);

@@ -25,6 +25,7 @@ struct skv_scene {
     double gravity_x, gravity_y;
     double depth;
     int substeps;
+    bool sleep;
     int particles;
     char *notices[SKV_MAX_NOTICES];
 };

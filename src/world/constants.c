@@ -50,6 +50,7 @@ skv_world_def skv_default_world_def(void)
     return (skv_world_def){
         .fluid = skv_default_fluid_def(SKV_LAW_CALIBRATED),
         .gravity_y = -9.81f,
+        .sleep = true,
         .cookie = WORLD_COOKIE,
     };
 }

@@ -141,6 +141,7 @@ skv_result skv_world_add_velocity(skv_world *world, int first, int count, float 
     for (int i = first; i < first + count; i++) {
         world->state.vx[i] += vx;
         world->state.vy[i] += vy;
+        skv_sleep_wake(world, i);
     }
     return SKV_OK;
 }

@@ -7,8 +7,8 @@
 /* Takes one substep with the reference solver: the passes as a readable list. */
 void skv_reference_substep(skv_world *world);
 
-/* Takes `count` substeps with the production solver. */
-void skv_rows_substeps(skv_world *world, int count);
+/* Takes `count` substeps, `time` seconds in all, with the production solver; what sleeps stays. */
+void skv_rows_substeps(skv_world *world, int count, float time);
 
 /* The walls as both solvers meet them, SI units. */
 

@@ -119,8 +119,12 @@ static void make_pulls(const skv_world *world, bool swapped, skv_row_pull *pulls
     }
 }
 
-void skv_rows_substeps(skv_world *world, int count)
+void skv_rows_substeps(skv_world *world, int count, float time)
 {
+    bool partial;
+    int members = skv_sleep_plan(world, time, &partial);
+    if (members == 0)
+        return;
     const skv_constants *c = &world->constants;
     bool swapped = world->rows_swapped;
     skv_state *s = &world->state;
@@ -131,7 +135,8 @@ void skv_rows_substeps(skv_world *world, int count)
     skv_row_constants constants = row_constants(world, swapped);
     constants.pulls = pulls;
     skv_row_frame frame = {
-        .count = s->count,
+        .count = members,
+        .members = partial ? world->sleep.members : NULL,
         .x = swapped ? s->y : s->x,
         .y = swapped ? s->x : s->y,
         .vx = swapped ? s->vy : s->vx,
@@ -144,4 +149,5 @@ void skv_rows_substeps(skv_world *world, int count)
         .inv_speed = c->h * c->inv_dt,
     };
     skv_rows_step(world->rows, &frame, count, &constants, &boundary, world->pool);
+    skv_sleep_watch(world, time);
 }

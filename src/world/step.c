@@ -63,8 +63,10 @@ static void remove_leavers(skv_world *world)
     skv_state *s = &world->state;
     int kept = 0;
     for (int i = 0; i < s->count; i++) {
-        if (has_left(world, s->x[i], s->y[i]))
+        if (has_left(world, s->x[i], s->y[i])) {
+            skv_sleep_wake(world, i);
             continue;
+        }
         if (kept < i) {
             s->x[kept] = s->x[i];
             s->y[kept] = s->y[i];
@@ -73,6 +75,9 @@ static void remove_leavers(skv_world *world)
             s->pressure[kept] = s->pressure[i];
             s->clear[kept] = s->clear[i];
             s->id[kept] = s->id[i];
+            world->sleep.anchor_x[kept] = world->sleep.anchor_x[i];
+            world->sleep.anchor_y[kept] = world->sleep.anchor_y[i];
+            world->sleep.unrest[kept] = world->sleep.unrest[i];
         }
         kept++;
     }
@@ -113,10 +118,13 @@ skv_result skv_world_step(skv_world *world, float dt)
         skv_result result = reserve(world);
         if (result != SKV_OK)
             return result;
-        if (world->solver == SKV_SOLVER_REFERENCE)
+        if (world->solver == SKV_SOLVER_REFERENCE) {
             skv_reference_substep(world);
-        else
-            skv_rows_substeps(world, one_by_one ? 1 : count);
+            world->sleep.stepped = world->state.count;
+        } else {
+            float time = one_by_one ? part : dt;
+            skv_rows_substeps(world, one_by_one ? 1 : count, time);
+        }
         if (open)
             remove_leavers(world);
     }

@@ -12,15 +12,38 @@
 #include <string.h>
 
 /* Addresses of the state's float arrays, for allocating and moving them alike. */
-enum { FLOAT_ARRAYS = 24 };
+enum { FLOAT_ARRAYS = 26 };
 
-static void float_arrays(skv_state *s, float **arrays[FLOAT_ARRAYS])
+static void float_arrays(skv_world *world, float **arrays[FLOAT_ARRAYS])
 {
+    skv_state *s = &world->state;
     float **list[FLOAT_ARRAYS] = {
-        &s->x,    &s->y,         &s->vx,       &s->vy,           &s->wx,         &s->wy,
-        &s->dx,   &s->dy,        &s->density,  &s->near_density, &s->gradient_x, &s->gradient_y,
-        &s->push, &s->near_push, &s->pressure, &s->wall_near,    &s->f1x,        &s->wall_density,
-        &s->f1y,  &s->f2x,       &s->f2y,      &s->clear,        &s->normal_x,   &s->normal_y,
+        &s->x,
+        &s->y,
+        &s->vx,
+        &s->vy,
+        &s->wx,
+        &s->wy,
+        &s->dx,
+        &s->dy,
+        &s->density,
+        &s->near_density,
+        &s->gradient_x,
+        &s->gradient_y,
+        &s->push,
+        &s->near_push,
+        &s->pressure,
+        &s->wall_near,
+        &s->f1x,
+        &s->wall_density,
+        &s->f1y,
+        &s->f2x,
+        &s->f2y,
+        &s->clear,
+        &s->normal_x,
+        &s->normal_y,
+        &world->sleep.anchor_x,
+        &world->sleep.anchor_y,
     };
     memcpy(arrays, list, sizeof list);
 }
@@ -38,12 +61,12 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
     /* Arrays that start at the same offset in a page fight for the same cache sets: an odd number
      * of cache lines between them spreads them out. */
     size_t stride = (((size_t)capacity + 15) / 16 | 1) * 16;
-    size_t arrays_total = FLOAT_ARRAYS + 2; /* depth and id besides */
+    size_t arrays_total = FLOAT_ARRAYS + 4; /* depth, id, unrest and members besides */
     float *block = skv_calloc(stride * arrays_total, sizeof *block);
     if (!block)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
     float **arrays[FLOAT_ARRAYS];
-    float_arrays(&world->state, arrays);
+    float_arrays(world, arrays);
     size_t used = (size_t)world->state.count * sizeof(float);
     for (int i = 0; i < FLOAT_ARRAYS; i++) {
         float *array = block + stride * (size_t)i;
@@ -51,12 +74,17 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
             memcpy(array, *arrays[i], used);
         *arrays[i] = array;
     }
-    float *depth = block + stride * FLOAT_ARRAYS;
-    uint32_t *id = (uint32_t *)(void *)(block + stride * (FLOAT_ARRAYS + 1));
-    if (used)
+    float *rest = block + stride * FLOAT_ARRAYS;
+    uint32_t *id = (uint32_t *)(void *)(rest + stride);
+    int *unrest = (int *)(void *)(rest + 2 * stride);
+    if (used) {
         memcpy(id, world->state.id, used);
-    world->state.depth = depth;
+        memcpy(unrest, world->sleep.unrest, used);
+    }
+    world->state.depth = rest;
     world->state.id = id;
+    world->sleep.unrest = unrest;
+    world->sleep.members = (int *)(void *)(rest + 3 * stride);
     skv_free(world->block);
     world->block = block;
     world->capacity = capacity;
@@ -74,6 +102,10 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy)
     s->pressure[i] = 0;
     s->clear[i] = 0;
     s->id[i] = world->next_id++;
+    world->sleep.anchor_x[i] = x;
+    world->sleep.anchor_y[i] = y;
+    world->sleep.unrest[i] = SKV_NEWLY_RESTLESS;
+    world->sleep.stepped++;
     world->lists_current = false;
 }
 
@@ -96,6 +128,8 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
         float across = world->rows_swapped ? width : height;
         result = skv_rows_create(along / world->h, across / world->h, &world->rows, error);
     }
+    if (result == SKV_OK)
+        result = skv_sleep_create(world, def->sleep && world->solver == SKV_SOLVER_FAST, error);
     if (result == SKV_OK && def->capacity > 0)
         result = skv_world_reserve(world, def->capacity, error);
     return result;
@@ -147,6 +181,7 @@ void skv_world_destroy(skv_world *world)
     if (!world)
         return;
     skv_pool_destroy(world->pool);
+    skv_sleep_destroy(world);
     skv_neighbours_destroy(&world->neighbours);
     skv_rows_destroy(world->rows);
     skv_wall_map_destroy(world->walls);
@@ -193,6 +228,8 @@ skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error
         return skv_fail(error, SKV_ERROR_VALUE,
                         "gravity: (%g, %g) is out of range; allowed is -1000..1000 m/s^2",
                         (double)gx, (double)gy);
+    if (gx != world->gravity_x || gy != world->gravity_y)
+        skv_sleep_wake_all(world);
     world->gravity_x = gx;
     world->gravity_y = gy;
     return SKV_OK;
@@ -226,6 +263,12 @@ int64_t skv_world_steps(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
     return world->steps;
+}
+
+int skv_world_awake_count(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, 0);
+    return world->sleep.stepped;
 }
 
 float skv_world_spacing(const skv_world *world)

@@ -10,6 +10,7 @@
 #include "solver/rows/rows.h"
 #include "solver/state.h"
 #include "terrain/wall_map.h"
+#include "world/sleep.h"
 
 /* The passes of a substep, for the profile; names in step.c. */
 typedef enum skv_pass {
@@ -41,6 +42,7 @@ struct skv_world {
     int capacity;
     void *block; /* the one allocation behind all of the state's arrays */
     uint32_t next_id;
+    skv_sleep sleep;
     skv_solver solver;
     skv_rows *rows;            /* production solver */
     bool rows_swapped;         /* its x is the world's y */

@@ -37,7 +37,7 @@ static const mistake mistakes[] = {
      "a.json:1: gravity.zebra: unknown field; allowed are x, y"},
     {"{\"zebra\": 1}", SKV_ERROR_VALUE,
      "a.json:1: zebra: unknown field; allowed are name, title, description, seconds, particles, "
-     "substeps, depth, world, gravity, fluid, solid, water"},
+     "substeps, sleep, depth, world, gravity, fluid, solid, water"},
     {"{\"fluid.law\": \"clavet\"}", SKV_ERROR_VALUE,
      "a.json:1: \"fluid.law\": unknown field; a key is one word, a group is { ... }"},
     {"{\"water[0]\": {}}", SKV_ERROR_VALUE,

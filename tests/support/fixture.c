@@ -16,6 +16,7 @@ skv_world_def fixture_def(skv_law law, skv_solver solver, float viscosity, float
     def.fluid.spacing = spacing;
     def.threads = threads;
     def.solver = solver;
+    def.sleep = false;
     def.fluid.viscosity_linear = def.fluid.viscosity_quadratic = viscosity;
     return def;
 }

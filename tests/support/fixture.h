@@ -4,7 +4,7 @@
 
 #include "skvalp/skvalp.h"
 
-/* A definition with these values; gravity as by default. */
+/* A definition with these values; gravity as by default, no sleep. */
 skv_world_def fixture_def(skv_law law, skv_solver solver, float viscosity, float spacing,
                           int threads);
 

@@ -117,7 +117,7 @@ static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
 {
     const skv_row_particles *p = &s->set[s->current];
     for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
-        if (p->clear[i] >= c->contact_distance)
+        if (p->clear[i] >= c->contact_distance || p->number[i] & ROW_HELD)
             continue;
         float nx, ny;
         float depth =
@@ -173,6 +173,15 @@ V8_INLINE void collected_move(const skv_rows *s, int i, bool viscous, v8 *dx, v8
     }
 }
 
+/* Zeroes the lanes of those of the eight particles at i that are held. */
+V8_INLINE v8 unless_held(const int *numbers, v8 a)
+{
+    int32_t free[ROW_LANES];
+    for (int l = 0; l < ROW_LANES; l++)
+        free[l] = numbers[l] & ROW_HELD ? 0 : -1;
+    return v8_and(a, v8_load((const float *)(const void *)free));
+}
+
 /* Moves the eight particles at i; those whose way may meet a wall one by one. With `speed` the move
  * is a correction and changes the velocity; without, it is the advance. */
 V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool speed,
@@ -226,6 +235,11 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 dx, dy;
         collected_move(s, i, viscous, &dx, &dy);
+        if (s->held) {
+            const int *numbers = s->set[s->current].number + i;
+            dx = unless_held(numbers, dx);
+            dy = unless_held(numbers, dy);
+        }
         move_eight(s, i, end, dx, dy, true, c, boundary);
     }
     if (iteration == c->iterations - 1)
@@ -265,6 +279,10 @@ static void advance(const skv_rows *s, int row, const skv_row_constants *c,
         v8 scale = v8_min(v8_div(limit, speed), one);
         u = v8_mul(u, scale);
         v = v8_mul(v, scale);
+        if (s->held) {
+            u = unless_held(p->number + i, u);
+            v = unless_held(p->number + i, v);
+        }
         v8_store(p->u + i, u);
         v8_store(p->v + i, v);
         move_eight(s, i, end, u, v, false, c, boundary);

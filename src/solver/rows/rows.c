@@ -255,13 +255,14 @@ static void take_in(skv_rows *rows, int thread, const skv_row_frame *frame)
     /* A multiple of eight, and dummies enough behind each share. */
     int place = (from & ~(ROW_LANES - 1)) + ROW_LANES * (3 * thread + 1);
     rows->row_start[thread] = place;
-    for (int i = from; i < to; i++, place++) {
+    for (int k = from; k < to; k++, place++) {
+        int member = frame->members ? frame->members[k] : k, i = member < 0 ? ~member : member;
         p->x[place] = frame->x[i] * frame->length;
         p->y[place] = frame->y[i] * frame->length;
         p->u[place] = frame->vx[i] * frame->speed;
         p->v[place] = frame->vy[i] * frame->speed;
         p->clear[place] = frame->clear[i] * frame->length;
-        p->number[place] = i;
+        p->number[place] = member < 0 ? i | ROW_HELD : i;
     }
     rows->row_end[thread] = place;
     for (int k = place; k < skv_row_padded_end(place); k++) {
@@ -278,6 +279,8 @@ static void give_back(const skv_rows *rows, int thread, const skv_row_frame *fra
     for (int row = rows->thread[thread].first; row < rows->thread[thread].end; row++) {
         for (int k = rows->row_start[row]; k < rows->row_end[row]; k++) {
             int i = p->number[k];
+            if (i & ROW_HELD)
+                continue;
             frame->x[i] = p->x[k] * frame->inv_length;
             frame->y[i] = p->y[k] * frame->inv_length;
             frame->vx[i] = p->u[k] * frame->inv_speed;
@@ -447,6 +450,7 @@ void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
     if (frame->count == 0)
         return;
     rows->count = frame->count;
+    rows->held = frame->members != NULL;
     run shared = {.rows = rows,
                   .kernels = skv_row_kernels_chosen(),
                   .constants = constants,

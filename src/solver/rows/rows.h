@@ -71,9 +71,12 @@ void skv_rows_destroy(skv_rows *rows);
 /* Makes room for `count` particles and for `threads` threads; allocates only when it has to. */
 skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, skv_error *error);
 
-/* The particles outside, in the order of their numbers, in units of the caller's. */
+/* The particles outside, in units of the caller's. */
 typedef struct skv_row_frame {
-    int count;
+    int count; /* of particles that take part */
+    const int
+        *members; /* their indices, ascending; null: all, 0..count-1. ~index for one that is
+                     held: it takes part in the sums, but stays, and nothing of it is written */
     float *x, *y, *vx, *vy;
     float *clear;                /* lower bound of the distance to the nearest wall */
     float *pressure;             /* written only */

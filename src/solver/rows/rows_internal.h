@@ -15,6 +15,10 @@ enum {
     ROW_SLOTS = 3 /* rows whose pairs a thread keeps: two in turn, and its last */
 };
 
+/* Added to the number of a particle that is held. As a float's bits a number is finite with it,
+ * too: numbers are left over where dummies' pressures are read. */
+#define ROW_HELD (1 << 30)
+
 /* Where a dummy lies: farther from everything than h, but not so far that its square overflows. */
 #define ROW_FAR 1e9f
 
@@ -29,7 +33,7 @@ enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
 typedef struct skv_row_particles {
     float *x, *y, *u, *v;
     float *clear;
-    int *number; /* index at loading */
+    int *number; /* index in the frame, and ROW_HELD */
 } skv_row_particles;
 
 /* Where the pairs of one row are kept between density and displacement. */
@@ -85,7 +89,7 @@ struct skv_rows {
     skv_row_thread *thread;
     int thread_room, threads; /* threads to have memory for, and at work in this call */
     bool viscous;             /* pair viscosity in the first iteration */
-    bool gauged;              /* this substep computes the gauge pressure */
+    bool held, gauged;        /* this substep computes the gauge pressure */
     void *block, *viscous_block, *grid_block, *histogram_block;
     size_t particle_bytes;
     double seconds[ROW_PHASES];

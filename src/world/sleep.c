@@ -1,0 +1,263 @@
+/* Sleep: regions whose particles have been still for a while are not stepped.
+ *
+ * Space is cut into tiles of 2 h. A particle is restless or calm; a tile is
+ *   awake   if it or a tile beside it has a restless particle, or will have one within the call:
+ *           its particles are stepped;
+ *   held    if it is beside an awake tile: its particles take part as they lie, but do not move;
+ *   asleep  otherwise: its particles are not looked at.
+ * So around every restless particle at least 2 h of fluid are free to follow it, and the 2 h beyond
+ * push back: enough that density and pressure of whatever moves are right.
+ *
+ * Every WINDOW there is a look round: the particles of a tile become calm if none has gone far and
+ * they have not drifted on average. The average tells slow flow, which goes on, from the method's
+ * jitter, which leads nowhere. Calm particles of an awake tile become restless at once when one
+ * goes far or the tile sets in motion as a whole. The limits are in spacings and in sqrt(g s), the
+ * speed gained in falling half a spacing; how they were found is in docs/model.md.
+ *
+ * Invariant: a calm particle outside awake tiles has no velocity and does not move; who sleeps
+ * depends on the particles alone, not on threads.
+ */
+#include "world/sleep.h"
+
+#include "base/exact.h"
+#include "base/memory.h"
+#include "world/world_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+#define TILE_SIZE    2.0f  /* h */
+#define WINDOW       1.0   /* s */
+#define MOST_DRIFT   0.05f /* spacings in a window, a tile's average */
+#define MOST_WAY     0.2f  /* spacings in a window, a particle's */
+#define SETS_OUT     0.01f /* sqrt(g s): a tile's average speed */
+#define FALL_GRAVITY 9.81f /* m/s^2 of that scale, whatever the world's gravity */
+#define WAY_MARGIN   1.5f  /* how much faster than it is a particle may get within a call */
+
+/* A tile's state. */
+enum { ASLEEP, HELD, AWAKE, RESTLESS };
+
+skv_result skv_sleep_create(skv_world *world, bool allowed, skv_error *error)
+{
+    skv_sleep *s = &world->sleep;
+    s->allowed = allowed;
+    if (!allowed)
+        return SKV_OK;
+    s->per_metre = 1 / (TILE_SIZE * world->h);
+    s->columns = (int)(skv_terrain_width(world->terrain) * s->per_metre) + 1;
+    s->rows = (int)(skv_terrain_height(world->terrain) * s->per_metre) + 1;
+    s->tiles = skv_calloc((size_t)s->columns * (size_t)s->rows, sizeof *s->tiles);
+    return s->tiles ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for sleep");
+}
+
+void skv_sleep_destroy(skv_world *world)
+{
+    skv_free(world->sleep.tiles);
+}
+
+static void set_unrest(skv_sleep *s, int particle, skv_unrest unrest)
+{
+    s->calm += (unrest == SKV_CALM) - (s->unrest[particle] == SKV_CALM);
+    s->unrest[particle] = (int)unrest;
+}
+
+void skv_sleep_wake(skv_world *world, int particle)
+{
+    set_unrest(&world->sleep, particle, SKV_NEWLY_RESTLESS);
+}
+
+void skv_sleep_wake_all(skv_world *world)
+{
+    for (int i = 0; i < world->state.count; i++)
+        skv_sleep_wake(world, i);
+}
+
+/* A coordinate's tile; what lies outside belongs to the border's. The comparisons catch a NaN. */
+static int tile_at(float position, float per_metre, int tiles)
+{
+    float place = position * per_metre;
+    if (!(place > 0))
+        return 0;
+    return place < (float)tiles ? (int)place : tiles - 1;
+}
+
+static skv_tile *tile_of(const skv_world *world, int i)
+{
+    const skv_sleep *s = &world->sleep;
+    int column = tile_at(world->state.x[i], s->per_metre, s->columns);
+    int row = tile_at(world->state.y[i], s->per_metre, s->rows);
+    return &s->tiles[(size_t)row * (size_t)s->columns + (size_t)column];
+}
+
+/* Fingers wake whom they reach. */
+static void wake_for_hands(skv_world *world)
+{
+    const skv_state *p = &world->state;
+    for (int k = 0; k < world->hand_count; k++) {
+        const skv_hand *hand = &world->hands[k];
+        for (int i = 0; i < p->count; i++) {
+            float x = p->x[i] - hand->x, y = p->y[i] - hand->y;
+            if (x * x + y * y < hand->radius * hand->radius)
+                skv_sleep_wake(world, i);
+        }
+    }
+}
+
+/* Marks the tiles on a restless particle's way within `dt`. */
+static void mark_way(skv_world *world, int i, float dt)
+{
+    const skv_sleep *s = &world->sleep;
+    const skv_state *p = &world->state;
+    float way_x = (WAY_MARGIN * p->vx[i] + world->gravity_x * dt) * dt;
+    float way_y = (WAY_MARGIN * p->vy[i] + world->gravity_y * dt) * dt;
+    int left = tile_at(p->x[i] + skv_minf(way_x, 0), s->per_metre, s->columns);
+    int right = tile_at(p->x[i] + skv_maxf(way_x, 0), s->per_metre, s->columns);
+    int bottom = tile_at(p->y[i] + skv_minf(way_y, 0), s->per_metre, s->rows);
+    int top = tile_at(p->y[i] + skv_maxf(way_y, 0), s->per_metre, s->rows);
+    for (int row = bottom; row <= top; row++)
+        for (int column = left; column <= right; column++)
+            s->tiles[(size_t)row * (size_t)s->columns + (size_t)column].state = RESTLESS;
+}
+
+/* Raises the tiles beside those of state `from` or higher to `to`, which is lower. */
+static void spread(const skv_sleep *s, int from, int to)
+{
+    for (int row = 0; row < s->rows; row++) {
+        for (int column = 0; column < s->columns; column++) {
+            const skv_tile *here = &s->tiles[(size_t)row * (size_t)s->columns + (size_t)column];
+            if (here->state < from)
+                continue;
+            for (int r = row ? row - 1 : 0; r <= row + 1 && r < s->rows; r++) {
+                for (int c = column ? column - 1 : 0; c <= column + 1 && c < s->columns; c++) {
+                    skv_tile *beside = &s->tiles[(size_t)r * (size_t)s->columns + (size_t)c];
+                    beside->state = beside->state > to ? beside->state : to;
+                }
+            }
+        }
+    }
+}
+
+/* Lists who takes part; the others, and those held, stop. */
+static int list_members(skv_world *world)
+{
+    skv_sleep *s = &world->sleep;
+    skv_state *p = &world->state;
+    int count = 0;
+    s->stepped = 0;
+    for (int i = 0; i < p->count; i++) {
+        int state = tile_of(world, i)->state;
+        if (state >= AWAKE) {
+            s->members[count++] = i;
+            s->stepped++;
+            continue;
+        }
+        p->vx[i] = p->vy[i] = 0;
+        if (state == HELD)
+            s->members[count++] = ~i;
+    }
+    return count;
+}
+
+/* All are calm: the last motion ends. */
+static void stop_all(skv_world *world)
+{
+    skv_state *p = &world->state;
+    if (world->sleep.stepped == 0)
+        return;
+    memset(p->vx, 0, (size_t)p->count * sizeof *p->vx);
+    memset(p->vy, 0, (size_t)p->count * sizeof *p->vy);
+    world->sleep.stepped = 0;
+}
+
+int skv_sleep_plan(skv_world *world, float dt, bool *partial)
+{
+    skv_sleep *s = &world->sleep;
+    *partial = false;
+    if (s->calm)
+        wake_for_hands(world);
+    if (s->calm == 0)
+        return s->stepped = world->state.count;
+    *partial = true;
+    if (s->calm == world->state.count) {
+        stop_all(world);
+        return 0;
+    }
+    for (int t = 0; t < s->columns * s->rows; t++)
+        s->tiles[t].state = ASLEEP;
+    for (int i = 0; i < world->state.count; i++)
+        if (s->unrest[i] != SKV_CALM)
+            mark_way(world, i, dt);
+    spread(s, RESTLESS, AWAKE);
+    spread(s, AWAKE, HELD);
+    return list_members(world);
+}
+
+/* Adds up what the tiles' particles did. */
+static void sum_up(skv_world *world)
+{
+    skv_sleep *s = &world->sleep;
+    const skv_state *p = &world->state;
+    for (int t = 0; t < s->columns * s->rows; t++)
+        s->tiles[t] = (skv_tile){0};
+    for (int i = 0; i < p->count; i++) {
+        skv_tile *tile = tile_of(world, i);
+        float x = p->x[i] - s->anchor_x[i], y = p->y[i] - s->anchor_y[i];
+        tile->count++;
+        tile->moved_x += x;
+        tile->moved_y += y;
+        tile->speed_x += p->vx[i];
+        tile->speed_y += p->vy[i];
+        tile->farthest = skv_maxf(tile->farthest, x * x + y * y);
+        if (s->unrest[i] == SKV_NEWLY_RESTLESS)
+            tile->state = RESTLESS;
+    }
+}
+
+/* Whether the average of vectors with this sum is longer than `most`. */
+static bool is_longer(const skv_tile *tile, float x, float y, float most)
+{
+    float limit = most * (float)tile->count;
+    return x * x + y * y > limit * limit;
+}
+
+/* Marks the tiles that are in motion. */
+static void judge(const skv_world *world, bool look_round)
+{
+    const skv_sleep *s = &world->sleep;
+    float spacing = world->fluid.spacing;
+    float sets_out = SETS_OUT * sqrtf(FALL_GRAVITY * spacing);
+    for (int t = 0; t < s->columns * s->rows; t++) {
+        skv_tile *tile = &s->tiles[t];
+        bool drifts =
+            look_round && is_longer(tile, tile->moved_x, tile->moved_y, MOST_DRIFT * spacing);
+        if (drifts || tile->farthest > MOST_WAY * MOST_WAY * spacing * spacing ||
+            is_longer(tile, tile->speed_x, tile->speed_y, sets_out))
+            tile->state = RESTLESS;
+    }
+}
+
+void skv_sleep_watch(skv_world *world, float dt)
+{
+    skv_sleep *s = &world->sleep;
+    if (!s->allowed || s->stepped == 0)
+        return;
+    s->watched += (double)dt;
+    bool look_round = s->watched >= WINDOW;
+    if (!look_round && s->calm == 0)
+        return;
+    sum_up(world);
+    judge(world, look_round);
+    const skv_state *p = &world->state;
+    for (int i = 0; i < p->count; i++) {
+        bool restless = tile_of(world, i)->state == RESTLESS;
+        if (look_round) {
+            set_unrest(s, i, restless ? SKV_RESTLESS : SKV_CALM);
+            s->anchor_x[i] = p->x[i];
+            s->anchor_y[i] = p->y[i];
+        } else if (restless && s->unrest[i] == SKV_CALM) {
+            set_unrest(s, i, SKV_NEWLY_RESTLESS);
+        }
+    }
+    if (look_round)
+        s->watched = 0;
+}

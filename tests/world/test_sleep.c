@@ -1,0 +1,194 @@
+/* Sleep: still fluid is not stepped, whatever disturbs it wakes it, nothing that moves is stopped,
+ * and none of it depends on threads. */
+#include "support/fixture.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { PATIENCE = 60 * 60 }; /* frames until everything must sleep */
+
+static skv_world *make_world(float x1, float y1, bool sleep, int threads)
+{
+    /* A little viscosity, to be at rest sooner. */
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 2, 0.02f, threads);
+    def.sleep = sleep;
+    skv_world *world;
+    skv_error error;
+    if (skv_world_create(&def, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    assert_int_equal(skv_world_fill(world, 0, 0, x1, y1, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    return world;
+}
+
+static skv_world *sleeping_pool(int threads)
+{
+    skv_world *world = make_world(1.6f, 0.3f, true, threads);
+    for (int f = 0; f < PATIENCE && skv_world_awake_count(world) > 0; f++)
+        fixture_run(world, 1);
+    assert_int_equal(skv_world_awake_count(world), 0);
+    return world;
+}
+
+static void a_pool_falls_asleep_and_stays_as_it_is(void **unused)
+{
+    (void)unused;
+    skv_world *world = sleeping_pool(1);
+    uint64_t hash = skv_world_hash(world);
+    double time = skv_world_time(world);
+    fixture_run(world, 600);
+    assert_int_equal(skv_world_hash(world), hash);
+    assert_true(fabs(skv_world_time(world) - time - 10) < 1e-6);
+    skv_stats stats = skv_world_stats(world);
+    assert_true(stats.kinetic_energy == 0);
+    /* It lies where the same pool lies that never sleeps. */
+    skv_world *awake = make_world(1.6f, 0.3f, false, 1);
+    fixture_run(awake, (int)(time * 60));
+    skv_stats other = skv_world_stats(awake);
+    float s = skv_world_spacing(world);
+    assert_true(fabs(stats.centre_y - other.centre_y) < 0.02 * (double)s);
+    assert_int_equal(skv_world_awake_count(awake), other.particles);
+    skv_world_destroy(awake);
+    skv_world_destroy(world);
+}
+
+static void fluid_in_motion_is_never_left_out(void **unused)
+{
+    (void)unused;
+    /* While it moves, sleep changes no bit. */
+    skv_world *worlds[2];
+    for (int k = 0; k < 2; k++) {
+        worlds[k] = make_world(0.4f, 0.6f, k == 1, 1);
+        fixture_run(worlds[k], 120);
+    }
+    assert_int_equal(skv_world_hash(worlds[0]), skv_world_hash(worlds[1]));
+    skv_world_destroy(worlds[0]);
+    skv_world_destroy(worlds[1]);
+}
+
+static void tilting_wakes_everything(void **unused)
+{
+    (void)unused;
+    skv_world *world = sleeping_pool(1);
+    double x = skv_world_stats(world).centre_x;
+    assert_int_equal(skv_world_set_gravity(world, 0, -9.81f, NULL), SKV_OK);
+    fixture_run(world, 1);
+    assert_int_equal(skv_world_awake_count(world), 0); /* it was so before */
+    assert_int_equal(skv_world_set_gravity(world, 2, -9.6f, NULL), SKV_OK);
+    fixture_run(world, 1);
+    assert_int_equal(skv_world_awake_count(world), skv_world_particle_count(world));
+    fixture_run(world, 40);
+    assert_true(skv_world_stats(world).centre_x > x + 0.03);
+    skv_world_destroy(world);
+}
+
+static void a_hand_wakes_what_it_reaches_and_waves_wake_the_rest(void **unused)
+{
+    (void)unused;
+    skv_world *world = sleeping_pool(1);
+    skv_hand hand = skv_default_hand();
+    hand.x = 0.3f;
+    hand.y = 0.25f;
+    assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+    fixture_run(world, 1);
+    int all = skv_world_particle_count(world), first = skv_world_awake_count(world);
+    assert_in_range(first, 50, all * 2 / 3);
+    fixture_run(world, 30);
+    assert_int_equal(skv_world_set_hands(world, NULL, 0, NULL), SKV_OK);
+    int most = 0;
+    for (int f = 0; f < 120; f++) {
+        fixture_run(world, 1);
+        most = skv_world_awake_count(world) > most ? skv_world_awake_count(world) : most;
+    }
+    assert_int_equal(most, all);
+    skv_world_destroy(world);
+}
+
+/* A drop falls on a sleeping pool: freely, until it lands, and then it wakes the pool. */
+static void a_falling_drop_is_not_held_and_wakes_the_pool(void **unused)
+{
+    (void)unused;
+    skv_world *world = sleeping_pool(1);
+    int drop = skv_world_particle_count(world);
+    const float height = 0.8f;
+    assert_int_equal(skv_world_fill(world, 0.75f, 0.72f, 0.85f, height, NULL, NULL, -1, NULL, NULL),
+                     SKV_OK);
+    fixture_run(world, 1);
+    assert_int_equal(skv_world_awake_count(world), skv_world_particle_count(world) - drop);
+    fixture_run(world, 11); /* 0.2 s: a way of 0.196 m */
+    skv_particles p = skv_world_particles(world);
+    double speed = 0;
+    for (int i = drop; i < p.count; i++)
+        speed -= (double)p.vy[i] / (p.count - drop);
+    assert_true(fabs(speed - 9.81 * 0.2) < 0.01);
+    assert_int_equal(skv_world_awake_count(world), p.count - drop);
+    fixture_run(world, 40);
+    assert_true(skv_world_awake_count(world) > p.count / 2);
+    skv_world_destroy(world);
+}
+
+static void a_push_in_velocity_wakes(void **unused)
+{
+    (void)unused;
+    skv_world *world = sleeping_pool(1);
+    assert_int_equal(skv_world_add_velocity(world, 0, 50, 0.5f, 0, NULL), SKV_OK);
+    fixture_run(world, 1);
+    assert_true(skv_world_awake_count(world) >= 50);
+    assert_true(skv_world_stats(world).kinetic_energy > 0);
+    skv_world_destroy(world);
+}
+
+/* A lasting disturbance in one corner: the far end sleeps, and the result is the same for any
+ * number of threads. */
+static void a_partly_sleeping_world_does_not_depend_on_threads(void **unused)
+{
+    (void)unused;
+    const int threads[] = {1, 2, 3, 7};
+    uint64_t hash[4];
+    for (int t = 0; t < 4; t++) {
+        skv_world *world = sleeping_pool(threads[t]);
+        skv_hand hand = skv_default_hand();
+        hand.x = 0.1f;
+        hand.y = 0.1f;
+        hand.radius = 0.1f;
+        hand.attraction = 2;
+        assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+        fixture_run(world, 20);
+        assert_in_range(skv_world_awake_count(world), 1, skv_world_particle_count(world) - 1);
+        hash[t] = skv_world_hash(world);
+        skv_world_destroy(world);
+        assert_int_equal(hash[t], hash[0]);
+    }
+}
+
+static void only_the_fast_solver_sleeps(void **unused)
+{
+    (void)unused;
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_REFERENCE, 2, 0.04f, 1);
+    def.sleep = true;
+    skv_world *world = fixture_dam_of(&def);
+    fixture_run(world, 120);
+    assert_int_equal(skv_world_awake_count(world), skv_world_particle_count(world));
+    skv_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_pool_falls_asleep_and_stays_as_it_is),
+        cmocka_unit_test(fluid_in_motion_is_never_left_out),
+        cmocka_unit_test(tilting_wakes_everything),
+        cmocka_unit_test(a_hand_wakes_what_it_reaches_and_waves_wake_the_rest),
+        cmocka_unit_test(a_falling_drop_is_not_held_and_wakes_the_pool),
+        cmocka_unit_test(a_push_in_velocity_wakes),
+        cmocka_unit_test(a_partly_sleeping_world_does_not_depend_on_threads),
+        cmocka_unit_test(only_the_fast_solver_sleeps),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
