@@ -1,37 +1,6 @@
 /* Copies a world, so that solvers and thread counts are compared on the same particles at the same
- * moment. Invariant: a twin's terrain equals the source's in every distance, which is checked: the
- * picture behind a terrain cannot be read back, so only bare tanks have twins. */
+ * moment. Invariant: a twin has the source's terrain and particles. */
 #include "twin.h"
-
-#include <string.h>
-
-static bool same_walls(const skv_terrain *a, const skv_terrain *b)
-{
-    int stride_a, stride_b;
-    const float *row_a = skv_terrain_distances(a, &stride_a);
-    const float *row_b = skv_terrain_distances(b, &stride_b);
-    size_t bytes = (size_t)skv_terrain_pixels_x(a) * sizeof *row_a;
-    for (int y = 0; y < skv_terrain_pixels_y(a); y++, row_a += stride_a, row_b += stride_b)
-        if (memcmp(row_a, row_b, bytes) != 0)
-            return false;
-    return true;
-}
-
-static skv_result make_tank(const skv_terrain *source, skv_terrain **tank, skv_error *error)
-{
-    skv_terrain_def def = skv_default_terrain_def();
-    def.width = skv_terrain_pixels_x(source);
-    def.height = skv_terrain_pixels_y(source);
-    def.pixel_size = skv_terrain_pixel_size(source);
-    def.open_sides = skv_terrain_open_sides(source);
-    skv_result result = skv_terrain_create(&def, tank, error);
-    if (result == SKV_OK && !same_walls(source, *tank)) {
-        skv_terrain_destroy(*tank);
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "bench: the scene has walls inside; measure in a bare tank");
-    }
-    return result;
-}
 
 static skv_result copy_particles(const skv_world *source, skv_world *twin, skv_error *error)
 {
@@ -47,7 +16,7 @@ skv_result bench_twin(const skv_world *source, const skv_fluid_def *fluid, skv_s
 {
     *twin = NULL;
     skv_world_def def = skv_default_world_def();
-    skv_result result = make_tank(skv_world_terrain(source), &def.terrain, error);
+    skv_result result = skv_terrain_copy(skv_world_terrain(source), &def.terrain, error);
     if (result != SKV_OK)
         return result;
     def.fluid = *fluid;

@@ -50,6 +50,10 @@ typedef struct skv_terrain skv_terrain;
 SKV_API skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
                                       skv_error *error);
 
+/* Makes an independent copy, in much less time than making a terrain takes; null on failure. */
+SKV_API skv_result skv_terrain_copy(const skv_terrain *source, skv_terrain **terrain,
+                                    skv_error *error);
+
 /* Frees a terrain that no world has taken over; null is allowed. */
 SKV_API void skv_terrain_destroy(skv_terrain *terrain);
 

@@ -238,15 +238,20 @@ static skv_result compose_walls(composer *c)
     return SKV_OK;
 }
 
-skv_result skv_scene_terrain(const skv_scene *scene, skv_terrain **terrain, skv_error *error)
+/* Makes the terrain; the coverage has served then. */
+static skv_result compose_terrain(composer *c)
 {
+    skv_scene *scene = c->scene;
     skv_terrain_def def = skv_default_terrain_def();
     def.width = scene->width;
     def.height = scene->height;
     def.coverage = scene->coverage;
     def.pixel_size = (float)scene->pixel_size;
     def.open_sides = scene->open_sides;
-    return skv_terrain_create(&def, terrain, error);
+    skv_result result = skv_terrain_create(&def, &scene->terrain, c->error);
+    skv_free(scene->coverage);
+    scene->coverage = NULL;
+    return result;
 }
 
 /* ---- Fluid ----------------------------------------------------------------------------------- */
@@ -434,16 +439,16 @@ static void note_marks(skv_scene *scene)
 
 static skv_result compose(composer *c, const uint8_t *picture, size_t picture_size)
 {
-    skv_terrain *terrain = NULL;
     skv_result result = compose_texts(c);
     if (result == SKV_OK)
         result = c->pictured ? compose_picture(c, picture, picture_size) : compose_blank(c);
     if (result == SKV_OK)
         result = compose_walls(c);
     if (result == SKV_OK)
-        result = skv_scene_terrain(c->scene, &terrain, c->error);
+        result = compose_terrain(c);
     if (result != SKV_OK)
         return result;
+    const skv_terrain *terrain = c->scene->terrain;
     compose_fluid(c);
     result = compose_water(c, terrain);
     if (result == SKV_OK)
@@ -452,7 +457,6 @@ static skv_result compose(composer *c, const uint8_t *picture, size_t picture_si
         compose_depth(c, terrain);
         note_marks(c->scene);
     }
-    skv_terrain_destroy(terrain);
     return result;
 }
 

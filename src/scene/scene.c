@@ -13,6 +13,7 @@ void skv_scene_destroy(skv_scene *scene)
     skv_free(scene->name);
     skv_free(scene->title);
     skv_free(scene->description);
+    skv_terrain_destroy(scene->terrain);
     skv_free(scene->coverage);
     skv_free(scene->paint);
     skv_free(scene->solids);
@@ -74,7 +75,7 @@ skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world
     *world = NULL;
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
     skv_world_def def = skv_default_world_def();
-    skv_result result = skv_scene_terrain(scene, &def.terrain, error);
+    skv_result result = skv_terrain_copy(scene->terrain, &def.terrain, error);
     if (result != SKV_OK)
         return result;
     def.fluid = scene->fluid;

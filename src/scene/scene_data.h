@@ -14,7 +14,8 @@ struct skv_scene {
     int width, height; /* pixels */
     double pixel_size; /* m */
     unsigned open_sides;
-    uint8_t *coverage; /* width * height, row 0 at the bottom */
+    skv_terrain *terrain;
+    uint8_t *coverage; /* width * height, row 0 at the bottom; until the terrain is made */
     uint8_t *paint;    /* likewise, skv_paint; null if no picture was painted */
     int64_t marked[4]; /* pixels of each skv_paint */
     skv_shape *solids;
@@ -39,8 +40,5 @@ skv_result skv_scene_compose(const skv_builder *builder, const uint8_t *picture,
 /* Says something without failing; cut to fit. */
 void skv_scene_note(skv_scene *scene, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-
-/* The terrain of a scene. */
-skv_result skv_scene_terrain(const skv_scene *scene, skv_terrain **terrain, skv_error *error);
 
 #endif

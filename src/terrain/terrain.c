@@ -7,6 +7,8 @@
 #include "terrain/contour.h"
 #include "terrain/distance.h"
 
+#include <string.h>
+
 #define TERRAIN_COOKIE 0x7e44a1
 
 /* Metres: the longest side of a world, in which float positions are fine enough, and the smallest
@@ -116,6 +118,27 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
         skv_free(made);
         return result;
     }
+    *terrain = made;
+    return SKV_OK;
+}
+
+skv_result skv_terrain_copy(const skv_terrain *source, skv_terrain **terrain, skv_error *error)
+{
+    SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
+    *terrain = NULL;
+    SKV_ASSERT_OR(source, SKV_ERROR_VALUE);
+    size_t samples = (size_t)source->columns * (size_t)source->rows;
+    skv_terrain *made = skv_calloc(1, sizeof *made);
+    float *field = skv_calloc(samples, sizeof *field);
+    if (!made || !field) {
+        skv_free(field);
+        skv_free(made);
+        return skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
+                        source->width, source->height);
+    }
+    memcpy(field, source->field, samples * sizeof *field);
+    *made = *source;
+    made->field = field;
     *terrain = made;
     return SKV_OK;
 }
