@@ -1,5 +1,6 @@
 /* View: drives the session by the frame clock and draws it. Invariant: the frame clock ticks for
- * this view exactly while it plays, so that a paused scene costs nothing. */
+ * this view exactly while it plays, so that a paused scene costs nothing; and while the fluid
+ * sleeps the picture, which would be the same, is not drawn again. */
 #include "view.h"
 
 #include <skvalp/render.h>
@@ -16,7 +17,8 @@ struct _PlayView {
     skv_session *session;
     skv_renderer *renderer;
     skv_render_style style;
-    guint tick; /* 0: not playing */
+    guint tick;  /* 0: not playing */
+    bool asleep; /* the picture shows the fluid as it sleeps */
     gint64 last_tick;
     double frame_cost; /* seconds that one frame took to step, averaged */
 
@@ -112,14 +114,24 @@ static int advance(PlayView *view, double seconds)
     return frames;
 }
 
+static bool is_asleep(PlayView *view)
+{
+    return skv_world_awake_count(skv_session_world(view->session)) == 0 &&
+           skv_session_pointer_count(view->session) == 0;
+}
+
 static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, G_GNUC_UNUSED gpointer data)
 {
     PlayView *view = PLAY_VIEW(widget);
     gint64 now = gdk_frame_clock_get_frame_time(clock);
     double seconds = (double)(now - view->last_tick) / G_USEC_PER_SEC;
     view->last_tick = now;
-    if (advance(view, seconds) > 0)
-        gtk_gl_area_queue_render(GTK_GL_AREA(view));
+    if (advance(view, seconds) > 0) {
+        bool asleep = is_asleep(view);
+        if (!asleep || !view->asleep)
+            gtk_gl_area_queue_render(GTK_GL_AREA(view));
+        view->asleep = asleep;
+    }
     measure_frame_rate(view, now);
     return G_SOURCE_CONTINUE;
 }

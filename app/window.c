@@ -116,6 +116,8 @@ static void show_status(PlayWindow *window)
     format_count(skv_world_particle_count(world), count, sizeof count);
     if (skv_session_paused(session))
         g_strlcpy(pace, "paused", sizeof pace);
+    else if (skv_world_awake_count(world) == 0)
+        g_strlcpy(pace, "at rest", sizeof pace);
     else if (play_view_frame_rate(window->view) > 0)
         g_snprintf(pace, sizeof pace, "%.0f fps", play_view_frame_rate(window->view));
     char speed[32] = "";
