@@ -118,6 +118,7 @@ static skv_result prepare_neighbours(measurement *m, skv_error *error)
             (float)m->box[2] + reach, (float)m->box[3] + reach, m->world->h, error);
         if (result != SKV_OK)
             return result;
+        skv_cut_pairs_at_walls(m->world, &meter->neighbours);
         meter->h = h;
         memcpy(meter->box, m->box, sizeof m->box);
     }
@@ -199,7 +200,7 @@ static void sample_walls(measurement *m)
     skv_state *s = &m->meter->state;
     for (int i = 0; i < s->count; i++) {
         skv_wall_sample wall;
-        skv_wall_map_sample(m->world->walls, s->x[i], s->y[i], &wall);
+        skv_walls_at(m->world, s->x[i], s->y[i], &wall);
         s->wall_density[i] = wall.r;
         s->wall_near[i] = wall.rn;
         s->f1x[i] = wall.f1x;

@@ -44,8 +44,11 @@ void skv_pass_pressure_calibrated(skv_state *s, const skv_constants *c, int begi
         if (!(response > c->gradient_floor))
             response = c->gradient_floor;
         float excess = s->density[i] - c->rest_density;
-        if (excess < 0)
-            excess *= c->cohesion_share;
+        if (excess < 0) {
+            /* Few neighbours do not draw together: no number of them could make up the density. */
+            float held = (s->density[i] - c->cohesion_from) * c->cohesion_slope;
+            excess *= c->cohesion_share * (held < 0 ? 0 : held < 1 ? held : 1);
+        }
         s->push[i] = c->push_scale * excess / response;
         s->near_push[i] = c->near_push_scale * s->near_density[i] / response;
     }

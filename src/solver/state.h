@@ -45,6 +45,8 @@ typedef struct skv_constants {
     float push_scale;      /* calibrated: omega h/2; clavet: dt^2 k/2; m */
     float near_push_scale; /* the same for the near density; m */
     float cohesion_share;  /* calibrated: factor on C where C < 0 */
+    float cohesion_from;   /* calibrated: density up to which there is no cohesion ... */
+    float cohesion_slope;  /* ... and how steeply its share grows to 1 from there */
     float push_limit;      /* clavet: bound of rho N, m */
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */

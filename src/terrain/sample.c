@@ -39,6 +39,32 @@ float skv_grid_distance(const skv_terrain *terrain, float gx, float gy)
     return distance;
 }
 
+/* Whether solid lies between two points so far apart, whose distances from it are known; all in
+ * pixels. What both distances cover is free: a distance falls by at most sqrt(2) a pixel. */
+static bool is_parted(const skv_terrain *terrain, float ax, float ay, float a, float bx, float by,
+                      float b, float length)
+{
+    if (a <= 0 || b <= 0)
+        return true;
+    if (length < 0.3f || a + b >= 1.4143f * length)
+        return false;
+    float x = 0.5f * (ax + bx), y = 0.5f * (ay + by), half = 0.5f * length;
+    float middle = skv_grid_distance(terrain, x, y) * terrain->per_metre;
+    return is_parted(terrain, ax, ay, a, x, y, middle, half) ||
+           is_parted(terrain, x, y, middle, bx, by, b, half);
+}
+
+bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float bx, float by)
+{
+    float dx = bx - ax, dy = by - ay;
+    /* The ends are particles: one that a wall holds counts as beside it. */
+    const float beside = 1e-3f;
+    float a = skv_grid_distance(terrain, ax, ay) * terrain->per_metre;
+    float b = skv_grid_distance(terrain, bx, by) * terrain->per_metre;
+    return is_parted(terrain, ax, ay, a > beside ? a : beside, bx, by, b > beside ? b : beside,
+                     sqrtf(dx * dx + dy * dy));
+}
+
 float skv_terrain_distance(const skv_terrain *terrain, float x, float y)
 {
     SKV_ASSERT_OR(terrain, 0);

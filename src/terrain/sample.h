@@ -54,6 +54,10 @@ static inline float skv_cell_distance(const skv_corners *c, float u, float v)
 /* Distance at any point given in grid coordinates. */
 float skv_grid_distance(const skv_terrain *terrain, float gx, float gy);
 
+/* True if the straight way between two points in grid coordinates meets solid. The same for (a, b)
+ * and (b, a), bit by bit; a wall thinner than a third of a pixel may be missed. */
+bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float bx, float by);
+
 /* The sums of the 3x3 normal kernel, interpolated to grid coordinates inside the sampled range:
  * along the normal, not normalised, zero in the middle of a channel. */
 void skv_grid_slope(const skv_terrain *terrain, float gx, float gy, float *sx, float *sy);

@@ -11,7 +11,9 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "terrain/sample.h"
+#include "terrain/thin_walls.h"
 #include "terrain/wall_kernel.h"
+#include "terrain/wall_shadow.h"
 
 #include <math.h>
 
@@ -27,6 +29,11 @@
 /* Cells around the picture: h, two for sampling, so that everything outside them is uniform. */
 #define MARGIN (SKV_WALL_REACH + 2)
 
+/* Nearer to a thin wall than so many cells samples are not mixed; steps of the table that serves
+ * instead. */
+#define KEEP_OFF 1.5
+enum { FLAT_STEPS = 8 };
+
 /* Blocks that are not stored. */
 #define AIR   (-1)
 #define SOLID (-2)
@@ -36,12 +43,17 @@ typedef struct block {
 } block;
 
 struct skv_wall_map {
+    double radius;     /* m */
+    double density;    /* particles in a square radius */
     float per_metre;   /* cells a metre */
     int columns, rows; /* blocks */
     int32_t *index;    /* columns * rows: a stored block, AIR or SOLID */
     block *blocks;
     size_t count;
     float full[SKV_WALL_MAPS]; /* a sample deep inside solid */
+    skv_thin_walls *thin;      /* null: there are none */
+    /* R, Rn, F1 and F2 beside a flat wall, from touching it to KEEP_OFF, against those there. */
+    float flat[FLAT_STEPS + 1][4];
 };
 
 /* What building needs. */
@@ -262,13 +274,15 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
                         columns * rows);
     }
     *made = (skv_wall_map){
+        .radius = h,
+        .density = h / s * (h / s),
         .per_metre = (float)(SKV_WALL_REACH / h),
         .columns = (int)columns,
         .rows = (int)rows,
         .index = index,
     };
     b.map = made;
-    skv_wall_kernel_make(h / s * (h / s), &b.kernel);
+    skv_wall_kernel_make(made->density, &b.kernel);
     for (int k = 0; k < SKV_WALL_MAPS; k++)
         made->full[k] = b.kernel.full[k];
     sort_blocks(&b);
@@ -287,6 +301,7 @@ void skv_wall_map_destroy(skv_wall_map *map)
 {
     if (!map)
         return;
+    skv_thin_walls_destroy(map->thin);
     skv_free(map->index);
     skv_free(map->blocks);
     skv_free(map);
@@ -346,4 +361,97 @@ bool skv_wall_map_sample(const skv_wall_map *map, float x, float y, skv_wall_sam
         .f2y = values[SKV_WALL_F2Y],
     };
     return values[SKV_WALL_R] > 0;
+}
+
+/* The table for points too near to a thin wall. */
+static void tabulate_flat(skv_wall_map *map, const skv_shadow_rays *rays)
+{
+    float at[FLAT_STEPS + 1][SKV_WALL_MAPS];
+    const int maps[4] = {SKV_WALL_R, SKV_WALL_RN, SKV_WALL_F1X, SKV_WALL_F2X};
+    for (int i = 0; i <= FLAT_STEPS; i++)
+        skv_shadow_of_plane(rays, KEEP_OFF / SKV_WALL_REACH * i / FLAT_STEPS, map->density, at[i]);
+    for (int i = 0; i <= FLAT_STEPS; i++) {
+        for (int k = 0; k < 4; k++)
+            map->flat[i][k] = at[i][maps[k]] / at[FLAT_STEPS][maps[k]];
+    }
+}
+
+/* Replaces the samples of a block, whose first cell is (x0, y0), that lie in the air near a thin
+ * wall. */
+static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
+                        const skv_shadow_rays *rays, int x0, int y0, block *b)
+{
+    double cell = map->radius / SKV_WALL_REACH;
+    for (int j = 0; j < SAMPLES; j++) {
+        for (int i = 0; i < SAMPLES; i++) {
+            float x = (float)((x0 + i + 0.5 - MARGIN) * cell);
+            float y = (float)((y0 + j + 0.5 - MARGIN) * cell);
+            float gx = skv_to_grid(terrain, x), gy = skv_to_grid(terrain, y);
+            if (skv_near_thin_wall(map->thin, x, y) && skv_grid_distance(terrain, gx, gy) > 0)
+                skv_shadow_at(rays, terrain, gx, gy, map->radius * (double)terrain->per_metre,
+                              map->density, b->samples[j][i]);
+        }
+    }
+}
+
+skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error)
+{
+    SKV_ASSERT_OR(map && terrain && !map->thin, SKV_ERROR_VALUE);
+    skv_result result = skv_thin_walls_create(terrain, (float)map->radius, &map->thin, error);
+    if (result != SKV_OK || !map->thin)
+        return result;
+    skv_shadow_rays rays;
+    skv_shadow_rays_make(&rays);
+    tabulate_flat(map, &rays);
+    for (int y = 0; y < map->rows; y++) {
+        for (int x = 0; x < map->columns; x++) {
+            int32_t number = map->index[(size_t)y * (size_t)map->columns + (size_t)x];
+            if (number >= 0)
+                shade_block(map, terrain, &rays, x * BLOCK, y * BLOCK, &map->blocks[number]);
+        }
+    }
+    return SKV_OK;
+}
+
+bool skv_wall_map_has_thin(const skv_wall_map *map)
+{
+    SKV_ASSERT_OR(map, false);
+    return map->thin != NULL;
+}
+
+bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y)
+{
+    SKV_ASSERT_OR(map, false);
+    return map->thin && skv_near_thin_wall(map->thin, x, y);
+}
+
+bool skv_wall_map_parted(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
+                         float bx, float by)
+{
+    return skv_wall_map_near_thin(map, ax, ay) && skv_wall_map_near_thin(map, bx, by) &&
+           skv_grid_parted(terrain, skv_to_grid(terrain, ax), skv_to_grid(terrain, ay),
+                           skv_to_grid(terrain, bx), skv_to_grid(terrain, by));
+}
+
+bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, float y, float distance, float nx,
+                                float ny, skv_wall_sample *sample)
+{
+    SKV_ASSERT_OR(map, false);
+    float cells = distance * map->per_metre, missing = (float)KEEP_OFF - cells;
+    if (!(missing > 0))
+        return skv_wall_map_sample(map, x, y, sample);
+    float shift = missing / map->per_metre;
+    bool any = skv_wall_map_sample(map, x + shift * nx, y + shift * ny, sample);
+    float place = cells > 0 ? cells * (float)(FLAT_STEPS / KEEP_OFF) : 0;
+    int i = place < FLAT_STEPS - 1 ? (int)place : FLAT_STEPS - 1;
+    float ratio[4], part = place - (float)i;
+    for (int k = 0; k < 4; k++)
+        ratio[k] = map->flat[i][k] + part * (map->flat[i + 1][k] - map->flat[i][k]);
+    sample->r *= ratio[0];
+    sample->rn *= ratio[1];
+    sample->f1x *= ratio[2];
+    sample->f1y *= ratio[2];
+    sample->f2x *= ratio[3];
+    sample->f2y *= ratio[3];
+    return any;
 }

@@ -28,6 +28,27 @@ void skv_wall_map_destroy(skv_wall_map *map);
 /* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
 bool skv_wall_map_sample(const skv_wall_map *map, float x, float y, skv_wall_sample *sample);
 
+/* Finds the thin walls of the map's terrain. Near them the sums then run over everything that a
+ * point cannot see, the fluid behind the wall included: pairs are cut there, so the wall must stand
+ * for all that they would have given. Once for a map; on failure it stays as it was. */
+skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error);
+
+/* True if any wall of the map is thin, and if one may be within h of a point: there alone pairs
+ * must be asked whether they see each other. */
+bool skv_wall_map_has_thin(const skv_wall_map *map);
+bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y);
+
+/* True if a thin wall stands between two places that are within h of each other. The same for both
+ * orders. */
+bool skv_wall_map_parted(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
+                         float bx, float by);
+
+/* Samples the maps near a thin wall, for a point at `distance` from a wall with the normal (nx,
+ * ny). Samples on the other side of the wall must not be mixed in, so nearer than one and a half
+ * cells the sums are those at that distance, scaled as beside a flat wall. */
+bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, float y, float distance, float nx,
+                                float ny, skv_wall_sample *sample);
+
 /* Bytes held, for reports. */
 size_t skv_wall_map_bytes(const skv_wall_map *map);
 

@@ -20,6 +20,9 @@ enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LATTICE_RESPONSE 1.0   /* floor of the response, in rest densities, see relaxation.c */
+#define COHESION_FROM    0.25  /* rest densities: a little less than two in one place */
+#define COHESION_FULL    0.5   /* rest densities: a little less than at a flat surface */
+#define COHESION_MARGIN  6     /* how much stiffer than the cohesion the pressure must be */
 
 skv_fluid_def skv_default_fluid_def(skv_law law)
 {
@@ -140,10 +143,10 @@ int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
         substeps = FRAME / h * sqrt(g * (double)depth / CLAVET_LOAD);
     } else {
         substeps = FRAME / (SPEED_OF_SOUND * h) * sqrt(g * (double)depth / COMPRESSION);
-        /* Cohesion cannot be stiffer than the pressure itself. */
+        /* Cohesion needs a stiffer pressure to hold it, or small groups gain energy by it. */
         double rest = skv_lattice_sums((double)f->radius_ratio).density;
         double at_one = effective_stiffness(f, h, FRAME, rest);
-        double needed = sqrt((double)f->cohesion / at_one);
+        double needed = sqrt(COHESION_MARGIN * (double)f->cohesion / at_one);
         if (substeps < needed)
             substeps = needed;
     }
@@ -172,6 +175,8 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->push_scale = (float)(omega * h / 2);
     c->near_push_scale = (float)(omega * near_share * h / 2);
     c->cohesion_share = (float)(cohesion_share < 1 ? cohesion_share : 1);
+    c->cohesion_from = (float)(COHESION_FROM * lattice.density);
+    c->cohesion_slope = (float)(1 / ((COHESION_FULL - COHESION_FROM) * lattice.density));
 }
 
 static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)

@@ -24,4 +24,14 @@ float skv_move_at_walls(const skv_world *world, float *x, float *y, float dx, fl
 float skv_contact_depth(const skv_world *world, float x, float y, float *nx, float *ny,
                         float *distance);
 
+/* The wall sums at a point; returns the distance to the nearest wall. */
+float skv_walls_at(const skv_world *world, float x, float y, skv_wall_sample *wall);
+
+/* True if a thin wall stands between two particles, so that they feel nothing of each other; the
+ * same for (a, b) and (b, a). Meant for pairs within h. `context` is the world. */
+bool skv_wall_between(const void *context, float ax, float ay, float bx, float by);
+
+/* Lets lists leave out the pairs that thin walls part. */
+void skv_cut_pairs_at_walls(const skv_world *world, skv_neighbours *neighbours);
+
 #endif

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "solver/lattice.h"
 #include "solver/pair.h"
-#include "world/world_internal.h"
+#include "world/frame.h"
 
 #include <math.h>
 #include <string.h>
@@ -50,7 +50,7 @@ static surroundings look_around(const skv_world *world, const skv_neighbours *li
         gy += (double)(pair.q * pair.uy);
     }
     skv_wall_sample wall;
-    skv_wall_map_sample(world->walls, world->state.x[i], world->state.y[i], &wall);
+    skv_walls_at(world, world->state.x[i], world->state.y[i], &wall);
     gx -= (double)wall.f1x;
     gy -= (double)wall.f1y;
     around.density += (double)wall.r;
@@ -67,8 +67,10 @@ static void measure_packing(const skv_world *world, skv_stats *stats)
     skv_neighbours lists;
     stats->volume_ratio = 1;
     skv_result result = skv_neighbours_create(&lists, 0, 0, width, height, world->h, NULL);
-    if (result == SKV_OK)
+    if (result == SKV_OK) {
+        skv_cut_pairs_at_walls(world, &lists);
         result = skv_neighbours_reserve(&lists, s->count, NULL);
+    }
     if (result == SKV_OK) {
         skv_neighbours_build(&lists, s, world->h, NULL);
         result = skv_neighbours_reserve(&lists, s->count, NULL);

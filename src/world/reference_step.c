@@ -72,7 +72,7 @@ static void walls(int begin, int end, void *context)
     skv_state *s = sub->state;
     for (int i = begin; i < end; i++) {
         skv_wall_sample wall;
-        skv_wall_map_sample(sub->world->walls, s->x[i], s->y[i], &wall);
+        skv_walls_at(sub->world, s->x[i], s->y[i], &wall);
         s->wall_density[i] = wall.r;
         s->wall_near[i] = wall.rn;
         s->f1x[i] = wall.f1x;

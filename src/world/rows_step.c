@@ -28,13 +28,13 @@ static float view_walls(const void *context, float x, float y, skv_row_wall *wal
     if (v->swapped)
         swap(&x, &y);
     skv_wall_sample sample;
-    skv_wall_map_sample(v->world->walls, x * v->h, y * v->h, &sample);
+    float distance = skv_walls_at(v->world, x * v->h, y * v->h, &sample);
     *wall = (skv_row_wall){sample.r, sample.rn, sample.f1x, sample.f1y, sample.f2x, sample.f2y};
     if (v->swapped) {
         swap(&wall->f1x, &wall->f1y);
         swap(&wall->f2x, &wall->f2y);
     }
-    return skv_terrain_distance(v->world->terrain, x * v->h, y * v->h) * v->inv_h;
+    return distance * v->inv_h;
 }
 
 static float view_move(const void *context, float *x, float *y, float dx, float dy, float *distance)
@@ -66,6 +66,24 @@ static float view_contact(const void *context, float x, float y, float *nx, floa
     return depth * v->inv_h;
 }
 
+static bool view_near_thin(const void *context, float x, float y)
+{
+    const view *v = context;
+    if (v->swapped)
+        swap(&x, &y);
+    return skv_wall_map_near_thin(v->world->walls, x * v->h, y * v->h);
+}
+
+static bool view_parted(const void *context, float ax, float ay, float bx, float by)
+{
+    const view *v = context;
+    if (v->swapped) {
+        swap(&ax, &ay);
+        swap(&bx, &by);
+    }
+    return skv_wall_between(v->world, ax * v->h, ay * v->h, bx * v->h, by * v->h);
+}
+
 static skv_row_constants row_constants(const skv_world *world, bool swapped)
 {
     const skv_constants *c = &world->constants;
@@ -82,6 +100,8 @@ static skv_row_constants row_constants(const skv_world *world, bool swapped)
         .push_scale = c->push_scale * inv_h,
         .near_push_scale = c->near_push_scale * inv_h,
         .cohesion_share = c->cohesion_share,
+        .cohesion_from = c->cohesion_from,
+        .cohesion_slope = c->cohesion_slope,
         .push_limit = c->push_limit * inv_h,
         .pressure_scale = c->pressure_scale * c->h * c->h,
         .contact_distance = c->contact_distance * inv_h,
@@ -129,7 +149,12 @@ void skv_rows_substeps(skv_world *world, int count, float time)
     bool swapped = world->rows_swapped;
     skv_state *s = &world->state;
     view v = {world, swapped, c->h, c->inv_h};
-    skv_row_boundary boundary = {&v, view_walls, view_move, view_contact};
+    skv_row_boundary boundary = {
+        .context = &v, .walls = view_walls, .move = view_move, .contact = view_contact};
+    if (skv_wall_map_has_thin(world->walls)) {
+        boundary.near_thin = view_near_thin;
+        boundary.parted = view_parted;
+    }
     skv_row_pull pulls[SKV_MAX_HANDS];
     make_pulls(world, swapped, pulls);
     skv_row_constants constants = row_constants(world, swapped);

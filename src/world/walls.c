@@ -31,3 +31,28 @@ float skv_contact_depth(const skv_world *world, float x, float y, float *nx, flo
     float gain = skv_maxf(-depth, skv_minf(depth, beyond - *distance));
     return 0.5f * (depth + gain);
 }
+
+float skv_walls_at(const skv_world *world, float x, float y, skv_wall_sample *wall)
+{
+    if (!skv_wall_map_near_thin(world->walls, x, y)) {
+        skv_wall_map_sample(world->walls, x, y, wall);
+        return skv_terrain_distance(world->terrain, x, y);
+    }
+    float nx, ny, distance = skv_terrain_normal(world->terrain, x, y, &nx, &ny);
+    skv_wall_map_sample_beside(world->walls, x, y, distance, nx, ny, wall);
+    return distance;
+}
+
+bool skv_wall_between(const void *context, float ax, float ay, float bx, float by)
+{
+    const skv_world *world = context;
+    return skv_wall_map_parted(world->walls, world->terrain, ax, ay, bx, by);
+}
+
+void skv_cut_pairs_at_walls(const skv_world *world, skv_neighbours *neighbours)
+{
+    if (!skv_wall_map_has_thin(world->walls))
+        return;
+    neighbours->parted = skv_wall_between;
+    neighbours->parted_context = world;
+}

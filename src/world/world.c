@@ -6,7 +6,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
-#include "world/world_internal.h"
+#include "world/frame.h"
 
 #include <math.h>
 #include <string.h>
@@ -118,9 +118,13 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
                                        : skv_pool_create(def->threads, &world->pool, error);
     if (result == SKV_OK)
         result = skv_wall_map_create(terrain, world->h, world->fluid.spacing, &world->walls, error);
+    if (result == SKV_OK)
+        result = skv_wall_map_shade(world->walls, terrain, error);
     if (result == SKV_OK && world->solver == SKV_SOLVER_REFERENCE)
         result = skv_neighbours_create(&world->neighbours, -margin, -margin, width + margin,
                                        height + margin, world->h, error);
+    if (result == SKV_OK && world->solver == SKV_SOLVER_REFERENCE)
+        skv_cut_pairs_at_walls(world, &world->neighbours);
     if (result == SKV_OK && world->solver == SKV_SOLVER_FAST) {
         /* Rows lie across the longer side: the more rows, the more evenly threads share them. */
         world->rows_swapped = width > height;

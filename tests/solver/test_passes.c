@@ -84,6 +84,15 @@ static void randomise(twin *t)
     }
 }
 
+/* The oracle's thin wall for the lists. */
+static bool is_parted(const void *context, float ax, float ay, float bx, float by)
+{
+    double wall = *(const double *)context;
+    (void)ay;
+    (void)by;
+    return ((double)ax < wall) != ((double)bx < wall);
+}
+
 static twin *make_twin(skv_law law, uint32_t seed)
 {
     twin *t = calloc(1, sizeof *t);
@@ -121,6 +130,12 @@ static twin *make_twin(skv_law law, uint32_t seed)
     float size = 30 * f->spacing;
     assert_int_equal(
         skv_neighbours_create(&t->lists, -size, -size, size, size, t->constants.h, NULL), SKV_OK);
+    o->walled = seed % 2 == 0;
+    o->wall_x = 10 * (double)f->spacing;
+    if (o->walled) {
+        t->lists.parted = is_parted;
+        t->lists.parted_context = &o->wall_x;
+    }
     for (int round = 0; round < 2; round++) {
         assert_int_equal(skv_neighbours_reserve(&t->lists, N, NULL), SKV_OK);
         skv_neighbours_build(&t->lists, &t->state, t->constants.h, NULL);

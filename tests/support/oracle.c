@@ -13,6 +13,8 @@ static double pair_at(const oracle *o, int i, int j, double *ux, double *uy)
     double dx = o->x[j] - o->x[i], dy = o->y[j] - o->y[i], r = hypot(dx, dy);
     *ux = dx / r;
     *uy = dy / r;
+    if (o->walled && (o->x[i] < o->wall_x) != (o->x[j] < o->wall_x))
+        return 0;
     return fmax(0, 1 - r / radius_of(o));
 }
 
@@ -138,8 +140,9 @@ void oracle_pressure(oracle *o)
         } else {
             double response = o->density[i] + o->gx[i] * o->gx[i] + o->gy[i] * o->gy[i];
             response = fmax(response, oracle_lattice_density(o->eta));
+            double fill = o->density[i] / oracle_lattice_density(o->eta);
             if (excess < 0)
-                excess *= fmin(1, o->k_coh / stiffness);
+                excess *= fmin(1, o->k_coh / stiffness) * fmin(1, fmax(0, 4 * fill - 1));
             o->push[i] = o->omega * h / 2 * excess / response;
             o->near_push[i] =
                 o->omega * h / 2 * (o->k_near / stiffness) * o->near_density[i] / response;

@@ -23,6 +23,9 @@ typedef struct oracle {
     int iterations;
     bool clavet;
     double k, k_near_clavet, rest_density_clavet; /* clavet law, in units of h and dt */
+    /* An upright wall so thin that only pairs feel it: those that it parts do not exist. */
+    bool walled;
+    double wall_x;
 } oracle;
 
 /* One finger. */

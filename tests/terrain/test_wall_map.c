@@ -372,6 +372,77 @@ static void memory_failures_leave_nothing(void **state)
     skv_terrain_destroy(tank);
 }
 
+/* A tank of 120 x 120 pixels with an upright wall between two heights. */
+static skv_terrain *tank_with_wall(int first, int pixels, int from, int to)
+{
+    enum { SIDE = 120 };
+    static uint8_t picture[SIDE * SIDE];
+    for (int y = 0; y < SIDE; y++)
+        for (int x = 0; x < SIDE; x++)
+            picture[y * SIDE + x] =
+                x >= first && x < first + pixels && y >= from && y < to ? 255 : 0;
+    return make_terrain(SIDE, SIDE, picture, 0.01f, 0);
+}
+
+/* Beside a wall of two pixels the shaded sums are those of a half plane, on both sides, and pairs
+ * through it are parted. */
+static void a_thin_wall_stands_for_what_is_behind(void **state)
+{
+    (void)state;
+    const double h = 0.16, s = h / 3;
+    skv_terrain *terrain = tank_with_wall(59, 2, 0, 120);
+    skv_wall_map *map = make_map(terrain, (float)h, (float)s);
+    assert_false(skv_wall_map_has_thin(map));
+    assert_int_equal(skv_wall_map_shade(map, terrain, NULL), SKV_OK);
+    assert_true(skv_wall_map_has_thin(map));
+    for (int side = -1; side <= 1; side += 2) {
+        for (double d = 0.02; d < 1; d += 0.07) {
+            double x = 0.6 + side * (0.01 + d * h);
+            float nx, ny, distance = skv_terrain_normal(terrain, (float)x, 0.61f, &nx, &ny);
+            skv_wall_sample m;
+            skv_wall_map_sample_beside(map, (float)x, 0.61f, distance, nx, ny, &m);
+            assert_true(fabs((double)m.r - 9 * half_plane(d, 2, false)) < 0.08);
+            assert_true(fabs((double)m.rn - 9 * half_plane(d, 3, false)) < 0.06);
+            assert_true(fabs((double)m.f1x - side * 9 * half_plane(d, 1, true)) < 0.12);
+            assert_true(fabs((double)m.f2x - side * 9 * half_plane(d, 2, true)) < 0.10);
+            assert_true(fabs((double)m.f1y) < 0.02 && fabs((double)m.f2y) < 0.02);
+        }
+    }
+    assert_true(skv_wall_map_near_thin(map, 0.6f, 0.6f));
+    assert_true(skv_wall_map_near_thin(map, 0.5f, 0.6f));
+    assert_false(skv_wall_map_near_thin(map, 0.3f, 0.6f));
+    assert_true(skv_wall_map_parted(map, terrain, 0.58f, 0.6f, 0.62f, 0.65f));
+    assert_true(skv_wall_map_parted(map, terrain, 0.62f, 0.65f, 0.58f, 0.6f));
+    assert_false(skv_wall_map_parted(map, terrain, 0.58f, 0.6f, 0.58f, 0.7f));
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(terrain);
+}
+
+/* Which walls are thin: not those above 0.6 h, not corners of thick ones, not free ends but the
+ * upper. */
+static void only_thin_walls_are_thin(void **state)
+{
+    (void)state;
+    const struct {
+        int first, pixels, from, to;
+        bool middle; /* whether pairs are cut in the middle of the tank */
+        bool top;    /* and near the lid */
+    } cases[] = {
+        {59, 2, 0, 120, true, true},   {59, 30, 0, 120, false, false}, {59, 2, 0, 110, true, false},
+        {59, 2, 10, 120, false, true}, {59, 2, 50, 70, false, false},  {0, 40, 0, 60, false, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        skv_terrain *terrain =
+            tank_with_wall(cases[i].first, cases[i].pixels, cases[i].from, cases[i].to);
+        skv_wall_map *map = make_map(terrain, 0.12f, 0.04f);
+        assert_int_equal(skv_wall_map_shade(map, terrain, NULL), SKV_OK);
+        assert_int_equal(skv_wall_map_near_thin(map, 0.6f, 0.6f), cases[i].middle);
+        assert_int_equal(skv_wall_map_near_thin(map, 0.6f, 1.05f), cases[i].top);
+        skv_wall_map_destroy(map);
+        skv_terrain_destroy(terrain);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -385,6 +456,8 @@ int main(void)
         cmocka_unit_test(large_tanks_stay_small),
         cmocka_unit_test(bad_values_are_refused),
         cmocka_unit_test(memory_failures_leave_nothing),
+        cmocka_unit_test(a_thin_wall_stands_for_what_is_behind),
+        cmocka_unit_test(only_thin_walls_are_thin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

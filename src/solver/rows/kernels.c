@@ -44,7 +44,8 @@ static int sample_walls(const skv_rows *s, int row, bool gradient, const skv_row
 static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_row_constants *c)
 {
     const v8 zero = v8_set(0), rest = v8_set(c->rest_density), floor = v8_set(c->gradient_floor);
-    const v8 share = v8_set(c->cohesion_share), push = v8_set(c->push_scale);
+    const v8 share = v8_set(c->cohesion_share), push = v8_set(c->push_scale), one = v8_set(1);
+    const v8 from = v8_set(c->cohesion_from), slope = v8_set(c->cohesion_slope);
     const v8 near_push = v8_set(c->near_push_scale);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 density = collected(s, 0, i), near_density = collected(s, 1, i), squared;
@@ -59,7 +60,8 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
         }
         v8 response = v8_max(v8_add(density, squared), floor);
         v8 excess = v8_sub(density, rest);
-        excess = v8_add(v8_max(excess, zero), v8_mul(v8_min(excess, zero), share));
+        v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
+        excess = v8_add(v8_max(excess, zero), v8_mul(v8_min(excess, zero), v8_mul(share, held)));
         v8_store(s->push + i, v8_div(v8_mul(push, excess), response));
         v8_store(s->near_push + i, v8_div(v8_mul(near_push, near_density), response));
     }

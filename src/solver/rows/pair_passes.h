@@ -33,6 +33,8 @@ enum { WITH_GRADIENT = 1, WITH_VISCOSITY = 2, KEEP_PAIRS = 4, WITH_GAUGE = 8 };
 /* The four particles of a tile, each in all lanes. */
 typedef struct tile {
     v8 x[TILE], y[TILE], u[TILE], v[TILE];
+    int place;                      /* of the first */
+    const skv_row_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
 } tile;
 
 /* Sums for the tile's own particles. */
@@ -56,6 +58,38 @@ V8_INLINE v8 over_tile(const v8 *a)
     return v8_add(v8_add(a[0], a[1]), v8_add(a[2], a[3]));
 }
 
+/* The boundary if a thin wall is near one of the particles of a tile, else null: most worlds have
+ * none, and far from walls `clear` tells. */
+static const skv_row_boundary *find_thin_wall(const skv_row_particles *p, int i, int end,
+                                              const skv_row_boundary *boundary)
+{
+    for (int k = i; boundary->parted && k < i + TILE && k < end; k++) {
+        if (p->clear[k] < 1 && boundary->near_thin(boundary->context, p->x[k], p->y[k]))
+            return boundary;
+    }
+    return NULL;
+}
+
+/* Sets q to 0 for pairs that a thin wall parts: then nothing passes between them. A wall between
+ * two particles is no farther from both together than they are from each other; where its distances
+ * say so, it need not be looked for. */
+static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int i, int j,
+                                                 const skv_row_boundary *boundary, float *q)
+{
+    for (int k = 0; k < TILE; k++) {
+        float clear = p->clear[i + k];
+        if (clear >= 1)
+            continue;
+        for (int l = 0; l < ROW_LANES; l++) {
+            float *at = &q[ROW_LANES * k + l];
+            if (*at > 0 && clear + p->clear[j + l] < ROW_WALL_SLOPE * (1 - *at) &&
+                boundary->parted(boundary->context, p->x[i + k], p->y[i + k], p->x[j + l],
+                                 p->y[j + l]))
+                *at = 0;
+        }
+    }
+}
+
 /* Differences to eight partners at j, their distance and q. In the first block of a tile the
  * partners before and at particle k itself are masked out: j + lane > i + k. */
 VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *t, v8 *dx, v8 *dy,
@@ -71,6 +105,13 @@ VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *
     EACH(k) q[k] = v8_max(v8_sub(one, r[k]), zero);
     if (first) {
         EACH(k) q[k] = k ? v8_and(q[k], v8_mask_from(k)) : q[k];
+    }
+    if (__builtin_expect(t->beside != NULL, 0)) {
+        /* A copy, so that q itself stays in registers. */
+        float seen[TILE * ROW_LANES];
+        EACH(k) v8_store(seen + ROW_LANES * k, q[k]);
+        part_pairs(p, t->place, j, t->beside, seen);
+        EACH(k) q[k] = v8_load(seen + ROW_LANES * k);
     }
 }
 
@@ -175,7 +216,7 @@ VARIANT void store_sums(const skv_rows *s, int i, unsigned with, const tile_sums
 }
 
 VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                         float *keep)
+                         const skv_row_boundary *boundary, float *keep)
 {
     /* A copy: the compiler need not fear that a store changes it. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -188,7 +229,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
     zero_targets(s, row, with);
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += TILE) {
-        tile t;
+        tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
         tile_sums sums;
         const v8 zero = v8_set(0);
         EACH(k)
@@ -215,7 +256,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
 }
 
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
-                    skv_row_kept *kept)
+                    const skv_row_boundary *b, skv_row_kept *kept)
 {
     int blocks = s->row_blocks[row];
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
@@ -224,17 +265,17 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     unsigned viscous = s->viscous && !later ? WITH_VISCOSITY : 0;
     if (later || c->clavet) {
         if (viscous)
-            keep ? density_row(s, row, WITH_VISCOSITY | KEEP_PAIRS, c, kept->pairs)
-                 : density_row(s, row, WITH_VISCOSITY, c, NULL);
+            keep ? density_row(s, row, WITH_VISCOSITY | KEEP_PAIRS, c, b, kept->pairs)
+                 : density_row(s, row, WITH_VISCOSITY, c, b, NULL);
         else
-            keep ? density_row(s, row, KEEP_PAIRS, c, kept->pairs)
-                 : density_row(s, row, 0, c, NULL);
+            keep ? density_row(s, row, KEEP_PAIRS, c, b, kept->pairs)
+                 : density_row(s, row, 0, c, b, NULL);
     } else if (viscous) {
-        keep ? density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY | KEEP_PAIRS, c, kept->pairs)
-             : density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY, c, NULL);
+        keep ? density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY | KEEP_PAIRS, c, b, kept->pairs)
+             : density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY, c, b, NULL);
     } else {
-        keep ? density_row(s, row, WITH_GRADIENT | KEEP_PAIRS, c, kept->pairs)
-             : density_row(s, row, WITH_GRADIENT, c, NULL);
+        keep ? density_row(s, row, WITH_GRADIENT | KEEP_PAIRS, c, b, kept->pairs)
+             : density_row(s, row, WITH_GRADIENT, c, b, NULL);
     }
 }
 
@@ -284,7 +325,8 @@ VARIANT void displacement_block(const skv_row_particles *p, const float *pushes,
     add_at(to->b + j, over_tile(dy));
 }
 
-VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const float *keep)
+VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
+                              const skv_row_boundary *boundary, const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
     const float *push = s->push, *near_push = s->near_push;
@@ -297,7 +339,9 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const f
     }
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += TILE) {
-        tile t;
+        tile t = {.place = i};
+        if (!(with & KEEP_PAIRS))
+            t.beside = find_thin_wall(p, i, end, boundary);
         tile_sums sums;
         const v8 zero = v8_set(0);
         EACH(k)
@@ -323,22 +367,24 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const f
     }
 }
 
-static void displacement(const skv_rows *s, int row, bool later, const skv_row_kept *kept)
+static void displacement(const skv_rows *s, int row, bool later, const skv_row_boundary *b,
+                         const skv_row_kept *kept)
 {
     bool keep = kept->used >= 0;
     const float *pairs = kept->pairs;
     if (s->gauged) {
         if (later)
-            keep ? displacement_row(s, row, WITH_GAUGE | KEEP_PAIRS, pairs)
-                 : displacement_row(s, row, WITH_GAUGE, NULL);
+            keep ? displacement_row(s, row, WITH_GAUGE | KEEP_PAIRS, b, pairs)
+                 : displacement_row(s, row, WITH_GAUGE, b, NULL);
         else
-            keep ? displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT | KEEP_PAIRS, pairs)
-                 : displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT, NULL);
+            keep ? displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT | KEEP_PAIRS, b, pairs)
+                 : displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT, b, NULL);
     } else if (later) {
-        keep ? displacement_row(s, row, KEEP_PAIRS, pairs) : displacement_row(s, row, 0, NULL);
+        keep ? displacement_row(s, row, KEEP_PAIRS, b, pairs)
+             : displacement_row(s, row, 0, b, NULL);
     } else {
-        keep ? displacement_row(s, row, WITH_GRADIENT | KEEP_PAIRS, pairs)
-             : displacement_row(s, row, WITH_GRADIENT, NULL);
+        keep ? displacement_row(s, row, WITH_GRADIENT | KEEP_PAIRS, b, pairs)
+             : displacement_row(s, row, WITH_GRADIENT, b, NULL);
     }
 }
 

@@ -305,7 +305,8 @@ static void run_density(const lane *l, int row)
     int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
     if (!l->later)
         skv_rows_find_ranges(rows, row);
-    l->shared->kernels->density(rows, row, l->later, l->shared->constants, &l->own->kept[slot]);
+    l->shared->kernels->density(rows, row, l->later, l->shared->constants, l->shared->boundary,
+                                &l->own->kept[slot]);
 }
 
 static void run_pressure(const lane *l, int row)
@@ -320,7 +321,8 @@ static void run_displacement(const lane *l, int row)
 {
     int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
     bool ratio_kept = !l->later && !l->shared->constants->clavet;
-    l->shared->kernels->displacement(l->shared->rows, row, !ratio_kept, &l->own->kept[slot]);
+    l->shared->kernels->displacement(l->shared->rows, row, !ratio_kept, l->shared->boundary,
+                                     &l->own->kept[slot]);
 }
 
 static void run_update(const lane *l, int row)

@@ -40,6 +40,10 @@ typedef struct skv_row_boundary {
     /* How deep (x, y) is inside the contact distance, limited as contact.c says; 0: not at all.
      * Writes the normal and the distance. */
     float (*contact)(const void *context, float x, float y, float *nx, float *ny, float *distance);
+    /* Thin walls; null if there are none. Whether one may be within the radius of (x, y), and
+     * whether one parts two places within the radius of each other. */
+    bool (*near_thin)(const void *context, float x, float y);
+    bool (*parted)(const void *context, float ax, float ay, float bx, float by);
 } skv_row_boundary;
 
 /* One finger, in h and substeps. */
@@ -52,7 +56,8 @@ typedef struct skv_row_constants {
     float gravity_x, gravity_y;
     float max_speed;
     float viscosity_linear, viscosity_quadratic;
-    float rest_density, gradient_floor, push_scale, near_push_scale, cohesion_share, push_limit;
+    float rest_density, gradient_floor, push_scale, near_push_scale, push_limit;
+    float cohesion_share, cohesion_from, cohesion_slope;
     float pressure_scale; /* from the virial to Pa m */
     float contact_distance, softness, friction;
     float wall_clearance; /* how close a move may come to a wall */

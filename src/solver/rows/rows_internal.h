@@ -104,13 +104,14 @@ typedef struct skv_row_kernels {
     /* Pass A. `later` false: with gradient, and viscosity if there is any; true: densities only.
      * Keeps the pairs if there is room. */
     void (*density)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
-                    skv_row_kept *kept);
+                    const skv_row_boundary *boundary, skv_row_kept *kept);
     /* The pressure law; samples the walls into the thread's near_walls. Returns how many samples,
      * or -1 if not all of them found a place. */
     int (*pressure)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
                     const skv_row_boundary *boundary, skv_row_thread *thread);
     /* Pass B. */
-    void (*displacement)(const skv_rows *rows, int row, bool later, const skv_row_kept *kept);
+    void (*displacement)(const skv_rows *rows, int row, bool later,
+                         const skv_row_boundary *boundary, const skv_row_kept *kept);
     /* Carries out the displacement; in the last iteration the contact as well. */
     void (*update)(const skv_rows *rows, int row, int iteration, const skv_row_constants *constants,
                    const skv_row_boundary *boundary, const skv_near_wall *walls, int wall_count);

@@ -1,0 +1,97 @@
+/* Sums over what a point cannot see: along each ray the kernels are integrated from where it meets
+ * a wall to the radius, in closed form. Invariant: libm's functions are not used, so the sums are
+ * the same on every machine.
+ */
+#include "terrain/wall_shadow.h"
+
+#include "terrain/sample.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Where a ray is taken to have met the wall, and how far it goes on at least, in pixels. */
+#define TOUCH 0.02
+#define STEP  0.05
+
+void skv_shadow_rays_make(skv_shadow_rays *rays)
+{
+    /* From a right angle, halved, to half the angle between two rays and to the angle itself. */
+    double cosine = 0, sine = 1, half_cosine = 0, half_sine = 1;
+    for (int parts = 4; parts < 2 * SKV_SHADOW_RAYS; parts *= 2) {
+        cosine = half_cosine;
+        sine = half_sine;
+        half_sine = sqrt((1 - cosine) / 2);
+        half_cosine = sqrt((1 + cosine) / 2);
+    }
+    /* The first ray lies half an angle off the axis: no ray runs along an upright wall. */
+    double x = half_cosine, y = half_sine;
+    for (int i = 0; i < SKV_SHADOW_RAYS; i++) {
+        rays->x[i] = x;
+        rays->y[i] = y;
+        double next = x * cosine - y * sine;
+        y = x * sine + y * cosine;
+        x = next;
+    }
+}
+
+/* Adds a ray that sees as far as `sight` radii. With u = 1 - r the integrals of u^2, u^3, u and u^2
+ * times r dr from there to 1. */
+static void add_ray(double x, double y, double sight, double sums[SKV_WALL_MAPS])
+{
+    double u = 1 - sight;
+    if (!(u > 0))
+        return;
+    double u2 = u * u, u3 = u2 * u, push = u2 / 2 - u3 / 3, near_push = u3 / 3 - u2 * u2 / 4;
+    sums[SKV_WALL_R] += near_push;
+    sums[SKV_WALL_RN] += u2 * u2 / 4 - u2 * u3 / 5;
+    /* The push points from the wall to the particle. */
+    sums[SKV_WALL_F1X] -= x * push;
+    sums[SKV_WALL_F1Y] -= y * push;
+    sums[SKV_WALL_F2X] -= x * near_push;
+    sums[SKV_WALL_F2Y] -= y * near_push;
+}
+
+static void finish(const double sums[SKV_WALL_MAPS], double particles_per_square_radius,
+                   float values[SKV_WALL_MAPS])
+{
+    const double turn = 6.283185307179586;
+    for (int k = 0; k < SKV_WALL_MAPS; k++)
+        values[k] = (float)(particles_per_square_radius * turn / SKV_SHADOW_RAYS * sums[k]);
+}
+
+/* How far one sees from a point along a ray, in pixels; `longest` if there is no wall. */
+static double sight(const skv_terrain *terrain, double gx, double gy, double x, double y,
+                    double longest)
+{
+    for (double t = 0; t < longest;) {
+        double d = (double)skv_grid_distance(terrain, (float)(gx + t * x), (float)(gy + t * y)) *
+                   (double)terrain->per_metre;
+        if (d <= TOUCH)
+            return t + d > 0 ? t + d : 0;
+        t += 0.9 * d + STEP;
+    }
+    return longest;
+}
+
+void skv_shadow_at(const skv_shadow_rays *rays, const skv_terrain *terrain, float gx, float gy,
+                   double radius_pixels, double particles_per_square_radius,
+                   float values[SKV_WALL_MAPS])
+{
+    double sums[SKV_WALL_MAPS] = {0};
+    for (int i = 0; i < SKV_SHADOW_RAYS; i++) {
+        double seen = sight(terrain, (double)gx, (double)gy, rays->x[i], rays->y[i], radius_pixels);
+        add_ray(rays->x[i], rays->y[i], seen / radius_pixels, sums);
+    }
+    finish(sums, particles_per_square_radius, values);
+}
+
+void skv_shadow_of_plane(const skv_shadow_rays *rays, double distance,
+                         double particles_per_square_radius, float values[SKV_WALL_MAPS])
+{
+    double sums[SKV_WALL_MAPS] = {0};
+    for (int i = 0; i < SKV_SHADOW_RAYS; i++) {
+        if (-rays->x[i] > distance)
+            add_ray(rays->x[i], rays->y[i], distance / -rays->x[i], sums);
+    }
+    finish(sums, particles_per_square_radius, values);
+}
