@@ -21,6 +21,10 @@ skv_world *fixture_dam_of(const skv_world_def *def);
  * in 1/s and 1/m. */
 skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity);
 
+/* The particles within a spacing of walls, against those that fit there at rest, where water stands
+ * deeper than three smoothing radii below `level`. Any walls. */
+double fixture_wall_layer(const skv_world *world, double level);
+
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);
 
