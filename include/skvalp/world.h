@@ -35,6 +35,7 @@ typedef struct skv_fluid_def {
     float spacing;          /* s: one particle per s*s square metres at rest; 0.0005..0.1 m */
     float radius_ratio;     /* h/s: smoothing radius in spacings, 2..4; default 3 (clavet: 2.85) */
     float density;          /* kg/m^2 of the sheet, 1..20000; default 1000 */
+    float viscosity;        /* kinematic, m^2/s, on top of the method's own; 0..0.05; default 0 */
     float viscosity_linear; /* sigma, 1/s: removes a pair's approach speed; 0..1000 */
     float viscosity_quadratic; /* beta, 1/m: the same, growing with the speed; 0..1000 */
     float near_stiffness;      /* k_near, m/s^2, calibrated law; 0..200; default 2 x 9.81 */
@@ -52,6 +53,15 @@ typedef struct skv_fluid_def {
 
 /* The default fluid, water, for a law. */
 SKV_API skv_fluid_def skv_default_fluid_def(skv_law law);
+
+/* Liquids by name: density in kg/m^3 and kinematic viscosity in m^2/s at 20 degrees Celsius. */
+typedef struct skv_material {
+    const char *name;
+    float density, viscosity;
+} skv_material;
+
+/* The materials, static; writes their number. The first is water, the default fluid. */
+SKV_API const skv_material *skv_materials(int *count);
 
 /* Which of the two solvers steps a world. They compute the same model; the reference is written
  * pass by pass for reading and is about ten times slower. Their results differ by rounding, and by

@@ -13,7 +13,7 @@
 static const experiment *const experiments[] = {
     &skv_exp_hydrostatics, &skv_exp_rest,      &skv_exp_u_tube,  &skv_exp_vessels,
     &skv_exp_slosh,        &skv_exp_dam_break, &skv_exp_orifice, &skv_exp_channel,
-    &skv_exp_archimedes,   &skv_exp_momentum,  &skv_exp_droplet,
+    &skv_exp_archimedes,   &skv_exp_momentum,  &skv_exp_droplet, &skv_exp_viscosity,
 };
 enum { EXPERIMENTS = (int)(sizeof experiments / sizeof *experiments) };
 

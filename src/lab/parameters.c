@@ -31,6 +31,8 @@ static const skv_lab_parameter parameters[PARAM_COUNT] = {
                        "density of the sheet"},
     [PARAM_RADIUS_RATIO] = {"fluid.radius_ratio", "", 0, 4, 0, NULL, false,
                             "smoothing radius in spacings, 2..4; 0: the law's own"},
+    [PARAM_VISCOSITY] = {"fluid.viscosity", "m^2/s", 0, 0.05, 0, NULL, false,
+                         "kinematic viscosity, on top of the method's own"},
     [PARAM_VISCOSITY_LINEAR] = {"fluid.viscosity_linear", "1/s", 0, 1000, 0, NULL, false,
                                 "sigma: removes a pair's approach speed"},
     [PARAM_VISCOSITY_QUADRATIC] = {"fluid.viscosity_quadratic", "1/m", 0, 1000, 0, NULL, false,
@@ -98,6 +100,11 @@ static const skv_lab_parameter parameters[PARAM_COUNT] = {
                               "radius of the circle of the same area"},
     [PARAM_DROPLET_ASPECT] = {"droplet.aspect", "", 1, 3, 1.5, NULL, false,
                               "length over width at the start"},
+    [PARAM_WHIRL_SIZE] = {"viscosity.size", "m", 0.1, 4, 0.8, NULL, false, "side of the box"},
+    [PARAM_WHIRL_SPEED] = {"viscosity.speed", "m/s", 0.02, 2, 0.3, NULL, false,
+                           "highest speed at the start"},
+    [PARAM_WHIRL_VISCOSITY] = {"viscosity.nominal", "m^2/s", 0, 0.05, 0.02, NULL, false,
+                               "kinematic viscosity that the fluid is given"},
 };
 
 const skv_lab_parameter *skv_lab_parameters(int *count)
@@ -206,6 +213,7 @@ skv_fluid_def skv_settings_fluid(const settings *s)
     const double *v = s->value;
     skv_fluid_def fluid = skv_default_fluid_def((skv_law)v[PARAM_LAW]);
     fluid.density = (float)v[PARAM_DENSITY];
+    fluid.viscosity = (float)v[PARAM_VISCOSITY];
     fluid.viscosity_linear = (float)v[PARAM_VISCOSITY_LINEAR];
     fluid.viscosity_quadratic = (float)v[PARAM_VISCOSITY_QUADRATIC];
     fluid.near_stiffness = (float)v[PARAM_NEAR_STIFFNESS];

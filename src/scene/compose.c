@@ -261,6 +261,12 @@ static void compose_fluid(composer *c)
 {
     skv_law law = (skv_law)c->value[SKV_F_FLUID_LAW].number;
     skv_fluid_def fluid = skv_default_fluid_def(law);
+    /* The field's choices are the names of skv_materials, in their order; a test compares them. */
+    int materials;
+    const skv_material *material =
+        &skv_materials(&materials)[(int)c->value[SKV_F_FLUID_MATERIAL].number];
+    fluid.density = material->density;
+    fluid.viscosity = material->viscosity;
     const struct {
         skv_field_id id;
         float *target;
@@ -268,6 +274,7 @@ static void compose_fluid(composer *c)
         {SKV_F_FLUID_SPACING, &fluid.spacing},
         {SKV_F_FLUID_RADIUS_RATIO, &fluid.radius_ratio},
         {SKV_F_FLUID_DENSITY, &fluid.density},
+        {SKV_F_FLUID_VISCOSITY, &fluid.viscosity},
         {SKV_F_FLUID_VISCOSITY_LINEAR, &fluid.viscosity_linear},
         {SKV_F_FLUID_VISCOSITY_QUADRATIC, &fluid.viscosity_quadratic},
         {SKV_F_FLUID_NEAR_STIFFNESS, &fluid.near_stiffness},

@@ -90,12 +90,17 @@ static const skv_field fields[SKV_F_COUNT] = {
 
     [SKV_F_FLUID_LAW] = {"fluid.law", CHOICE, "", 0, 0, "calibrated|clavet", "calibrated",
                          "pressure law: like a real liquid, or the thesis' own"},
+    [SKV_F_FLUID_MATERIAL] = {"fluid.material", CHOICE, "", 0, 0, "water|oil|honey|mercury",
+                              "water", "sets density and viscosity as of that liquid at 20 C"},
     [SKV_F_FLUID_SPACING] = {"fluid.spacing", NUMBER, "m", 0.0005, 0.1, NULL, "",
                              "one particle per spacing^2; instead of particles"},
     [SKV_F_FLUID_RADIUS_RATIO] = {"fluid.radius_ratio", NUMBER, "", 2, 4, NULL, "3",
                                   "smoothing radius in spacings (clavet: 2.85)"},
     [SKV_F_FLUID_DENSITY] = {"fluid.density", NUMBER, "kg/m^2", 1, 20000, NULL, "1000",
                              "mass of a square metre of the sheet"},
+    [SKV_F_FLUID_VISCOSITY] =
+        {"fluid.viscosity", NUMBER, "m^2/s", 0, 0.05, NULL, "0.000001",
+         "kinematic viscosity; else the material's (oil 0.000092, honey 0.007)"},
     [SKV_F_FLUID_VISCOSITY_LINEAR] = {"fluid.viscosity_linear", NUMBER, "1/s", 0, 1000, NULL, "0",
                                       "removes a pair's approach speed"},
     [SKV_F_FLUID_VISCOSITY_QUADRATIC] = {"fluid.viscosity_quadratic", NUMBER, "1/m", 0, 1000, NULL,

@@ -4,6 +4,7 @@
  * to float once at the end, so every machine steps with the same constants. Formulas and their
  * sources are in docs/model.md.
  */
+#include "base/assert.h"
 #include "base/exact.h"
 #include "solver/lattice.h"
 #include "world/world_internal.h"
@@ -20,6 +21,8 @@ enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LATTICE_RESPONSE 1.0   /* floor of the response, in rest densities, see relaxation.c */
+#define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
+#define MOST_VISCOUS     0.5   /* sigma dt */
 #define COHESION_FROM    0.25  /* rest densities: a little less than two in one place */
 #define COHESION_FULL    0.5   /* rest densities: a little less than at a flat surface */
 #define COHESION_MARGIN  6     /* how much stiffer than the cohesion the pressure must be */
@@ -32,6 +35,7 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
         .spacing = 0.0155f, /* 3000 particles fill half of the default tank */
         .radius_ratio = clavet ? 2.85f : 3,
         .density = 1000,
+        .viscosity = 0,
         .viscosity_linear = 0,
         .viscosity_quadratic = 0,
         .near_stiffness = 2 * 9.81f,
@@ -94,6 +98,7 @@ skv_result skv_check_fluid(const skv_fluid_def *f, skv_error *error)
         {"spacing", (double)f->spacing, 0.0005f, 0.1f},
         {"radius_ratio", (double)f->radius_ratio, 2, 4},
         {"density", (double)f->density, 1, 20000},
+        {"viscosity", (double)f->viscosity, 0, 0.05f},
         {"viscosity_linear", (double)f->viscosity_linear, 0, 1000},
         {"viscosity_quadratic", (double)f->viscosity_quadratic, 0, 1000},
         {"near_stiffness", (double)f->near_stiffness, 0, 200},
@@ -134,6 +139,33 @@ static double effective_stiffness(const skv_fluid_def *f, double h, double dt, d
     return (double)f->relaxation * f->iterations * h / (dt * dt * rest);
 }
 
+/* sigma of all the fluid's linear viscosity, 1/s. A pair at distance r in a shear flow of rate g
+ * approaches with r g |sin cos|; the momentum that it passes on, summed over the disc with n0 =
+ * (eta/h)^2 particles per area and half of the directions approaching, makes the viscosity
+ * nu = pi/640 sigma eta^2 h^2. What is far below the method's own is left out, for it costs a pass.
+ */
+static double linear_viscosity(const skv_fluid_def *f)
+{
+    double eta = (double)f->radius_ratio, h = (double)f->spacing * eta;
+    double sigma = (double)f->viscosity_linear;
+    if ((double)f->viscosity >= LEAST_VISCOSITY)
+        sigma += 640 / 3.141592653589793 * (double)f->viscosity / (eta * eta * h * h);
+    return sigma;
+}
+
+const skv_material *skv_materials(int *count)
+{
+    static const skv_material materials[] = {
+        {"water", 1000, 1.0e-6f},
+        {"oil", 911, 9.2e-5f},
+        {"honey", 1420, 7.0e-3f},
+        {"mercury", 13546, 1.15e-7f},
+    };
+    SKV_ASSERT_OR(count, NULL);
+    *count = sizeof materials / sizeof *materials;
+    return materials;
+}
+
 int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
 {
     double g = (double)gravity > EARTH_GRAVITY ? (double)gravity : EARTH_GRAVITY;
@@ -150,6 +182,10 @@ int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
         if (substeps < needed)
             substeps = needed;
     }
+    /* In one substep viscosity must not take more than half of a pair's approach. */
+    double viscous = linear_viscosity(f) * FRAME / MOST_VISCOUS;
+    if (substeps < viscous)
+        substeps = viscous;
     int whole = (int)ceil(substeps - 1e-9);
     return whole < 1 ? 1 : whole > 1000 ? 1000 : whole;
 }
@@ -199,7 +235,7 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         .dt = dt_float,
         .inv_dt = (float)(1 / dt),
         .max_speed = (float)(MAX_COURANT * h / dt),
-        .viscosity_linear = f->viscosity_linear,
+        .viscosity_linear = (float)linear_viscosity(f),
         .viscosity_quadratic = f->viscosity_quadratic,
         .contact_distance = f->contact_distance * f->spacing,
         .softness = (float)share_for((double)f->wall_softness, dt),

@@ -165,7 +165,7 @@ void skv_reference_substep(skv_world *world)
     for (int i = 0; i < world->hand_count; i++)
         sub->pulls[i] = skv_make_pull(&world->hands[i], world->constants.dt);
     run(sub, SKV_PASS_FORCES, external_forces);
-    if (fluid->viscosity_linear > 0 || fluid->viscosity_quadratic > 0) {
+    if (world->constants.viscosity_linear > 0 || world->constants.viscosity_quadratic > 0) {
         /* The lists of the last substep serve, unless particles came or went. */
         if (!sub->world->lists_current)
             update_neighbours(sub);

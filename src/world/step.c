@@ -91,7 +91,8 @@ static skv_result reserve(skv_world *world)
 {
     if (world->solver == SKV_SOLVER_REFERENCE)
         return skv_neighbours_reserve(&world->neighbours, world->state.count, NULL);
-    bool viscous = world->fluid.viscosity_linear > 0 || world->fluid.viscosity_quadratic > 0;
+    const skv_constants *c = &world->constants;
+    bool viscous = c->viscosity_linear > 0 || c->viscosity_quadratic > 0;
     return skv_rows_reserve(world->rows, world->state.count, skv_pool_threads(world->pool), viscous,
                             NULL);
 }

@@ -48,7 +48,7 @@ static void every_experiment_says_what_it_is(void **unused)
         for (int i = 0; i < e->count; i++)
             assert_true(strlen(e->quantities[i].name) > 3 && e->quantities[i].unit);
     }
-    assert_int_equal(count, 11);
+    assert_int_equal(count, 12);
     assert_null(skv_experiment_info(-1));
 }
 

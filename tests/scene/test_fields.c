@@ -129,6 +129,33 @@ static void test_range_ends_make_worlds(void **state)
     }
 }
 
+/* The material's choices are the library's liquids; it sets density and viscosity, and what is
+ * given besides wins. */
+static void test_materials(void **state)
+{
+    (void)state;
+    int count;
+    const skv_material *materials = skv_materials(&count);
+    const char *choices = skv_scene_fields(NULL)[SKV_F_FLUID_MATERIAL].choices;
+    for (int i = 0; i < count; i++)
+        assert_int_equal(skv_field_choice(choices, materials[i].name), i);
+    assert_int_equal(skv_field_choice(choices, "tar"), -1);
+    const char *text = "{\"particles\":20,\"fluid\":{\"viscosity\":0.001,\"material\":\"honey\"},"
+                       "\"water\":[{\"shape\":\"box\",\"y1\":0.1}]}";
+    for (int given = 0; given < 2; given++) {
+        const char *settings[] = {"fluid.density", "900", NULL};
+        skv_scene *scene;
+        skv_world *world;
+        assert_int_equal(load_text(text, given ? settings : NULL, &scene, NULL), SKV_OK);
+        assert_int_equal(skv_scene_create_world(scene, 1, &world, NULL), SKV_OK);
+        const skv_fluid_def *fluid = skv_world_fluid(world);
+        assert_true(fluid->density == (given ? 900 : 1420));
+        assert_true(fluid->viscosity == 0.001f);
+        skv_world_destroy(world);
+        skv_scene_destroy(scene);
+    }
+}
+
 static void test_numbers_do_not_depend_on_the_locale(void **state)
 {
     (void)state;
@@ -183,6 +210,7 @@ int main(void)
         cmocka_unit_test(test_defaults_lie_in_their_ranges),
         cmocka_unit_test(test_fluid_defaults_are_the_librarys),
         cmocka_unit_test(test_range_ends_make_worlds),
+        cmocka_unit_test(test_materials),
         cmocka_unit_test(test_numbers_do_not_depend_on_the_locale),
         cmocka_unit_test(test_paths_are_taken_apart),
     };
