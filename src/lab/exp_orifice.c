@@ -56,8 +56,9 @@ static stage_plan draw(const tank *t, bool plugged)
 
 static skv_result build(stage *s, tank *t, skv_error *error)
 {
-    /* The slot is the smallest thing here: more particles than elsewhere. */
-    skv_stage_choose_spacing(s, t->width * t->depth, 1.5);
+    /* The slot is the smallest thing here: more particles than elsewhere, for ten and more spacings
+     * in it. */
+    skv_stage_choose_spacing(s, t->width * t->depth, 2.5);
     if (t->depth < (SILL + 3) * t->slot || t->width < 4 * t->slot)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "orifice.slot: it must not exceed a quarter of the width and two ninths of "

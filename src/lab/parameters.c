@@ -83,7 +83,7 @@ static const skv_lab_parameter parameters[PARAM_COUNT] = {
                               "height of the channel"},
     [PARAM_CHANNEL_SPEED] = {"channel.speed", "m/s", 0.02, 10, 3, NULL, false,
                              "speed to which the pump drags the water above the block"},
-    [PARAM_CHANNEL_FRICTION] = {"channel.friction", "", 0, 1, 0.3, NULL, false,
+    [PARAM_CHANNEL_FRICTION] = {"channel.friction", "", 0, 1, 1, NULL, false,
                                 "share of the speed along a wall lost in 1/60 s"},
     [PARAM_CHANNEL_VISCOSITY] = {"channel.viscosity", "1/s", 0, 1000, 150, NULL, false,
                                  "linear viscosity sigma of the fluid in the channel"},

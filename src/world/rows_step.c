@@ -170,8 +170,6 @@ void skv_rows_substeps(skv_world *world, int count, float time)
         .pressure = s->pressure,
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
-        .inv_length = c->h,
-        .inv_speed = c->h * c->inv_dt,
     };
     skv_rows_step(world->rows, &frame, count, &constants, &boundary, world->pool);
     skv_sleep_watch(world, time);

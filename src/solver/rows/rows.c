@@ -273,6 +273,9 @@ static void take_in(skv_rows *rows, int thread, const skv_row_frame *frame)
     own->old_end = thread + 1;
 }
 
+/* Divides by what take_in has multiplied with: that gives back the same number but for rounding to
+ * either side. The reciprocal is itself rounded, and a product with it would be off to the same
+ * side in every frame: momentum would drift. */
 static void give_back(const skv_rows *rows, int thread, const skv_row_frame *frame)
 {
     const skv_row_particles *p = &rows->set[rows->current];
@@ -281,11 +284,11 @@ static void give_back(const skv_rows *rows, int thread, const skv_row_frame *fra
             int i = p->number[k];
             if (i & ROW_HELD)
                 continue;
-            frame->x[i] = p->x[k] * frame->inv_length;
-            frame->y[i] = p->y[k] * frame->inv_length;
-            frame->vx[i] = p->u[k] * frame->inv_speed;
-            frame->vy[i] = p->v[k] * frame->inv_speed;
-            frame->clear[i] = p->clear[k] * frame->inv_length * SAFE_BOUND;
+            frame->x[i] = p->x[k] / frame->length;
+            frame->y[i] = p->y[k] / frame->length;
+            frame->vx[i] = p->u[k] / frame->speed;
+            frame->vy[i] = p->v[k] / frame->speed;
+            frame->clear[i] = p->clear[k] / frame->length * SAFE_BOUND;
             frame->pressure[i] = rows->pressure[k];
         }
     }

@@ -83,10 +83,9 @@ typedef struct skv_row_frame {
         *members; /* their indices, ascending; null: all, 0..count-1. ~index for one that is
                      held: it takes part in the sums, but stays, and nothing of it is written */
     float *x, *y, *vx, *vy;
-    float *clear;                /* lower bound of the distance to the nearest wall */
-    float *pressure;             /* written only */
-    float length, speed;         /* factors from the caller's units to h and h a substep */
-    float inv_length, inv_speed; /* and back */
+    float *clear;        /* lower bound of the distance to the nearest wall */
+    float *pressure;     /* written only */
+    float length, speed; /* factors from the caller's units to h and h a substep */
 } skv_row_frame;
 
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The
