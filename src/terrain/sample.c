@@ -54,15 +54,23 @@ static bool is_parted(const skv_terrain *terrain, float ax, float ay, float a, f
            is_parted(terrain, x, y, middle, bx, by, b, half);
 }
 
-bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float bx, float by)
+/* The distance of an end from solid in pixels, or the bound of it that is known. Ends are
+ * particles: one that a wall holds counts as beside it. */
+static float at_end(const skv_terrain *terrain, float gx, float gy, float clear)
+{
+    const float beside = 1e-3f;
+    if (!(clear > 0))
+        clear = skv_grid_distance(terrain, gx, gy);
+    clear *= terrain->per_metre;
+    return clear > beside ? clear : beside;
+}
+
+bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float a_clear, float bx,
+                     float by, float b_clear)
 {
     float dx = bx - ax, dy = by - ay;
-    /* The ends are particles: one that a wall holds counts as beside it. */
-    const float beside = 1e-3f;
-    float a = skv_grid_distance(terrain, ax, ay) * terrain->per_metre;
-    float b = skv_grid_distance(terrain, bx, by) * terrain->per_metre;
-    return is_parted(terrain, ax, ay, a > beside ? a : beside, bx, by, b > beside ? b : beside,
-                     sqrtf(dx * dx + dy * dy));
+    return is_parted(terrain, ax, ay, at_end(terrain, ax, ay, a_clear), bx, by,
+                     at_end(terrain, bx, by, b_clear), sqrtf(dx * dx + dy * dy));
 }
 
 float skv_terrain_distance(const skv_terrain *terrain, float x, float y)

@@ -55,8 +55,10 @@ static inline float skv_cell_distance(const skv_corners *c, float u, float v)
 float skv_grid_distance(const skv_terrain *terrain, float gx, float gy);
 
 /* True if the straight way between two points in grid coordinates meets solid. The same for (a, b)
- * and (b, a), bit by bit; a wall thinner than a third of a pixel may be missed. */
-bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float bx, float by);
+ * and (b, a), bit by bit; a wall thinner than a third of a pixel may be missed. The bounds spare
+ * looking distances up: lower bounds, in m, of the ends' distances from solid; 0: not known. */
+bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float a_clear, float bx,
+                     float by, float b_clear);
 
 /* The sums of the 3x3 normal kernel, interpolated to grid coordinates inside the sampled range:
  * along the normal, not normalised, zero in the middle of a channel. */

@@ -426,11 +426,11 @@ bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y)
 }
 
 bool skv_wall_map_parted(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
-                         float bx, float by)
+                         float a_clear, float bx, float by, float b_clear)
 {
     return skv_wall_map_near_thin(map, ax, ay) && skv_wall_map_near_thin(map, bx, by) &&
-           skv_grid_parted(terrain, skv_to_grid(terrain, ax), skv_to_grid(terrain, ay),
-                           skv_to_grid(terrain, bx), skv_to_grid(terrain, by));
+           skv_grid_parted(terrain, skv_to_grid(terrain, ax), skv_to_grid(terrain, ay), a_clear,
+                           skv_to_grid(terrain, bx), skv_to_grid(terrain, by), b_clear);
 }
 
 bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, float y, float distance, float nx,

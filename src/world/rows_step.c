@@ -74,14 +74,17 @@ static bool view_near_thin(const void *context, float x, float y)
     return skv_wall_map_near_thin(v->world->walls, x * v->h, y * v->h);
 }
 
-static bool view_parted(const void *context, float ax, float ay, float bx, float by)
+static bool view_parted(const void *context, float ax, float ay, float a_clear, float bx, float by,
+                        float b_clear)
 {
     const view *v = context;
     if (v->swapped) {
         swap(&ax, &ay);
         swap(&bx, &by);
     }
-    return skv_wall_between(v->world, ax * v->h, ay * v->h, bx * v->h, by * v->h);
+    const skv_world *world = v->world;
+    return skv_wall_map_parted(world->walls, world->terrain, ax * v->h, ay * v->h, a_clear * v->h,
+                               bx * v->h, by * v->h, b_clear * v->h);
 }
 
 static skv_row_constants row_constants(const skv_world *world, bool swapped)

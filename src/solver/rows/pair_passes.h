@@ -83,8 +83,8 @@ static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int
         for (int l = 0; l < ROW_LANES; l++) {
             float *at = &q[ROW_LANES * k + l];
             if (*at > 0 && clear + p->clear[j + l] < ROW_WALL_SLOPE * (1 - *at) &&
-                boundary->parted(boundary->context, p->x[i + k], p->y[i + k], p->x[j + l],
-                                 p->y[j + l]))
+                boundary->parted(boundary->context, p->x[i + k], p->y[i + k], clear, p->x[j + l],
+                                 p->y[j + l], p->clear[j + l]))
                 *at = 0;
         }
     }

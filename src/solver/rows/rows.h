@@ -41,9 +41,11 @@ typedef struct skv_row_boundary {
      * Writes the normal and the distance. */
     float (*contact)(const void *context, float x, float y, float *nx, float *ny, float *distance);
     /* Thin walls; null if there are none. Whether one may be within the radius of (x, y), and
-     * whether one parts two places within the radius of each other. */
+     * whether one parts two places within the radius of each other; the bounds are those of their
+     * distances from walls, as in `clear`. */
     bool (*near_thin)(const void *context, float x, float y);
-    bool (*parted)(const void *context, float ax, float ay, float bx, float by);
+    bool (*parted)(const void *context, float ax, float ay, float a_clear, float bx, float by,
+                   float b_clear);
 } skv_row_boundary;
 
 /* One finger, in h and substeps. */
