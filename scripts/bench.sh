@@ -19,39 +19,17 @@ of $page, the plot beside it and this processor's CSV. Takes minutes; leave the 
 END
 }
 
-build=build/release
-case ${1-} in
--h | --help)
-    usage
-    exit
-    ;;
-'' | --*) ;;
-*)
-    build=$1
-    shift
-    ;;
-esac
-[[ -x $build/skvalp ]] || die "$build/skvalp is not there; build it with: ./run.sh build"
+choose_build "$@"
+shift "$chosen"
 
 cpu=$(sed -nE 's/^(model name|Hardware)[[:space:]]*: *//p' /proc/cpuinfo | head -n 1)
 name=$(tr '[:upper:]' '[:lower:]' <<<"${cpu:-unknown}" | sed -E 's/\((r|tm)\)//g; s/[^a-z0-9]+/-/g; s/^-|-$//g')
 csv=bench/results/$name.csv
 
 tables=$(mktemp)
-trap 'rm -f "$tables" "$page.new"' EXIT
+trap 'rm -f "$tables"' EXIT
 "$build/skvalp" bench "$@" --csv "$csv" --plot docs/pictures/bench.svg --markdown >"$tables" ||
     die "measuring failed, see the line above"
 
-# All between the two marks is replaced.
-awk -v tables="$tables" '
-    /^<!-- bench: end -->$/ { inside = 0 }
-    !inside { print }
-    /^<!-- bench: begin -->$/ {
-        inside = 1
-        print ""
-        while ((getline line < tables) > 0)
-            print line
-        print ""
-    }' "$page" >"$page.new"
-mv "$page.new" "$page"
+replace_in_page "$page" bench "$tables"
 say "Refreshed $page, docs/pictures/bench.svg and $csv."

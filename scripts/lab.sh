@@ -21,19 +21,8 @@ with ${particles[*]} particles, and refreshes the table of $page. Takes minutes.
 END
 }
 
-build=build/release
-case ${1-} in
--h | --help)
-    usage
-    exit
-    ;;
-'' | --*) ;;
-*)
-    build=$1
-    shift
-    ;;
-esac
-[[ -x $build/skvalp ]] || die "$build/skvalp is not there; build it with: ./run.sh build"
+choose_build "$@"
+shift "$chosen"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -58,9 +47,5 @@ done
         FNR > rows { rows = FNR }
         END { for (i = 1; i <= rows; i++) print row[i] }' "${columns[@]}"
 } >"$work/table"
-awk -v table="$work/table" '/^<!-- lab.sh -->$/ { print; while ((getline line < table) > 0) print line
-        inside = 1; next }
-    /^<!-- end -->$/ { inside = 0 }
-    !inside' "$page" >"$work/page"
-cp "$work/page" "$page"
+replace_in_page "$page" lab "$work/table"
 say "Written: the table of $page"

@@ -117,3 +117,41 @@ build() {
     shift
     logged "$log" ninja -C "build/$preset" "$@"
 }
+
+# choose_build ["$@"]: for scripts that measure with a build. Sets `build` to the first argument, or
+# to build/release, and `chosen` to how many arguments that took; --help ends with the caller's usage.
+choose_build() {
+    build=build/release
+    chosen=0
+    case ${1-} in
+    -h | --help)
+        usage
+        exit
+        ;;
+    '' | --*) ;;
+    *)
+        build=$1
+        chosen=1
+        ;;
+    esac
+    [[ -x $build/skvalp ]] || die "$build/skvalp is not there; build it with: ./run.sh build"
+}
+
+# replace_in_page PAGE NAME FILE: puts the file in place of what stands between the page's marks
+# "NAME: begin" and "NAME: end".
+replace_in_page() {
+    local page=$1 name=$2 file=$3
+    grep -q "^<!-- $name: begin -->\$" "$page" && grep -q "^<!-- $name: end -->\$" "$page" ||
+        die "$page has lost its marks <!-- $name: begin --> and <!-- $name: end -->"
+    awk -v file="$file" -v name="$name" '
+        $0 == "<!-- " name ": end -->" { inside = 0 }
+        !inside { print }
+        $0 == "<!-- " name ": begin -->" {
+            inside = 1
+            print ""
+            while ((getline line < file) > 0)
+                print line
+            print ""
+        }' "$page" >"$page.new"
+    mv "$page.new" "$page"
+}

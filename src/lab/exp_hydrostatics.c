@@ -43,19 +43,12 @@ static skv_result build(stage *s, pool *p, skv_error *error)
     return result;
 }
 
-static double level(const stage *s, const pool *p)
-{
-    double sum = 0;
-    for (int i = 0; i < GAUGES; i++)
-        sum += skv_lab_reading(s->lab, p->gauges[i], 2) / GAUGES;
-    return sum;
-}
-
 /* Layers need to know the level, so they are set up when the water is calm. */
 static skv_result add_layers(stage *s, pool *p, skv_error *error)
 {
     skv_result result = skv_lab_sample(s->lab, s->world, error);
-    double thickness = level(s, p) / LAYERS, away = fmin(4 * s->h, 0.4 * p->width);
+    double thickness = skv_stage_mean_level(s, p->gauges, GAUGES) / LAYERS,
+           away = fmin(4 * s->h, 0.4 * p->width);
     for (int i = 0; i < LAYERS && result == SKV_OK; i++)
         result = skv_stage_add(s, SKV_INSTRUMENT_REGION, away, i * thickness, p->width - away,
                                (i + 1) * thickness, WATCH, &p->layers[i], error);
@@ -75,7 +68,7 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
         result = skv_stage_frame(s, error);
     if (result != SKV_OK)
         return result;
-    double surface = level(s, &p);
+    double surface = skv_stage_mean_level(s, p.gauges, GAUGES);
     skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
     for (int i = 0; i < LAYERS; i++) {
         /* From the surface down. */

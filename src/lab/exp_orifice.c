@@ -95,14 +95,6 @@ static skv_result add_jet_instruments(stage *s, tank *t, double watch, skv_error
     return result;
 }
 
-static double level(const stage *s, const tank *t)
-{
-    double sum = 0;
-    for (int i = 0; i < GAUGES; i++)
-        sum += skv_lab_reading(s->lab, t->gauges[i], 2) / GAUGES;
-    return sum;
-}
-
 static skv_result measure(stage *s, findings *found, skv_error *error)
 {
     tank t = {.width = skv_settings_length(s->settings, PARAM_ORIFICE_WIDTH),
@@ -130,12 +122,12 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
         result = skv_stage_frame(s, error);
         if (result != SKV_OK)
             break;
-        surface += level(s, &t) / frames;
+        surface += skv_stage_mean_level(s, t.gauges, GAUGES) / frames;
         double times[1], speed[1];
         skv_lab_history(s->lab, t.section, 7, times, speed, 1);
         skv_plot_point(&found->plot, times[0] - start, speed[0]);
         if (i == 0)
-            found->condition[C_FALL_START] = level(s, &t);
+            found->condition[C_FALL_START] = skv_stage_mean_level(s, t.gauges, GAUGES);
     }
     if (result != SKV_OK)
         return result;
@@ -147,7 +139,7 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
     found->condition[C_GRAVITY] = t.gravity;
     found->condition[C_FALL] = surface - jet;
     found->condition[C_FALL_START] -= jet;
-    found->condition[C_FALL_END] = level(s, &t) - jet;
+    found->condition[C_FALL_END] = skv_stage_mean_level(s, t.gauges, GAUGES) - jet;
     found->condition[C_TIME] = watch;
     return SKV_OK;
 }

@@ -85,12 +85,8 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
     expected->theory[0] =
         skv_theory_slosh_period(condition[C_GRAVITY], condition[C_WIDTH], condition[C_DEPTH]);
     expected->theory[1] = 1;
-    skv_plot_begin(plot, "theory: small waves", CURVE_THEORY);
-    for (int i = 0; i <= 200; i++) {
-        double time = condition[C_TIME] * i / 200;
-        skv_plot_point(plot, time,
-                       condition[C_START] * cos(2 * 3.14159265358979 * time / expected->theory[0]));
-    }
+    skv_plot_swing(plot, "theory: small waves", condition[C_START], expected->theory[0],
+                   condition[C_TIME]);
 }
 
 const experiment skv_exp_slosh = {

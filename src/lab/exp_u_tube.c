@@ -79,12 +79,8 @@ static int read_swing(const stage *s, const tube *t, double *times, double *swin
 
 static double gauge_difference(const stage *s, const tube *t)
 {
-    double difference = 0;
-    for (int i = 0; i < GAUGES; i++)
-        difference += (skv_lab_reading(s->lab, t->gauges[0][i], 2) -
-                       skv_lab_reading(s->lab, t->gauges[1][i], 2)) /
-                      GAUGES;
-    return difference;
+    return skv_stage_mean_level(s, t->gauges[0], GAUGES) -
+           skv_stage_mean_level(s, t->gauges[1], GAUGES);
 }
 
 static skv_result measure(stage *s, findings *found, skv_error *error)
@@ -133,12 +129,8 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
         skv_theory_inertial_length(condition[C_ARM], condition[C_GAP], condition[C_LEVEL]);
     expected->theory[0] = skv_theory_u_tube_period(condition[C_GRAVITY], length);
     expected->theory[1] = 0;
-    skv_plot_begin(plot, "theory: without friction", CURVE_THEORY);
-    for (int i = 0; i <= 400; i++) {
-        double time = condition[C_TIME] * i / 400;
-        skv_plot_point(plot, time,
-                       condition[C_HEAD] * cos(2 * 3.14159265358979 * time / expected->theory[0]));
-    }
+    skv_plot_swing(plot, "theory: without friction", condition[C_HEAD], expected->theory[0],
+                   condition[C_TIME]);
 }
 
 const experiment skv_exp_u_tube = {

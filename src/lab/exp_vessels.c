@@ -74,14 +74,6 @@ static skv_result build(stage *s, vessels *v, skv_error *error)
     return result;
 }
 
-static double level_of(const stage *s, const vessels *v, int vessel)
-{
-    double sum = 0;
-    for (int k = 0; k < GAUGES; k++)
-        sum += skv_lab_reading(s->lab, v->gauges[vessel][k], 2) / GAUGES;
-    return sum;
-}
-
 /* The level that the water put in amounts to. */
 static double filled_level(const stage *s, const vessels *v)
 {
@@ -105,8 +97,8 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
         return result;
     double highest = -HUGE_VAL, lowest = HUGE_VAL;
     for (int i = 0; i < VESSELS; i++) {
-        highest = fmax(highest, level_of(s, &v, i));
-        lowest = fmin(lowest, level_of(s, &v, i));
+        highest = fmax(highest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
+        lowest = fmin(lowest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
         double times[MAX_SAMPLES], levels[MAX_SAMPLES];
         int count = skv_lab_history(s->lab, v.gauges[i][1], 2, times, levels, MAX_SAMPLES);
         skv_plot_begin(&found->plot, labels[i], styles[i]);

@@ -60,6 +60,16 @@ void skv_plot_point(skv_plot *p, double x, double y)
     c->y[c->count++] = y;
 }
 
+void skv_plot_swing(skv_plot *p, const char *label, double start, double period, double time)
+{
+    const int points = 400;
+    skv_plot_begin(p, label, CURVE_THEORY);
+    for (int i = 0; i <= points; i++) {
+        double at = time * i / points;
+        skv_plot_point(p, at, start * cos(2 * 3.14159265358979 * at / period));
+    }
+}
+
 void skv_plot_free(skv_plot *p)
 {
     for (int i = 0; i < p->count; i++) {

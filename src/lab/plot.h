@@ -26,6 +26,8 @@ typedef struct skv_plot {
 /* Starts a curve; the points that follow belong to it. */
 void skv_plot_begin(skv_plot *p, const char *label, curve_style style);
 void skv_plot_point(skv_plot *p, double x, double y);
+/* A curve of theory: a swing from `start` at time 0, until `time`. */
+void skv_plot_swing(skv_plot *p, const char *label, double start, double period, double time);
 void skv_plot_free(skv_plot *p);
 
 skv_result skv_plot_write_svg(const skv_plot *p, skv_write *write, void *user, skv_error *error);

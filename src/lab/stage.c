@@ -170,6 +170,14 @@ static skv_result step(stage *s, skv_error *error)
     return SKV_OK;
 }
 
+double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int count)
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += skv_lab_reading(s->lab, gauges[i], 2) / count;
+    return sum;
+}
+
 skv_result skv_stage_frame(stage *s, skv_error *error)
 {
     skv_result result = step(s, error);

@@ -56,6 +56,9 @@ skv_result skv_stage_fill(stage *s, double x0, double y0, double x1, double y1, 
 skv_result skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
                          double y1, double window, skv_instrument *id, skv_error *error);
 
+/* The mean of what several level gauges read. */
+double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int count);
+
 /* Lets one frame of 1/60 s pass, and reads the instruments. */
 skv_result skv_stage_frame(stage *s, skv_error *error);
 /* The same for `seconds`, without reading them. */

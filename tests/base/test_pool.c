@@ -1,8 +1,8 @@
 /* The task pool: every index once, for any number of threads, thousands of short runs in a row,
  * on its own threads and on those that a host lends. */
 #include "base/pool.h"
+#include "support/host.h"
 
-#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -59,27 +59,10 @@ static void no_pool_means_the_calling_thread(void **unused)
 
 /* Hosts: each calls `member` in its own way. `user` is the number of threads that it has. */
 
-typedef struct job {
-    void (*member)(void *team);
-    void *team;
-} job;
-
-static void *work(void *argument)
-{
-    const job *j = argument;
-    j->member(j->team);
-    return NULL;
-}
-
 static void run_on_threads(void *user, int count, void (*member)(void *team), void *team)
 {
     int threads = *(int *)user < count ? *(int *)user : count;
-    job j = {member, team};
-    pthread_t thread[8];
-    for (int t = 0; t < threads; t++)
-        assert_int_equal(pthread_create(&thread[t], NULL, work, &j), 0);
-    for (int t = 0; t < threads; t++)
-        pthread_join(thread[t], NULL);
+    host_run(threads, member, team);
 }
 
 static void run_one_by_one(void *user, int count, void (*member)(void *team), void *team)

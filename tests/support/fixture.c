@@ -1,6 +1,7 @@
 /* Worlds that several tests use. Invariant: they depend on their arguments alone. */
 #include "support/fixture.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -90,6 +91,27 @@ double fixture_wall_layer(const skv_world *world, double level)
         }
     }
     return (double)particles * parts * parts / points;
+}
+
+void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
+{
+    skv_particles p = skv_world_particles(fast);
+    for (int i = 0; i < p.count; i++)
+        assert_int_equal(skv_world_add_particle(slow, p.x[i], p.y[i], p.vx[i], p.vy[i], NULL),
+                         SKV_OK);
+    float dt = 1.0f / 60 / (float)skv_world_substeps(fast);
+    assert_int_equal(skv_world_step(fast, dt), SKV_OK);
+    assert_int_equal(skv_world_step(slow, dt), SKV_OK);
+    p = skv_world_particles(fast);
+    skv_particles q = skv_world_particles(slow);
+    double most = 2e-5 * (double)skv_world_radius(fast);
+    for (int i = 0; i < p.count; i++) {
+        assert_true(hypot((double)(p.x[i] - q.x[i]), (double)(p.y[i] - q.y[i])) < most);
+        assert_true(hypot((double)(p.vx[i] - q.vx[i]), (double)(p.vy[i] - q.vy[i])) <
+                    most / (double)dt);
+    }
+    skv_world_destroy(fast);
+    skv_world_destroy(slow);
 }
 
 void fixture_run(skv_world *world, int frames)

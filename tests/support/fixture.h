@@ -25,6 +25,10 @@ skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity);
  * deeper than three smoothing radii below `level`. Any walls. */
 double fixture_wall_layer(const skv_world *world, double level);
 
+/* Gives `slow`, which is empty, the particles of `fast`, lets both take one substep, and fails
+ * unless they agree to rounding; frees both. */
+void fixture_expect_same_substep(skv_world *fast, skv_world *slow);
+
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);
 

@@ -1,8 +1,8 @@
 /* Same input, same bits: over threads, over restarts, over cuts of the time; and no allocation in a
  * warm step. */
 #include "support/fixture.h"
+#include "support/host.h"
 
-#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -58,28 +58,11 @@ static void threads_and_restarts_give_the_same_hash(void **unused)
 
 /* A host with another number of threads free each time: none to four. */
 
-typedef struct job {
-    void (*member)(void *team);
-    void *team;
-} job;
-
-static void *work(void *argument)
-{
-    const job *j = argument;
-    j->member(j->team);
-    return NULL;
-}
-
 static void lend(void *user, int count, void (*member)(void *team), void *team)
 {
     int *call = user, threads = ++*call % 5;
     assert_true(threads <= count);
-    job j = {member, team};
-    pthread_t thread[5];
-    for (int t = 0; t < threads; t++)
-        assert_int_equal(pthread_create(&thread[t], NULL, work, &j), 0);
-    for (int t = 0; t < threads; t++)
-        pthread_join(thread[t], NULL);
+    host_run(threads, member, team);
 }
 
 static void a_hosts_threads_give_the_same_hash(void **unused)

@@ -128,24 +128,8 @@ static void both_solvers_agree_at_walls(void **unused)
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
         skv_world *fast = fixture_dam((skv_law)law, 0.014f, 2);
         fixture_run(fast, 20);
-        skv_particles p = skv_world_particles(fast);
         skv_world *slow = fixture_tank_with((skv_law)law, SKV_SOLVER_REFERENCE, 0.014f);
-        for (int i = 0; i < p.count; i++)
-            assert_int_equal(skv_world_add_particle(slow, p.x[i], p.y[i], p.vx[i], p.vy[i], NULL),
-                             SKV_OK);
-        float dt = 1.0f / 60 / (float)skv_world_substeps(fast);
-        assert_int_equal(skv_world_step(fast, dt), SKV_OK);
-        assert_int_equal(skv_world_step(slow, dt), SKV_OK);
-        p = skv_world_particles(fast);
-        skv_particles q = skv_world_particles(slow);
-        double h = (double)skv_world_radius(fast);
-        for (int i = 0; i < p.count; i++) {
-            assert_true(hypot((double)(p.x[i] - q.x[i]), (double)(p.y[i] - q.y[i])) < 2e-5 * h);
-            assert_true(hypot((double)(p.vx[i] - q.vx[i]), (double)(p.vy[i] - q.vy[i])) <
-                        2e-5 * h / (double)dt);
-        }
-        skv_world_destroy(fast);
-        skv_world_destroy(slow);
+        fixture_expect_same_substep(fast, slow);
     }
 }
 

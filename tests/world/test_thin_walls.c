@@ -221,21 +221,8 @@ static void both_solvers_part_the_same_pairs(void **unused)
     for (size_t i = 0; i < WALLS; i++) {
         skv_world *fast = make_world(&walls[i], SKV_SOLVER_FAST, true);
         fixture_run(fast, 20);
-        skv_particles p = skv_world_particles(fast);
         skv_world *slow = make_empty(&walls[i], SKV_SOLVER_REFERENCE);
-        for (int k = 0; k < p.count; k++)
-            assert_int_equal(skv_world_add_particle(slow, p.x[k], p.y[k], p.vx[k], p.vy[k], NULL),
-                             SKV_OK);
-        float dt = 1.0f / 60 / (float)skv_world_substeps(fast);
-        assert_int_equal(skv_world_step(fast, dt), SKV_OK);
-        assert_int_equal(skv_world_step(slow, dt), SKV_OK);
-        p = skv_world_particles(fast);
-        skv_particles q = skv_world_particles(slow);
-        double h = (double)skv_world_radius(fast);
-        for (int k = 0; k < p.count; k++)
-            assert_true(hypot((double)(p.x[k] - q.x[k]), (double)(p.y[k] - q.y[k])) < 2e-5 * h);
-        skv_world_destroy(fast);
-        skv_world_destroy(slow);
+        fixture_expect_same_substep(fast, slow);
     }
 }
 
