@@ -141,8 +141,10 @@ choose_build() {
 # "NAME: begin" and "NAME: end".
 replace_in_page() {
     local page=$1 name=$2 file=$3
-    grep -q "^<!-- $name: begin -->\$" "$page" && grep -q "^<!-- $name: end -->\$" "$page" ||
-        die "$page has lost its marks <!-- $name: begin --> and <!-- $name: end -->"
+    local mark
+    for mark in begin end; do
+        grep -q "^<!-- $name: $mark -->\$" "$page" || die "$page has lost its mark <!-- $name: $mark -->"
+    done
     awk -v file="$file" -v name="$name" '
         $0 == "<!-- " name ": end -->" { inside = 0 }
         !inside { print }
