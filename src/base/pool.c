@@ -2,10 +2,11 @@
  *
  * Invariant: a team's members run at the same time, each on a thread of its own, and between two
  * teams no worker touches anything but the pool. A team is announced by raising `generation`;
- * members meet by raising `phase`. Whoever waits for one of these counters spins before it sleeps:
- * a phase takes tens of microseconds and a sleep costs as much, but spinning or yielding beside a
- * busy process costs whole time slices. So a member spins the longer the more often that has
- * helped, and briefly again once it has not (docs/performance.md).
+ * members meet by raising `phase`, or wait for each other's progress. Whoever waits for one of
+ * these counters spins before it sleeps: a phase takes tens of microseconds and a sleep costs as
+ * much, but spinning or yielding beside a busy process costs whole time slices. So a member spins
+ * the longer the more often that has helped, and briefly again once it has not
+ * (docs/performance.md).
  */
 #include "base/pool.h"
 
@@ -52,7 +53,7 @@ static void relax_cpu(void)
 #endif
 }
 
-void skv_pool_pause(int *turns)
+static void pause_or_yield(int *turns)
 {
     if (++*turns < SPINS)
         relax_cpu();
@@ -77,24 +78,56 @@ static void raise(skv_pool *pool, atomic_uint *counter)
     skv_crew_wake(pool->crew);
 }
 
+/* Waits until a counter has left `old`, spinning for as long as that is likely to help. */
+static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
+{
+    int patience = atomic_load_explicit(&pool->patience, memory_order_relaxed);
+    int next = SPINS;
+    if (spin(counter, old, patience))
+        next = patience + MORE_SPINS < MOST_SPINS ? patience + MORE_SPINS : MOST_SPINS;
+    else
+        skv_crew_sleep(pool->crew, counter, old);
+    if (next != patience)
+        atomic_store_explicit(&pool->patience, next, memory_order_relaxed);
+}
+
+void skv_pool_gather(skv_pool *pool, void (*work)(void *context), void *context)
+{
+    bool alone = !pool || pool->size == 1;
+    unsigned phase = alone ? 0 : atomic_load(&pool->phase);
+    if (!alone && atomic_fetch_add(&pool->arrived, 1) < pool->size - 1) {
+        wait_for_change(pool, &pool->phase, phase);
+        return;
+    }
+    if (work)
+        work(context);
+    if (alone)
+        return;
+    atomic_store(&pool->arrived, 0);
+    raise(pool, &pool->phase);
+}
+
 void skv_pool_barrier(skv_pool *pool)
+{
+    skv_pool_gather(pool, NULL, NULL);
+}
+
+void skv_pool_reach(skv_pool *pool, skv_progress *own, unsigned reached)
 {
     if (!pool || pool->size == 1)
         return;
-    unsigned phase = atomic_load(&pool->phase);
-    if (atomic_fetch_add(&pool->arrived, 1) == pool->size - 1) {
-        atomic_store(&pool->arrived, 0);
-        raise(pool, &pool->phase);
-        return;
+    atomic_store(&own->reached, reached);
+    skv_crew_wake(pool->crew);
+}
+
+void skv_pool_await(skv_pool *pool, skv_progress *other, unsigned reached)
+{
+    for (;;) {
+        unsigned now = atomic_load_explicit(&other->reached, memory_order_acquire);
+        if (now >= reached)
+            return;
+        wait_for_change(pool, &other->reached, now);
     }
-    int patience = atomic_load_explicit(&pool->patience, memory_order_relaxed);
-    int next = SPINS;
-    if (spin(&pool->phase, phase, patience))
-        next = patience + MORE_SPINS < MOST_SPINS ? patience + MORE_SPINS : MOST_SPINS;
-    else
-        skv_crew_sleep(pool->crew, &pool->phase, phase);
-    if (next != patience)
-        atomic_store_explicit(&pool->patience, next, memory_order_relaxed);
 }
 
 static void worker_main(void *argument)
@@ -208,7 +241,7 @@ static void enter(void *team)
         while (!atomic_compare_exchange_weak(&pool->door, &door, door | CLOSED));
     }
     for (int turns = 0; !(atomic_load(&pool->door) & CLOSED);)
-        skv_pool_pause(&turns);
+        pause_or_yield(&turns);
     pool->member(thread, pool->size, pool->context);
 }
 

@@ -8,6 +8,8 @@
 
 #include "skvalp/base.h"
 
+#include <stdatomic.h>
+
 typedef struct skv_pool skv_pool;
 
 /* Handles indices begin..end-1. */
@@ -36,8 +38,18 @@ void skv_pool_team(skv_pool *pool, skv_member *member, void *context);
 /* Waits until every member of the running team is here. What was written before is seen after. */
 void skv_pool_barrier(skv_pool *pool);
 
-/* For waits between members that are shorter than a barrier: call in a loop with `*turns` from 0.
- */
-void skv_pool_pause(int *turns);
+/* A barrier at which the last member to come runs `work` before anybody goes on. */
+void skv_pool_gather(skv_pool *pool, void (*work)(void *context), void *context);
+
+/* How far a member has come, for waits of one member for another that need no barrier: a number
+ * that only rises. On a cache line of its own, where its writer meets nobody but who waits. */
+typedef struct skv_progress {
+    _Alignas(64) atomic_uint reached;
+} skv_progress;
+
+/* Raises the caller's progress, and waits until another's has come so far. What was written before
+ * the first is seen after the second. */
+void skv_pool_reach(skv_pool *pool, skv_progress *own, unsigned reached);
+void skv_pool_await(skv_pool *pool, skv_progress *other, unsigned reached);
 
 #endif

@@ -137,6 +137,86 @@ static void members_meet_at_barriers(void **unused)
     }
 }
 
+/* At a gathering one member works, when all have come and before any goes on. */
+
+typedef struct gathering {
+    skv_pool *pool;
+    atomic_int here;
+    int threads, works;
+    bool early;
+} gathering;
+
+static void work_for_all(void *context)
+{
+    gathering *g = context;
+    g->works++;
+    g->early = g->early || atomic_load(&g->here) != g->works * g->threads;
+}
+
+static void gather(int thread, int threads, void *context)
+{
+    gathering *g = context;
+    if (thread == 0)
+        g->threads = threads;
+    skv_pool_barrier(g->pool);
+    for (int round = 1; round <= 1000; round++) {
+        atomic_fetch_add(&g->here, 1);
+        skv_pool_gather(g->pool, work_for_all, g);
+        if (g->works != round)
+            atomic_store(&g->here, -1000000);
+        skv_pool_barrier(g->pool);
+    }
+}
+
+/* Neighbours keep step with each other without barriers: nobody is ever two rounds ahead. */
+
+enum { MOST_MEMBERS = 4 };
+
+typedef struct march {
+    skv_pool *pool;
+    skv_progress progress[MOST_MEMBERS];
+    int written[MOST_MEMBERS];
+    atomic_int wrong;
+} march;
+
+static void keep_step(int thread, int threads, void *context)
+{
+    march *m = context;
+    for (int round = 1; round <= 1000; round++) {
+        m->written[thread] = round;
+        skv_pool_reach(m->pool, &m->progress[thread], 2 * (unsigned)round - 1);
+        for (int beside = thread - 1; beside <= thread + 1; beside += 2) {
+            if (beside < 0 || beside >= threads)
+                continue;
+            skv_pool_await(m->pool, &m->progress[beside], 2 * (unsigned)round - 1);
+            if (m->written[beside] != round)
+                atomic_fetch_add(&m->wrong, 1);
+        }
+        skv_pool_reach(m->pool, &m->progress[thread], 2 * (unsigned)round);
+        for (int beside = thread - 1; beside <= thread + 1; beside += 2)
+            if (beside >= 0 && beside < threads)
+                skv_pool_await(m->pool, &m->progress[beside], 2 * (unsigned)round);
+    }
+}
+
+static void members_gather_and_wait_for_each_other(void **unused)
+{
+    (void)unused;
+    for (int threads = 1; threads <= MOST_MEMBERS; threads++) {
+        gathering g = {0};
+        march m = {0};
+        assert_int_equal(skv_pool_create(threads, &g.pool, NULL), SKV_OK);
+        skv_pool_team(g.pool, gather, &g);
+        assert_int_equal(g.works, 1000);
+        assert_int_equal(atomic_load(&g.here), 1000 * threads);
+        assert_false(g.early);
+        m.pool = g.pool;
+        skv_pool_team(m.pool, keep_step, &m);
+        assert_int_equal(atomic_load(&m.wrong), 0);
+        skv_pool_destroy(g.pool);
+    }
+}
+
 static void bad_thread_numbers_are_refused(void **unused)
 {
     (void)unused;
@@ -160,6 +240,7 @@ int main(void)
         cmocka_unit_test(no_pool_means_the_calling_thread),
         cmocka_unit_test(a_host_may_lend_as_many_threads_as_it_has),
         cmocka_unit_test(members_meet_at_barriers),
+        cmocka_unit_test(members_gather_and_wait_for_each_other),
         cmocka_unit_test(bad_thread_numbers_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

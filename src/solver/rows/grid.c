@@ -59,19 +59,24 @@ static void count_cells(skv_rows *rows, skv_row_thread *own)
     own->highest = highest;
 }
 
-/* Adds up rows first..end-1 over the threads. */
-static void count_rows(skv_rows *rows, int first, int end)
+/* Adds up the cells of the rows that a thread has counted in. */
+static void count_rows(const skv_rows *rows, const skv_row_thread *own)
 {
-    for (int row = first; row < end; row++) {
+    for (int row = own->lowest; row <= own->highest; row++) {
+        const int *counts = own->histogram + (size_t)row * (size_t)rows->stride;
         int size = 0;
-        for (int t = 0; t < rows->threads; t++) {
-            const int *counts = histogram_row(rows, t, row);
-            int cells = has_counted(rows, t, row) ? rows->stride : 0;
-            for (int c = 0; c < cells; c++)
-                size += counts[c];
-        }
-        rows->row_size[row] = size;
+        for (int c = 0; c < rows->stride; c++)
+            size += counts[c];
+        own->row_size[row] = size;
     }
+}
+
+static int size_of(const skv_rows *rows, int row)
+{
+    int size = 0;
+    for (int t = 0; t < rows->threads; t++)
+        size += has_counted(rows, t, row) ? rows->thread[t].row_size[row] : 0;
+    return size;
 }
 
 /* What a row is likely to cost: what it had to do in the last substep, and its particles now. */
@@ -100,14 +105,15 @@ static void share_out(skv_rows *rows)
     }
 }
 
-static void lay_out_rows(skv_rows *rows)
+static void lay_out_rows(void *context)
 {
+    skv_rows *rows = context;
     int place = ROW_LANES;
     rows->first = rows->row_count;
     rows->end = 0;
     rows->widest = 0;
     for (int row = 0; row < rows->row_count; row++) {
-        int size = rows->row_size[row];
+        int size = rows->row_size[row] = size_of(rows, row);
         rows->new_start[row] = place;
         rows->new_end[row] = place + size;
         place = skv_row_padded_end(place + size);
@@ -178,7 +184,7 @@ static void put_dummies(skv_rows *rows, int row)
 
 /* Particles in exactly one place would stay together for ever: the pair has no direction. The later
  * one is put a thousandth of h aside, to whichever side leaves it in its cell. */
-static void part_coincident(skv_rows *rows, int row)
+void skv_rows_part_coincident(skv_rows *rows, int row)
 {
     const skv_row_particles *p = &rows->set[rows->current];
     const int *start = rows->cell_start + (size_t)row * (size_t)rows->stride;
@@ -199,7 +205,7 @@ static void part_coincident(skv_rows *rows, int row)
 
 /* The new order becomes the current one. The old particles' memory is free until the next sort and
  * holds the sums. */
-static void turn_over(skv_rows *rows)
+void skv_rows_turn_over(skv_rows *rows)
 {
     int *swap = rows->row_start;
     rows->row_start = rows->new_start;
@@ -217,42 +223,22 @@ static void turn_over(skv_rows *rows)
     rows->current = !rows->current;
 }
 
-static int share_of(int first, int end, int thread, int threads)
-{
-    return first + (int)((int64_t)(end - first) * thread / threads);
-}
-
-void skv_rows_sort(skv_rows *rows, int thread, bool first, skv_pool *pool)
+void skv_rows_sort(skv_rows *rows, int thread, skv_pool *pool)
 {
     skv_row_thread *own = &rows->thread[thread];
     count_cells(rows, own);
-    skv_pool_barrier(pool);
-    count_rows(rows, share_of(0, rows->row_count, thread, rows->threads),
-               share_of(0, rows->row_count, thread + 1, rows->threads));
-    skv_pool_barrier(pool);
-    if (thread == 0)
-        lay_out_rows(rows);
-    skv_pool_barrier(pool);
+    count_rows(rows, own);
+    skv_pool_gather(pool, lay_out_rows, rows);
     /* The empty row after the last is looked into as well. */
-    int from = share_of(rows->first, rows->end + 1, thread, rows->threads);
-    int to = share_of(rows->first, rows->end + 1, thread + 1, rows->threads);
-    for (int row = from; row < to; row++)
+    int end = thread == rows->threads - 1 ? own->end + 1 : own->end;
+    for (int row = own->first; row < end; row++)
         place_cells(rows, row);
     skv_pool_barrier(pool);
     move_particles(rows, own);
-    for (int row = from; row < to; row++)
+    for (int row = own->first; row < end; row++)
         put_dummies(rows, row);
-    skv_pool_barrier(pool);
     own->old_first = own->first;
     own->old_end = own->end;
-    if (thread == 0)
-        turn_over(rows);
-    skv_pool_barrier(pool);
-    if (first) {
-        for (int row = own->first; row < own->end; row++)
-            part_coincident(rows, row);
-        skv_pool_barrier(pool);
-    }
 }
 
 void skv_rows_find_ranges(skv_rows *rows, int row)

@@ -4,8 +4,9 @@
  * L(R) needs A(R) and A(R-1); B(R) needs L(R) and L(R+1); U(R) needs B(R) and B(R-1), and moves
  * what A and B of rows R and R-1 read. A thread runs A(R) L(R) B(R-1) U(R-1) for its rows in turn.
  * At the seam between two threads the upper one needs A of the lower one's last row, so that is run
- * before the rest; the lower one needs L of the upper one's first row and waits for it; and the
- * upper one's first row is updated when both are done.
+ * before the rest; the lower one needs L of the upper one's first row; and the upper one's first
+ * row is updated after B of the lower one's last. A thread waits for its two neighbours only, and
+ * only there: they may be at work on different iterations.
  *
  * Invariant: every order that these rules allow gives the same bits.
  */
@@ -21,6 +22,7 @@
 #define SAFE_BOUND 0.999f
 
 enum {
+    LINE = 16, /* integers in a cache line */
     FLOATS_A_BLOCK = 2 * ROW_TILE * ROW_LANES,
     ROW_NUMBERS = 8, /* integers kept for each row */
     MAX_CELLS = 1 << 26
@@ -35,7 +37,8 @@ typedef struct run {
     skv_pool *pool;
     const skv_row_frame *frame;
     int substeps;
-    atomic_int pressed[ROW_MAX_THREADS]; /* iterations whose L(first row) a thread has done */
+    int to_take; /* substeps that have not begun to relax */
+    skv_progress progress[ROW_MAX_THREADS];
 } run;
 
 skv_result skv_rows_create(float width, float height, skv_rows **out, skv_error *error)
@@ -101,8 +104,10 @@ static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
         return SKV_OK;
     free_threads(rows);
     size_t cells = (size_t)rows->row_count * (size_t)rows->stride;
+    /* A cache line more than it takes, so that no two threads share one. */
+    size_t numbers = (cells + (size_t)rows->row_count + 2 * LINE - 1) / LINE * LINE;
     rows->thread = skv_calloc((size_t)threads, sizeof *rows->thread);
-    int *histograms = skv_calloc(cells * (size_t)threads, sizeof *histograms);
+    int *histograms = skv_calloc(numbers * (size_t)threads, sizeof *histograms);
     if (!rows->thread || !histograms) {
         skv_free(histograms);
         skv_free(rows->thread);
@@ -111,8 +116,10 @@ static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
     }
     rows->histogram_block = histograms;
     rows->thread_room = threads;
-    for (int t = 0; t < threads; t++)
-        rows->thread[t].histogram = histograms + cells * (size_t)t;
+    for (int t = 0; t < threads; t++) {
+        rows->thread[t].histogram = histograms + numbers * (size_t)t;
+        rows->thread[t].row_size = rows->thread[t].histogram + cells;
+    }
     return SKV_OK;
 }
 
@@ -298,9 +305,33 @@ static void give_back(const skv_rows *rows, int thread, const skv_row_frame *fra
 typedef struct lane {
     run *shared;
     skv_row_thread *own;
-    int thread, iteration, turn; /* turn: iterations since the team began, for `pressed` */
+    int thread, iteration;
+    int lower, upper; /* the threads that own the rows below and above, or -1 */
+    unsigned turn;    /* iterations since the team began */
     bool later;
 } lane;
+
+/* What neighbours wait for, in the order in which a thread comes to it in each turn. */
+typedef enum milestone { LAST_SUMMED = 1, FIRST_PRESSED, LAST_DISPLACED, FIRST_UPDATED } milestone;
+enum { MILESTONES = FIRST_UPDATED };
+
+static void reach(const lane *l, milestone m)
+{
+    skv_pool_reach(l->shared->pool, &l->shared->progress[l->thread], l->turn * MILESTONES + m);
+}
+
+static void await(const lane *l, int neighbour, milestone m)
+{
+    if (neighbour >= 0)
+        skv_pool_await(l->shared->pool, &l->shared->progress[neighbour], l->turn * MILESTONES + m);
+}
+
+/* Waits until a neighbour has finished the turn before. */
+static void await_last_turn(const lane *l, int neighbour)
+{
+    if (neighbour >= 0)
+        skv_pool_await(l->shared->pool, &l->shared->progress[neighbour], l->turn * MILESTONES);
+}
 
 static void run_density(const lane *l, int row)
 {
@@ -335,57 +366,13 @@ static void run_update(const lane *l, int row)
                                l->own->near_walls + rows->wall_first[row], rows->wall_count[row]);
 }
 
-/* The thread that owns the row after this thread's last, or -1. */
-static int upper_neighbour(const skv_rows *rows, int thread)
+/* The next thread with rows, upwards (step 1) or downwards (-1), or -1. */
+static int neighbour(const skv_rows *rows, int thread, int step)
 {
-    for (int t = thread + 1; t < rows->threads; t++)
+    for (int t = thread + step; t >= 0 && t < rows->threads; t += step)
         if (rows->thread[t].first < rows->thread[t].end)
             return t;
     return -1;
-}
-
-static void wait_for_pressure(const lane *l)
-{
-    int upper = upper_neighbour(l->shared->rows, l->thread);
-    if (upper < 0)
-        return;
-    for (int turns = 0;
-         atomic_load_explicit(&l->shared->pressed[upper], memory_order_acquire) < l->turn;)
-        skv_pool_pause(&turns);
-}
-
-static void relax_rows(const lane *l)
-{
-    skv_rows *rows = l->shared->rows;
-    const skv_row_thread *own = l->own;
-    int first = own->first, last = own->end - 1;
-    bool empty = first > last, lowest = first == rows->first;
-    l->own->near_wall_count = 0;
-    if (!empty)
-        run_density(l, last);
-    skv_pool_barrier(l->shared->pool);
-    for (int row = first; row <= last; row++) {
-        if (row < last)
-            run_density(l, row);
-        run_pressure(l, row);
-        if (row == first)
-            atomic_store_explicit(&l->shared->pressed[l->thread], l->turn, memory_order_release);
-        if (row > first) {
-            run_displacement(l, row - 1);
-            if (row - 1 > first || lowest)
-                run_update(l, row - 1);
-        }
-    }
-    if (!empty) {
-        wait_for_pressure(l);
-        run_displacement(l, last);
-        if (last > first || lowest)
-            run_update(l, last);
-    }
-    skv_pool_barrier(l->shared->pool);
-    if (!empty && !lowest)
-        run_update(l, first);
-    skv_pool_barrier(l->shared->pool);
 }
 
 /* Row `first`'s `next` sums come from nobody: the row below it is empty. */
@@ -399,6 +386,40 @@ static void clear_lowest(skv_rows *rows)
         memset(rows->viscous_next[a] + begin, 0, bytes);
 }
 
+static void relax_rows(const lane *l)
+{
+    int first = l->own->first, last = l->own->end - 1;
+    int free =
+        l->lower < 0 ? first : first + 1; /* the first row that the thread below leaves alone */
+    if (l->lower < 0)
+        clear_lowest(l->shared->rows);
+    l->own->near_wall_count = 0;
+    await_last_turn(l, l->upper);
+    run_density(l, last);
+    reach(l, LAST_SUMMED);
+    for (int row = first; row <= last; row++) {
+        if (row < last)
+            run_density(l, row);
+        if (row == first)
+            await(l, l->lower, LAST_SUMMED);
+        run_pressure(l, row);
+        if (row == first)
+            reach(l, FIRST_PRESSED);
+        else
+            run_displacement(l, row - 1);
+        if (row > free)
+            run_update(l, row - 1);
+    }
+    await(l, l->upper, FIRST_PRESSED);
+    run_displacement(l, last);
+    reach(l, LAST_DISPLACED);
+    if (last >= free)
+        run_update(l, last);
+    await(l, l->lower, LAST_DISPLACED);
+    if (first < free)
+        run_update(l, first);
+}
+
 /* Books the time since `*start` under a phase, on one thread only. */
 static void book(skv_rows *rows, int thread, int phase, double *start)
 {
@@ -409,7 +430,41 @@ static void book(skv_rows *rows, int thread, int phase, double *start)
     *start = now;
 }
 
-static void take_substep(lane *l, bool first, bool last)
+static void begin_relaxation(void *context)
+{
+    run *shared = context;
+    skv_rows_turn_over(shared->rows);
+    shared->rows->gauged = --shared->to_take == 0;
+}
+
+static void sort(const lane *l, bool first)
+{
+    run *shared = l->shared;
+    skv_rows_sort(shared->rows, l->thread, shared->pool);
+    skv_pool_gather(shared->pool, begin_relaxation, shared);
+    if (!first)
+        return;
+    for (int row = l->own->first; row < l->own->end; row++)
+        skv_rows_part_coincident(shared->rows, row);
+    skv_pool_barrier(shared->pool);
+}
+
+static void relax(lane *l)
+{
+    const skv_rows *rows = l->shared->rows;
+    bool idle = l->own->first == l->own->end;
+    l->lower = neighbour(rows, l->thread, -1);
+    l->upper = neighbour(rows, l->thread, 1);
+    for (l->iteration = 0; l->iteration < l->shared->constants->iterations; l->iteration++) {
+        l->later = l->iteration > 0;
+        if (!idle)
+            relax_rows(l);
+        reach(l, FIRST_UPDATED);
+        l->turn++;
+    }
+}
+
+static void take_substep(lane *l, bool first)
 {
     run *shared = l->shared;
     skv_rows *rows = shared->rows;
@@ -417,17 +472,9 @@ static void take_substep(lane *l, bool first, bool last)
     for (int row = l->own->old_first; row < l->own->old_end; row++)
         shared->kernels->advance(rows, row, shared->constants, shared->boundary);
     book(rows, l->thread, ROW_ADVANCE, &start);
-    skv_rows_sort(rows, l->thread, first, shared->pool);
-    if (l->thread == 0)
-        rows->gauged = last;
+    sort(l, first);
     book(rows, l->thread, ROW_SORT, &start);
-    for (l->iteration = 0; l->iteration < shared->constants->iterations; l->iteration++) {
-        l->turn++;
-        l->later = l->iteration > 0;
-        if (l->own->first == rows->first && l->own->first < l->own->end)
-            clear_lowest(rows);
-        relax_rows(l);
-    }
+    relax(l);
     book(rows, l->thread, ROW_RELAX, &start);
 }
 
@@ -442,7 +489,7 @@ static void member(int thread, int threads, void *context)
     take_in(shared->rows, thread, shared->frame);
     book(shared->rows, thread, ROW_TRANSFER, &start);
     for (int s = 0; s < shared->substeps; s++)
-        take_substep(&l, s == 0, s == shared->substeps - 1);
+        take_substep(&l, s == 0);
     start = skv_clock();
     give_back(shared->rows, thread, shared->frame);
     book(shared->rows, thread, ROW_TRANSFER, &start);
@@ -462,7 +509,8 @@ void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
                   .boundary = boundary,
                   .pool = pool,
                   .frame = frame,
-                  .substeps = substeps};
+                  .substeps = substeps,
+                  .to_take = substeps};
     skv_pool_team(pool, member, &shared);
 }
 

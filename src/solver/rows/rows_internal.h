@@ -49,9 +49,11 @@ typedef struct skv_near_wall {
     skv_row_wall wall;
 } skv_near_wall;
 
-/* What a thread owns. */
+/* What a thread owns, on cache lines of its own. */
 typedef struct skv_row_thread {
-    int *histogram; /* particles per cell of the rows that this thread sorts; 0 between sorts */
+    /* Particles per cell, of those that this thread sorts; 0 between sorts. */
+    _Alignas(64) int *histogram;
+    int *row_size;       /* the same per row, in the rows that it has counted in */
     int lowest, highest; /* rows that it has counted particles in */
     int first, end;      /* its rows, as cut by what they cost */
     int old_first, old_end;
@@ -72,7 +74,8 @@ struct skv_rows {
     int current;
     int *key;        /* the cell a particle moves to, by old place */
     int *cell_start; /* row_count * stride: place of each cell's first particle */
-    int *row_start, *row_end, *row_size;
+    int *row_start, *row_end;
+    int *row_size;                        /* of the sort under way */
     int *new_start, *new_end;             /* of the sort under way */
     int *own_end, *next_begin, *next_end; /* partner ranges by tile */
     int *row_blocks;                      /* blocks of pairs in a row's ranges */
@@ -124,9 +127,13 @@ extern const skv_row_kernels skv_row_kernels_scalar;
 extern const skv_row_kernels skv_row_kernels_base; /* SSE2, NEON or WebAssembly */
 extern const skv_row_kernels skv_row_kernels_avx2;
 
-/* grid.c: sorts all particles; called by every thread of the pool with its index. `first`: parts
- * coincident particles as well. Ends with a barrier. */
-void skv_rows_sort(skv_rows *rows, int thread, bool first, skv_pool *pool);
+/* grid.c: sorts all particles; called by every thread of the pool with its index. Then, when all of
+ * them have come back, one turns over: the new order becomes the current one. */
+void skv_rows_sort(skv_rows *rows, int thread, skv_pool *pool);
+void skv_rows_turn_over(skv_rows *rows);
+
+/* Parts the coincident particles of a row. */
+void skv_rows_part_coincident(skv_rows *rows, int row);
 
 /* Finds the two ranges of partners of each tile of a row, and how many blocks of pairs they make:
  * in the own row up to a radius ahead, in the next row within a radius to both sides. Once a
