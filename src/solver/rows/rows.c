@@ -195,6 +195,7 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
         *ints[a] = (int *)(void *)block;
     /* The sort is over when the sums begin. */
     rows->key = (int *)(void *)rows->own[0];
+    rows->place = (int *)(void *)rows->own[0];
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
     for (int a = 0; a < 3; a++, block += tiles)
         *by_tile[a] = (int *)(void *)block;
@@ -247,18 +248,23 @@ static int provisional_rows(const skv_rows *rows)
     return rows->threads < rows->row_count / 2 ? rows->threads : rows->row_count / 2;
 }
 
+/* The first of the frame's members that a thread takes in; the threads after the last take none. */
+static int share_begin(const skv_rows *rows, const skv_row_frame *frame, int thread)
+{
+    int shares = provisional_rows(rows);
+    return thread < shares ? (int)((int64_t)frame->count * thread / shares) : frame->count;
+}
+
 /* Takes a share of the particles in as one provisional row, in the order of their numbers; the sort
  * of the first substep, which is stable, puts them where they belong. */
 static void take_in(skv_rows *rows, int thread, const skv_row_frame *frame)
 {
     const skv_row_particles *p = &rows->set[rows->current];
     skv_row_thread *own = &rows->thread[thread];
-    int shares = provisional_rows(rows);
     own->old_first = own->old_end = 0;
-    if (thread >= shares)
+    if (thread >= provisional_rows(rows))
         return;
-    int from = (int)((int64_t)frame->count * thread / shares);
-    int to = (int)((int64_t)frame->count * (thread + 1) / shares);
+    int from = share_begin(rows, frame, thread), to = share_begin(rows, frame, thread + 1);
     /* A multiple of eight, and dummies enough behind each share. */
     int place = (from & ~(ROW_LANES - 1)) + ROW_LANES * (3 * thread + 1);
     rows->row_start[thread] = place;
@@ -280,24 +286,37 @@ static void take_in(skv_rows *rows, int thread, const skv_row_frame *frame)
     own->old_end = thread + 1;
 }
 
-/* Divides by what take_in has multiplied with: that gives back the same number but for rounding to
+/* Notes where the particles of a thread's rows lie. The relaxation is over: its sums' memory is
+ * free. */
+static void note_places(const skv_rows *rows, int thread)
+{
+    const int *number = rows->set[rows->current].number;
+    for (int row = rows->thread[thread].first; row < rows->thread[thread].end; row++)
+        for (int k = rows->row_start[row]; k < rows->row_end[row]; k++)
+            rows->place[number[k] & ~ROW_HELD] = k;
+}
+
+/* Each thread gives back what it has taken in and will take in again: were it the particles of its
+ * rows, the threads would write to the same cache lines, and take them from each other for each
+ * number.
+ * Divides by what take_in has multiplied with: that gives back the same number but for rounding to
  * either side. The reciprocal is itself rounded, and a product with it would be off to the same
  * side in every frame: momentum would drift. */
 static void give_back(const skv_rows *rows, int thread, const skv_row_frame *frame)
 {
     const skv_row_particles *p = &rows->set[rows->current];
-    for (int row = rows->thread[thread].first; row < rows->thread[thread].end; row++) {
-        for (int k = rows->row_start[row]; k < rows->row_end[row]; k++) {
-            int i = p->number[k];
-            if (i & ROW_HELD)
-                continue;
-            frame->x[i] = p->x[k] / frame->length;
-            frame->y[i] = p->y[k] / frame->length;
-            frame->vx[i] = p->u[k] / frame->speed;
-            frame->vy[i] = p->v[k] / frame->speed;
-            frame->clear[i] = p->clear[k] / frame->length * SAFE_BOUND;
-            frame->pressure[i] = rows->pressure[k];
-        }
+    int end = share_begin(rows, frame, thread + 1);
+    for (int m = share_begin(rows, frame, thread); m < end; m++) {
+        int i = frame->members ? frame->members[m] : m;
+        if (i < 0)
+            continue;
+        int k = rows->place[i];
+        frame->x[i] = p->x[k] / frame->length;
+        frame->y[i] = p->y[k] / frame->length;
+        frame->vx[i] = p->u[k] / frame->speed;
+        frame->vy[i] = p->v[k] / frame->speed;
+        frame->clear[i] = p->clear[k] / frame->length * SAFE_BOUND;
+        frame->pressure[i] = rows->pressure[k];
     }
 }
 
@@ -491,6 +510,9 @@ static void member(int thread, int threads, void *context)
     for (int s = 0; s < shared->substeps; s++)
         take_substep(&l, s == 0);
     start = skv_clock();
+    skv_pool_barrier(shared->pool);
+    note_places(shared->rows, thread);
+    skv_pool_barrier(shared->pool);
     give_back(shared->rows, thread, shared->frame);
     book(shared->rows, thread, ROW_TRANSFER, &start);
 }

@@ -73,6 +73,7 @@ struct skv_rows {
     skv_row_particles set[2];
     int current;
     int *key;        /* the cell a particle moves to, by old place */
+    int *place;      /* of a frame's particle, when it is given back */
     int *cell_start; /* row_count * stride: place of each cell's first particle */
     int *row_start, *row_end;
     int *row_size;                        /* of the sort under way */
