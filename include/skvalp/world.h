@@ -38,16 +38,16 @@ typedef struct skv_fluid_def {
     float viscosity;        /* kinematic, m^2/s, on top of the method's own; 0..0.05; default 0 */
     float viscosity_linear; /* sigma, 1/s: removes a pair's approach speed; 0..1000 */
     float viscosity_quadratic; /* beta, 1/m: the same, growing with the speed; 0..1000 */
-    float near_stiffness;      /* k_near, m/s^2, calibrated law; 0..200; default 2 x 9.81 */
+    float near_stiffness;      /* k_near, m/s^2, calibrated law; 0..200; default 10 x 9.81 */
     float cohesion;            /* k_coh, m/s^2, calibrated law; 0..500; default 8 x 9.81 */
-    float relaxation;          /* omega, share of the correction applied, 0.05..0.5; default 0.25 */
+    float relaxation;          /* omega, share of the correction applied, 0.05..0.4; default 0.35 */
     int iterations;            /* relaxation rounds a substep, 1..8; default 2 (clavet: 1) */
     float clavet_stiffness;    /* k h^-1 dt^2, dimensionless, 0..0.02; default 0.004 */
     float clavet_near_stiffness; /* k_near h^-1 dt^2, dimensionless, 0..0.2; default 0.04 */
     float clavet_rest_density;   /* rho0, dimensionless, 1..40; default 10 */
     float wall_friction;    /* share of the tangential speed lost at a wall in 1/60 s, 0..1; 0.05 */
     float wall_softness;    /* share of the penetration corrected in 1/60 s, 0.1..1; default 1 */
-    float contact_distance; /* in spacings: closer than this to a wall is contact; 0..1; 0.3 */
+    float contact_distance; /* in spacings: closer than this to a wall is contact; 0..1; 0.2 (clavet: 0.3) */
     int cookie;
 } skv_fluid_def;
 

@@ -218,9 +218,12 @@ static void relax(measurement *m)
     skv_pressure_law *law = clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated;
     for (int iteration = 0; iteration < m->world->fluid.iterations; iteration++) {
         sample_walls(m);
-        skv_pass_density(s, c, &m->meter->neighbours, iteration == 0, 0, s->count);
+        bool tense = iteration == 0 && !clavet;
+        skv_pass_density(s, c, &m->meter->neighbours, tense, 0, s->count);
         law(s, c, 0, s->count);
         skv_pass_displacement(s, c, &m->meter->neighbours, 0, s->count);
+        if (tense)
+            skv_pass_tension(s, c, &m->meter->neighbours, 0, s->count);
         move_all(m, true);
     }
 }

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-skv_lattice skv_lattice_sums(double eta)
+skv_lattice skv_lattice_sums(skv_kernel kernel, double eta)
 {
     /* A hexagonal cell of side a has the area a^2 sqrt(3)/2 = s^2; in units of h, s = 1/eta. */
     double a = sqrt(2 / sqrt(3.0)) / eta;
@@ -16,11 +16,10 @@ skv_lattice skv_lattice_sums(double eta)
             double r = sqrt(x * x + y * y);
             if (r >= 1 || (row == 0 && column == 0))
                 continue;
-            double q = 1 - r;
-            sums.density += q * q;
+            double q = 1 - r, force = skv_kernel_force(kernel, q);
+            sums.density += skv_kernel_density(kernel, q);
+            sums.response += force * force;
             sums.near_density += q * q * q;
-            sums.virial += r * q;
-            sums.near_virial += r * q * q;
         }
     }
     return sums;

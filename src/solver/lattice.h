@@ -1,16 +1,16 @@
-/* Sums over the rest lattice: the densities that a particle of a fluid at rest sees. */
+/* Sums over the hexagonal lattice with one particle per spacing^2: the fluid at rest. */
 #ifndef SKV_SOLVER_LATTICE_H
 #define SKV_SOLVER_LATTICE_H
 
-/* Sums over the hexagonal lattice with one point per spacing^2, the point itself left out, for a
- * radius of `eta` spacings; q = 1 - r/h. */
+#include "base/kernels.h"
+
 typedef struct skv_lattice {
-    double density;      /* sum q^2 */
+    double density;      /* sum W */
+    double response;     /* sum F^2: how much the density answers to a push of 1, by the gain */
     double near_density; /* sum q^3 */
-    double virial;       /* sum (r/h) q: how strongly the pressure acts */
-    double near_virial;  /* sum (r/h) q^2: how strongly the near pressure acts */
 } skv_lattice;
 
-skv_lattice skv_lattice_sums(double eta);
+/* For eta = h/s, 2..4. */
+skv_lattice skv_lattice_sums(skv_kernel kernel, double eta);
 
 #endif

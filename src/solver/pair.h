@@ -37,4 +37,15 @@ static inline bool skv_pair_of(const skv_state *s, const skv_constants *c, int i
     return true;
 }
 
+/* The density kernel W and its force kernel F, see base/kernels.h. */
+static inline float skv_pair_density(const skv_constants *c, float q)
+{
+    return c->kernel == SKV_KERNEL_SMOOTH ? q * q * q * (4 - 3 * q) : q * q;
+}
+
+static inline float skv_pair_force(const skv_constants *c, float q)
+{
+    return c->kernel == SKV_KERNEL_SMOOTH ? (1 - q) * (q * q) : q;
+}
+
 #endif

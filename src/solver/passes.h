@@ -28,9 +28,8 @@ void skv_pass_apply_viscosity(skv_state *state, int begin, int end);
  * The mover, which knows the walls, then carries it out. */
 void skv_pass_advance(skv_state *state, const skv_constants *constants, int begin, int end);
 
-/* Algorithm 6, lines 3-9: densities and their gradient from neighbours and walls. The gradient of a
- * substep's first iteration serves in the others: it hardly changes, and costs a third of a pass.
- */
+/* Algorithm 6, lines 3-9: densities from neighbours and walls, and their gradient, if the tension
+ * is to follow. */
 void skv_pass_density(skv_state *state, const skv_constants *constants,
                       const skv_neighbours *neighbours, bool gradient, int begin, int end);
 
@@ -44,6 +43,11 @@ skv_pressure_law skv_pass_pressure_clavet;
  * pressure. */
 void skv_pass_displacement(skv_state *state, const skv_constants *constants,
                            const skv_neighbours *neighbours, int begin, int end);
+
+/* The calibrated law's surface tension (docs/model.md): adds to dx, dy and the gauge pressure what
+ * evens out the gradients. Once a substep, after the first displacement pass. */
+void skv_pass_tension(skv_state *state, const skv_constants *constants,
+                      const skv_neighbours *neighbours, int begin, int end);
 
 /* Algorithm 7 for particles closer to a wall than the contact distance: friction and push, in
  * dx, dy; zero for all others. Reads depth and normal. */

@@ -1,4 +1,5 @@
-/* Double density relaxation as two gather passes (Algorithm 6 with errata 6 and 6+9).
+/* Double density relaxation as gather passes (Algorithm 6 with errata 6 and 6+9), and the
+ * calibrated law's surface tension.
  *
  * Invariant: pass A (density) reads positions, pass B (displacement) reads positions and the P and
  * N of both partners; neither writes what it reads of others. A pair's two displacements are the
@@ -18,11 +19,11 @@ void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours
             skv_pair pair;
             if (!skv_pair_of(s, c, i, n->list[k], &pair))
                 continue;
-            float q_squared = pair.q * pair.q;
-            density += q_squared;
-            near_density += q_squared * pair.q;
-            gx += pair.q * pair.ux;
-            gy += pair.q * pair.uy;
+            float force = skv_pair_force(c, pair.q);
+            density += skv_pair_density(c, pair.q);
+            near_density += pair.q * pair.q * pair.q;
+            gx += force * pair.ux;
+            gy += force * pair.uy;
         }
         s->density[i] = density + s->wall_density[i];
         s->near_density[i] = near_density + s->wall_near[i];
@@ -36,21 +37,23 @@ void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours
 void skv_pass_pressure_calibrated(skv_state *s, const skv_constants *c, int begin, int end)
 {
     for (int i = begin; i < end; i++) {
-        float gx = s->gradient_x[i], gy = s->gradient_y[i];
-        /* The response of the density to the displacement. Its floor, the value in the bulk at
-         * rest, leaves bulk and surface alone and tames pairs and small groups, whose response
-         * tends to 0 while their wish to be denser does not. */
-        float response = s->density[i] + (gx * gx + gy * gy);
-        if (!(response > c->gradient_floor))
-            response = c->gradient_floor;
-        float excess = s->density[i] - c->rest_density;
-        if (excess < 0) {
-            /* Few neighbours do not draw together: no number of them could make up the density. */
-            float held = (s->density[i] - c->cohesion_from) * c->cohesion_slope;
-            excess *= c->cohesion_share * (held < 0 ? 0 : held < 1 ? held : 1);
-        }
-        s->push[i] = c->push_scale * excess / response;
-        s->near_push[i] = c->near_push_scale * s->near_density[i] / response;
+        float density = s->density[i];
+        float excess = density - c->rest_density;
+        float crowded = s->near_density[i] - c->near_share * density;
+        float missing = c->cohesion_below - density;
+        /* Few neighbours do not draw together: no number of them could make up the density. */
+        float held = (density - c->cohesion_from) * c->cohesion_slope;
+        held = held < 0 ? 0 : held < 1 ? held : 1;
+        float push = c->push_scale * (excess > 0 ? excess : 0);
+        float pull = c->cohesion_scale * (held * (missing > 0 ? missing : 0));
+        float near_push = c->near_push_scale * (crowded > 0 ? crowded : 0);
+        /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly
+         * answers. */
+        float response = c->response_slope * density;
+        if (!(response > c->response_floor))
+            response = c->response_floor;
+        s->push[i] = (push - pull - 4 * c->near_share * near_push) / response;
+        s->near_push[i] = near_push / response;
     }
 }
 
@@ -78,8 +81,8 @@ void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neigh
             skv_pair pair;
             if (!skv_pair_of(s, c, i, j, &pair))
                 continue;
-            float size =
-                ((s->push[i] + s->push[j]) + (s->near_push[i] + s->near_push[j]) * pair.q) * pair.q;
+            float size = (s->push[i] + s->push[j]) * skv_pair_force(c, pair.q) +
+                         (s->near_push[i] + s->near_push[j]) * (pair.q * pair.q);
             sum_x -= size * pair.ux;
             sum_y -= size * pair.uy;
             virial += (1 - pair.q) * size;
@@ -88,8 +91,34 @@ void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neigh
          * fluid, heats the fluid. */
         s->dx[i] = sum_x + (s->push[i] * s->f1x[i] + s->near_push[i] * s->f2x[i]);
         s->dy[i] = sum_y + (s->push[i] * s->f1y[i] + s->near_push[i] * s->f2y[i]);
-        /* The virial of a smooth solid: n0 int r q is about h R, n0 int r q^2 about 2/3 h Rn. */
-        virial += s->push[i] * s->wall_density[i] + 2.0f / 3 * s->near_push[i] * s->wall_near[i];
+        /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
+        virial += c->wall_virial * s->push[i] * s->wall_density[i] +
+                  2.0f / 3 * s->near_push[i] * s->wall_near[i];
         s->pressure[i] += c->pressure_scale * c->h * virial;
+    }
+}
+
+void skv_pass_tension(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
+                      int end)
+{
+    for (int i = begin; i < end; i++) {
+        float sum_x = 0, sum_y = 0, virial = 0;
+        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
+            int j = n->list[k];
+            skv_pair pair;
+            if (!skv_pair_of(s, c, i, j, &pair))
+                continue;
+            /* The slope of F r^ = (r/h) q^2 r^: q^2 across the pair, q^2 - 2q r/h along it. */
+            float ex = s->gradient_x[i] - s->gradient_x[j];
+            float ey = s->gradient_y[i] - s->gradient_y[j];
+            float q_squared = pair.q * pair.q, r = 1 - pair.q;
+            float along = ex * pair.ux + ey * pair.uy, turned = 2 * pair.q * r * along;
+            sum_x += q_squared * ex - turned * pair.ux;
+            sum_y += q_squared * ey - turned * pair.uy;
+            virial += r * (turned - q_squared * along);
+        }
+        s->dx[i] += c->tension_scale * sum_x;
+        s->dy[i] += c->tension_scale * sum_y;
+        s->pressure[i] += c->pressure_scale * c->h * c->tension_scale * virial;
     }
 }

@@ -7,6 +7,8 @@
 #ifndef SKV_SOLVER_STATE_H
 #define SKV_SOLVER_STATE_H
 
+#include "base/kernels.h"
+
 #include <stdint.h>
 
 /* One element per particle. SI units unless it says otherwise. */
@@ -17,8 +19,8 @@ typedef struct skv_state {
     float *wx, *wy; /* sum of the substep's position corrections, m (docs/model.md, "float32") */
     float *dx, *dy; /* what a gather pass has found: a change of velocity or of position */
 
-    float *density, *near_density;  /* sum q^2, sum q^3, walls included; dimensionless */
-    float *gradient_x, *gradient_y; /* sum q r^, walls included; dimensionless */
+    float *density, *near_density;  /* sum W, sum q^3, walls included; dimensionless */
+    float *gradient_x, *gradient_y; /* sum F r^, walls included; dimensionless */
     float *push, *near_push;        /* P and N of the pressure law, m */
     float *pressure;                /* gauge pressure of the substep, Pa m */
 
@@ -40,14 +42,21 @@ typedef struct skv_constants {
     float viscosity_linear, viscosity_quadratic; /* sigma 1/s, beta 1/m */
 
     /* Pressure laws. Densities are dimensionless. */
+    skv_kernel kernel;     /* of the density; the near density has its own */
     float rest_density;    /* rho0 */
-    float gradient_floor;  /* smallest rho + |g|^2 that the calibrated law divides by */
-    float push_scale;      /* calibrated: omega h/2; clavet: dt^2 k/2; m */
+    float push_scale;      /* calibrated: omega h/gain; clavet: dt^2 k/2; m */
     float near_push_scale; /* the same for the near density; m */
-    float cohesion_share;  /* calibrated: factor on C where C < 0 */
-    float cohesion_from;   /* calibrated: density up to which there is no cohesion ... */
-    float cohesion_slope;  /* ... and how steeply its share grows to 1 from there */
     float push_limit;      /* clavet: bound of rho N, m */
+    float wall_virial;     /* distance times push of a smooth solid, per h R */
+    /* Calibrated law alone. */
+    float response_slope; /* how strongly the density answers to a push, per density, ... */
+    float response_floor; /* ... and at least */
+    float near_share;     /* near density per density in the lattice at rest: more is a crowd */
+    float cohesion_scale; /* cohesion per missing density, m */
+    float cohesion_below; /* density from which on none is missing */
+    float cohesion_from;  /* density up to which there is no cohesion ... */
+    float cohesion_slope; /* ... and how steeply its share grows to 1 from there */
+    float tension_scale;  /* of the surface tension, m */
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 

@@ -1,5 +1,5 @@
-/* Integrates (1-r)^2, (1-r)^3 and the force kernels (1-r) r^, (1-r)^2 r^ over the cells of a grid.
- * Invariant: the kernels have the mirror symmetries of the grid exactly.
+/* Integrates the density kernels W and q^3 and the force kernels F r^ and q^2 r^ over the cells of
+ * a grid. Invariant: the kernels have the mirror symmetries of the grid exactly.
  */
 #include "terrain/wall_kernel.h"
 
@@ -9,7 +9,7 @@
 /* Sample points a cell side. */
 #define SUBSAMPLES 8
 
-static void integrate_cell(int column, int row, double values[SKV_WALL_MAPS])
+static void integrate_cell(skv_kernel pressure, int column, int row, double values[SKV_WALL_MAPS])
 {
     const double step = 1.0 / (SKV_WALL_REACH * SUBSAMPLES), area = step * step;
     const double middle = 0.5 * (SUBSAMPLES - 1);
@@ -20,25 +20,27 @@ static void integrate_cell(int column, int row, double values[SKV_WALL_MAPS])
             double r = sqrt(x * x + y * y), q = 1 - r;
             if (q <= 0)
                 continue;
-            values[SKV_WALL_R] += q * q * area;
+            double force = skv_kernel_force(pressure, q);
+            values[SKV_WALL_R] += skv_kernel_density(pressure, q) * area;
             values[SKV_WALL_RN] += q * q * q * area;
             /* The push points from the solid to the particle. */
-            values[SKV_WALL_F1X] -= q * x / r * area;
-            values[SKV_WALL_F1Y] -= q * y / r * area;
+            values[SKV_WALL_F1X] -= force * x / r * area;
+            values[SKV_WALL_F1Y] -= force * y / r * area;
             values[SKV_WALL_F2X] -= q * q * x / r * area;
             values[SKV_WALL_F2Y] -= q * q * y / r * area;
         }
     }
 }
 
-void skv_wall_kernel_make(double particles_per_square_radius, skv_wall_kernel *kernel)
+void skv_wall_kernel_make(skv_kernel pressure, double particles_per_square_radius,
+                          skv_wall_kernel *kernel)
 {
     memset(kernel, 0, sizeof *kernel);
     for (int j = 0; j < SKV_WALL_SPAN; j++) {
         int row = j - SKV_WALL_REACH;
         for (int column = 0; column <= SKV_WALL_REACH; column++) {
             double values[SKV_WALL_MAPS] = {0};
-            integrate_cell(column, row < 0 ? -row : row, values);
+            integrate_cell(pressure, column, row < 0 ? -row : row, values);
             if (row < 0) {
                 values[SKV_WALL_F1Y] = -values[SKV_WALL_F1Y];
                 values[SKV_WALL_F2Y] = -values[SKV_WALL_F2Y];

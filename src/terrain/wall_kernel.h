@@ -2,6 +2,8 @@
 #ifndef SKV_TERRAIN_WALL_KERNEL_H
 #define SKV_TERRAIN_WALL_KERNEL_H
 
+#include "base/kernels.h"
+
 /* Map cells a smoothing radius. Ten is enough: finer buys nothing, below seven it shows. */
 #define SKV_WALL_REACH 10
 #define SKV_WALL_SPAN  (2 * SKV_WALL_REACH + 1)
@@ -27,7 +29,8 @@ typedef struct skv_wall_kernel {
     int half_width[SKV_WALL_SPAN];               /* the largest x with a weight */
 } skv_wall_kernel;
 
-/* Fills the kernel for n0 h^2 = (h / s)^2. */
-void skv_wall_kernel_make(double particles_per_square_radius, skv_wall_kernel *kernel);
+/* Fills the table for n0 h^2 = (h / s)^2 and the kernel of the pressure. */
+void skv_wall_kernel_make(skv_kernel pressure, double particles_per_square_radius,
+                          skv_wall_kernel *kernel);
 
 #endif

@@ -43,7 +43,8 @@ typedef struct block {
 } block;
 
 struct skv_wall_map {
-    double radius;     /* m */
+    double radius; /* m */
+    skv_kernel pressure;
     double density;    /* particles in a square radius */
     float per_metre;   /* cells a metre */
     int columns, rows; /* blocks */
@@ -245,7 +246,7 @@ static double blocks_along(int pixels, double cell)
 }
 
 skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
-                               skv_wall_map **map, skv_error *error)
+                               skv_kernel pressure, skv_wall_map **map, skv_error *error)
 {
     SKV_ASSERT_OR(map, SKV_ERROR_VALUE);
     *map = NULL;
@@ -275,6 +276,7 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
     }
     *made = (skv_wall_map){
         .radius = h,
+        .pressure = pressure,
         .density = h / s * (h / s),
         .per_metre = (float)(SKV_WALL_REACH / h),
         .columns = (int)columns,
@@ -282,7 +284,7 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
         .index = index,
     };
     b.map = made;
-    skv_wall_kernel_make(made->density, &b.kernel);
+    skv_wall_kernel_make(pressure, made->density, &b.kernel);
     for (int k = 0; k < SKV_WALL_MAPS; k++)
         made->full[k] = b.kernel.full[k];
     sort_blocks(&b);
@@ -369,7 +371,8 @@ static void tabulate_flat(skv_wall_map *map, const skv_shadow_rays *rays)
     float at[FLAT_STEPS + 1][SKV_WALL_MAPS];
     const int maps[4] = {SKV_WALL_R, SKV_WALL_RN, SKV_WALL_F1X, SKV_WALL_F2X};
     for (int i = 0; i <= FLAT_STEPS; i++)
-        skv_shadow_of_plane(rays, KEEP_OFF / SKV_WALL_REACH * i / FLAT_STEPS, map->density, at[i]);
+        skv_shadow_of_plane(rays, map->pressure, KEEP_OFF / SKV_WALL_REACH * i / FLAT_STEPS,
+                            map->density, at[i]);
     for (int i = 0; i <= FLAT_STEPS; i++) {
         for (int k = 0; k < 4; k++)
             map->flat[i][k] = at[i][maps[k]] / at[FLAT_STEPS][maps[k]];
@@ -388,8 +391,9 @@ static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
             float y = (float)((y0 + j + 0.5 - MARGIN) * cell);
             float gx = skv_to_grid(terrain, x), gy = skv_to_grid(terrain, y);
             if (skv_near_thin_wall(map->thin, x, y) && skv_grid_distance(terrain, gx, gy) > 0)
-                skv_shadow_at(rays, terrain, gx, gy, map->radius * (double)terrain->per_metre,
-                              map->density, b->samples[j][i]);
+                skv_shadow_at(rays, map->pressure, terrain, gx, gy,
+                              map->radius * (double)terrain->per_metre, map->density,
+                              b->samples[j][i]);
         }
     }
 }

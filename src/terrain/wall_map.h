@@ -1,14 +1,16 @@
 /* Wall density maps: what the solid adds to the density sums of a particle near it.
  *
  * For a smoothing radius h and a rest spacing s, with n0 = 1/s^2 and q = 1 - r/h, integrated over
- * the solid around a point: R = n0 * int q^2, Rn = n0 * int q^3, and the vectors
- * F1 = -(h/2) grad R and F2 = -(h/3) grad Rn, which are n0 * int q r^ and n0 * int q^2 r^ with r^
- * pointing away from the solid. Stored on a grid of about h/10 and sampled bilinearly; bilinear
- * samples of central differences drive creeping flow, so the vectors are stored, not derived.
+ * the solid around a point: R = n0 * int W, Rn = n0 * int q^3, and the vectors
+ * F1 = -(h/gain) grad R and F2 = -(h/3) grad Rn, which are n0 * int F r^ and n0 * int q^2 r^ with
+ * r^ pointing away from the solid; W, F and gain are those of the pressure's kernel. R and F1 carry
+ * its weight for walls. Stored on a grid of about h/10 and sampled bilinearly; bilinear samples of
+ * central differences drive creeping flow, so the vectors are stored, not derived.
  */
 #ifndef SKV_TERRAIN_WALL_MAP_H
 #define SKV_TERRAIN_WALL_MAP_H
 
+#include "base/kernels.h"
 #include "skvalp/terrain.h"
 
 typedef struct skv_wall_map skv_wall_map;
@@ -20,9 +22,9 @@ typedef struct skv_wall_sample {
     float f2x, f2y; /* F2: dimensionless */
 } skv_wall_sample;
 
-/* Builds the maps of a terrain for one h and s. `terrain` is only read during the call. */
+/* Builds the maps of a terrain for one h, s and kernel. `terrain` is only read during the call. */
 skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
-                               skv_wall_map **map, skv_error *error);
+                               skv_kernel pressure, skv_wall_map **map, skv_error *error);
 void skv_wall_map_destroy(skv_wall_map *map);
 
 /* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */

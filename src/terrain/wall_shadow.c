@@ -34,16 +34,22 @@ void skv_shadow_rays_make(skv_shadow_rays *rays)
     }
 }
 
-/* Adds a ray that sees as far as `sight` radii. With u = 1 - r the integrals of u^2, u^3, u and u^2
- * times r dr from there to 1. */
-static void add_ray(double x, double y, double sight, double sums[SKV_WALL_MAPS])
+/* Adds a ray that sees as far as `sight` radii: with u = 1 - r the integrals of the kernels W(u),
+ * u^3, F(u) and u^2 times r dr from there to 1. */
+static void add_ray(skv_kernel pressure, double x, double y, double sight,
+                    double sums[SKV_WALL_MAPS])
 {
     double u = 1 - sight;
     if (!(u > 0))
         return;
-    double u2 = u * u, u3 = u2 * u, push = u2 / 2 - u3 / 3, near_push = u3 / 3 - u2 * u2 / 4;
-    sums[SKV_WALL_R] += near_push;
-    sums[SKV_WALL_RN] += u2 * u2 / 4 - u2 * u3 / 5;
+    double u2 = u * u, u3 = u2 * u, u4 = u2 * u2, u5 = u4 * u;
+    double density = u3 / 3 - u4 / 4, push = u2 / 2 - u3 / 3, near_push = u3 / 3 - u4 / 4;
+    if (pressure == SKV_KERNEL_SMOOTH) {
+        density = u4 - 1.4 * u5 + u3 * u3 / 2;
+        push = u3 / 3 - u4 / 2 + u5 / 5;
+    }
+    sums[SKV_WALL_R] += density;
+    sums[SKV_WALL_RN] += u4 / 4 - u5 / 5;
     /* The push points from the wall to the particle. */
     sums[SKV_WALL_F1X] -= x * push;
     sums[SKV_WALL_F1Y] -= y * push;
@@ -73,25 +79,25 @@ static double sight(const skv_terrain *terrain, double gx, double gy, double x, 
     return longest;
 }
 
-void skv_shadow_at(const skv_shadow_rays *rays, const skv_terrain *terrain, float gx, float gy,
-                   double radius_pixels, double particles_per_square_radius,
+void skv_shadow_at(const skv_shadow_rays *rays, skv_kernel pressure, const skv_terrain *terrain,
+                   float gx, float gy, double radius_pixels, double particles_per_square_radius,
                    float values[SKV_WALL_MAPS])
 {
     double sums[SKV_WALL_MAPS] = {0};
     for (int i = 0; i < SKV_SHADOW_RAYS; i++) {
         double seen = sight(terrain, (double)gx, (double)gy, rays->x[i], rays->y[i], radius_pixels);
-        add_ray(rays->x[i], rays->y[i], seen / radius_pixels, sums);
+        add_ray(pressure, rays->x[i], rays->y[i], seen / radius_pixels, sums);
     }
     finish(sums, particles_per_square_radius, values);
 }
 
-void skv_shadow_of_plane(const skv_shadow_rays *rays, double distance,
+void skv_shadow_of_plane(const skv_shadow_rays *rays, skv_kernel pressure, double distance,
                          double particles_per_square_radius, float values[SKV_WALL_MAPS])
 {
     double sums[SKV_WALL_MAPS] = {0};
     for (int i = 0; i < SKV_SHADOW_RAYS; i++) {
         if (-rays->x[i] > distance)
-            add_ray(rays->x[i], rays->y[i], distance / -rays->x[i], sums);
+            add_ray(pressure, rays->x[i], rays->y[i], distance / -rays->x[i], sums);
     }
     finish(sums, particles_per_square_radius, values);
 }

@@ -15,14 +15,14 @@ typedef struct skv_shadow_rays {
 
 void skv_shadow_rays_make(skv_shadow_rays *rays);
 
-/* The sums at a point in grid coordinates, for a radius in pixels and n0 h^2 particles in a square
- * radius. */
-void skv_shadow_at(const skv_shadow_rays *rays, const skv_terrain *terrain, float gx, float gy,
-                   double radius_pixels, double particles_per_square_radius,
+/* The sums at a point in grid coordinates, for a kernel of the pressure, a radius in pixels and n0
+ * h^2 particles in a square radius. */
+void skv_shadow_at(const skv_shadow_rays *rays, skv_kernel pressure, const skv_terrain *terrain,
+                   float gx, float gy, double radius_pixels, double particles_per_square_radius,
                    float values[SKV_WALL_MAPS]);
 
 /* The same beside a flat wall at a distance in radii; the vectors point along x. */
-void skv_shadow_of_plane(const skv_shadow_rays *rays, double distance,
+void skv_shadow_of_plane(const skv_shadow_rays *rays, skv_kernel pressure, double distance,
                          double particles_per_square_radius, float values[SKV_WALL_MAPS]);
 
 #endif

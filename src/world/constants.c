@@ -20,11 +20,13 @@ enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
 #define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
-#define LATTICE_RESPONSE 1.0   /* floor of the response, in rest densities, see relaxation.c */
 #define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
 #define MOST_VISCOUS     0.5   /* sigma dt */
-#define COHESION_FROM    0.25  /* rest densities: a little less than two in one place */
+#define COHESION_FROM    0.25  /* rest densities: a little more than two in one place */
 #define COHESION_FULL    0.5   /* rest densities: a little less than at a flat surface */
+#define COHESION_BELOW   0.95  /* rest densities: the bulk, which wants for nothing */
+#define COHESION_PULL    3.57  /* F is so much weaker here than q, for which k_coh was meant */
+#define COHESION_TENSION 0.255 /* of k_coh; more makes drops stiffer, less lets them come apart */
 #define COHESION_MARGIN  6     /* how much stiffer than the cohesion the pressure must be */
 
 skv_fluid_def skv_default_fluid_def(skv_law law)
@@ -38,16 +40,16 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
         .viscosity = 0,
         .viscosity_linear = 0,
         .viscosity_quadratic = 0,
-        .near_stiffness = 2 * 9.81f,
+        .near_stiffness = 98.1f,
         .cohesion = 8 * 9.81f,
-        .relaxation = 0.25f,
+        .relaxation = 0.35f,
         .iterations = clavet ? 1 : 2,
         .clavet_stiffness = 0.004f,
         .clavet_near_stiffness = 0.04f,
         .clavet_rest_density = 10,
         .wall_friction = 0.05f,
         .wall_softness = 1,
-        .contact_distance = 0.3f,
+        .contact_distance = clavet ? 0.3f : 0.2f,
         .cookie = FLUID_COOKIE,
     };
 }
@@ -103,7 +105,7 @@ skv_result skv_check_fluid(const skv_fluid_def *f, skv_error *error)
         {"viscosity_quadratic", (double)f->viscosity_quadratic, 0, 1000},
         {"near_stiffness", (double)f->near_stiffness, 0, 200},
         {"cohesion", (double)f->cohesion, 0, 500},
-        {"relaxation", (double)f->relaxation, 0.05f, 0.5},
+        {"relaxation", (double)f->relaxation, 0.05f, 0.4f},
         {"iterations", f->iterations, 1, 8},
         {"clavet_stiffness", (double)f->clavet_stiffness, 0, 0.02f},
         {"clavet_near_stiffness", (double)f->clavet_near_stiffness, 0, 0.2f},
@@ -133,10 +135,17 @@ skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
     return result == SKV_OK ? skv_check_fluid(&def->fluid, error) : result;
 }
 
-/* Stiffness that the calibrated law's relaxation amounts to, m/s^2. */
-static double effective_stiffness(const skv_fluid_def *f, double h, double dt, double rest)
+skv_kernel skv_law_kernel(skv_law law)
 {
-    return (double)f->relaxation * f->iterations * h / (dt * dt * rest);
+    return law == SKV_LAW_CLAVET ? SKV_KERNEL_SPIKY : SKV_KERNEL_SMOOTH;
+}
+
+/* The stiffness k that the calibrated law's relaxation amounts to in the bulk, m/s^2: particles
+ * push with k C/2. */
+static double effective_stiffness(const skv_fluid_def *f, double h, double dt, double response)
+{
+    double gain = skv_kernel_gain(SKV_KERNEL_SMOOTH);
+    return 2 * (double)f->relaxation * f->iterations * h / (gain * dt * dt * response);
 }
 
 /* sigma of all the fluid's linear viscosity, 1/s. A pair at distance r in a shear flow of rate g
@@ -176,9 +185,9 @@ int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
     } else {
         substeps = FRAME / (SPEED_OF_SOUND * h) * sqrt(g * (double)depth / COMPRESSION);
         /* Cohesion needs a stiffer pressure to hold it, or small groups gain energy by it. */
-        double rest = skv_lattice_sums((double)f->radius_ratio).density;
-        double at_one = effective_stiffness(f, h, FRAME, rest);
-        double needed = sqrt(COHESION_MARGIN * (double)f->cohesion / at_one);
+        skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SMOOTH, (double)f->radius_ratio);
+        double at_one = effective_stiffness(f, h, FRAME, lattice.response);
+        double needed = sqrt(COHESION_MARGIN * COHESION_PULL * (double)f->cohesion / at_one);
         if (substeps < needed)
             substeps = needed;
     }
@@ -198,21 +207,23 @@ static double share_for(double share_a_frame, double dt)
 
 static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, double dt)
 {
-    skv_lattice lattice = skv_lattice_sums((double)f->radius_ratio);
-    double stiffness = effective_stiffness(f, h, dt, lattice.density);
-    double near_share = (double)f->near_stiffness / stiffness;
-    double cohesion_share = (double)f->cohesion / stiffness;
-    double omega = (double)f->relaxation;
-    /* The near pressure alone would swell the fluid; the rest density makes room for it, so that
-     * the lattice at one particle per spacing^2 is the one without pressure. */
-    double swelling = lattice.near_density * lattice.near_virial / lattice.virial;
-    c->rest_density = (float)(lattice.density + near_share * swelling);
-    c->gradient_floor = (float)(LATTICE_RESPONSE * lattice.density);
-    c->push_scale = (float)(omega * h / 2);
-    c->near_push_scale = (float)(omega * near_share * h / 2);
-    c->cohesion_share = (float)(cohesion_share < 1 ? cohesion_share : 1);
-    c->cohesion_from = (float)(COHESION_FROM * lattice.density);
-    c->cohesion_slope = (float)(1 / ((COHESION_FULL - COHESION_FROM) * lattice.density));
+    skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SMOOTH, (double)f->radius_ratio);
+    double rest = lattice.density, cohesion = (double)f->cohesion;
+    /* A displacement in each iteration that amounts to half an acceleration of 1 in the bulk. */
+    double half = dt * dt * lattice.response / (2 * f->iterations);
+    c->rest_density = (float)rest;
+    c->push_scale = (float)((double)f->relaxation * h / skv_kernel_gain(SKV_KERNEL_SMOOTH));
+    c->response_slope = (float)(lattice.response / rest);
+    c->response_floor = (float)lattice.response;
+    c->near_push_scale = (float)(half * (double)f->near_stiffness);
+    c->near_share = (float)(lattice.near_density / rest);
+    c->cohesion_scale = (float)(half * COHESION_PULL * cohesion);
+    c->cohesion_below = (float)(COHESION_BELOW * rest);
+    c->cohesion_from = (float)(COHESION_FROM * rest);
+    c->cohesion_slope = (float)(1 / ((COHESION_FULL - COHESION_FROM) * rest));
+    c->tension_scale = (float)(dt * dt * COHESION_TENSION * cohesion);
+    /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
+    c->wall_virial = 1.0f / 6;
 }
 
 static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
@@ -221,8 +232,8 @@ static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
     c->rest_density = f->clavet_rest_density;
     c->push_scale = (float)(0.5 * (double)f->clavet_stiffness * h);
     c->near_push_scale = (float)(0.5 * (double)f->clavet_near_stiffness * h);
-    c->cohesion_share = 1;
     c->push_limit = (float)(CLAVET_LIMIT * h);
+    c->wall_virial = 1;
 }
 
 skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
@@ -237,6 +248,7 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         .max_speed = (float)(MAX_COURANT * h / dt),
         .viscosity_linear = (float)linear_viscosity(f),
         .viscosity_quadratic = f->viscosity_quadratic,
+        .kernel = skv_law_kernel(f->law),
         .contact_distance = f->contact_distance * f->spacing,
         .softness = (float)share_for((double)f->wall_softness, dt),
         .friction = (float)share_for((double)f->wall_friction, dt),

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* A particle is in the bulk if its surroundings are even: |g| below this share of its value at a
- * flat surface, h^2 n0 / 3. */
+ * flat surface. */
 #define BULK_GRADIENT 0.3
 
 static bool finite_particle(const skv_state *s, int i)
@@ -38,6 +38,7 @@ typedef struct surroundings {
 static surroundings look_around(const skv_world *world, const skv_neighbours *lists,
                                 const skv_constants *constants, int i)
 {
+    skv_kernel kernel = skv_law_kernel(world->fluid.law);
     surroundings around = {0};
     double gx = 0, gy = 0;
     for (int k = lists->start[i]; k < lists->start[i + 1]; k++) {
@@ -45,9 +46,10 @@ static surroundings look_around(const skv_world *world, const skv_neighbours *li
         if (!skv_pair_of(&world->state, constants, i, lists->list[k], &pair))
             continue;
         around.neighbours += 1;
-        around.density += (double)(pair.q * pair.q);
-        gx += (double)(pair.q * pair.ux);
-        gy += (double)(pair.q * pair.uy);
+        double q = (double)pair.q, force = skv_kernel_force(kernel, q);
+        around.density += skv_kernel_density(kernel, q);
+        gx += force * (double)pair.ux;
+        gy += force * (double)pair.uy;
     }
     skv_wall_sample wall;
     skv_walls_at(world, world->state.x[i], world->state.y[i], &wall);
@@ -78,7 +80,11 @@ static void measure_packing(const skv_world *world, skv_stats *stats)
     if (result == SKV_OK) {
         skv_neighbours_build(&lists, s, world->h, NULL);
         double eta = (double)world->fluid.radius_ratio;
-        double rest = skv_lattice_sums(eta).density, bulk_below = BULK_GRADIENT * eta * eta / 3;
+        skv_kernel kernel = skv_law_kernel(world->fluid.law);
+        /* n0 times the integral of F x/r over a half disc. */
+        double at_surface = eta * eta / (kernel == SKV_KERNEL_SMOOTH ? 15 : 3);
+        double rest = skv_lattice_sums(kernel, eta).density;
+        double bulk_below = BULK_GRADIENT * at_surface;
         skv_constants constants = skv_make_constants(&world->fluid, 1.0f / 60);
         double pairs = 0, volume = 0, bulk = 0;
         for (int i = 0; i < s->count; i++) {

@@ -103,6 +103,12 @@ static void displacement(int begin, int end, void *context)
     skv_pass_displacement(sub->state, sub->constants, &sub->world->neighbours, begin, end);
 }
 
+static void tension(int begin, int end, void *context)
+{
+    const substep *sub = context;
+    skv_pass_tension(sub->state, sub->constants, &sub->world->neighbours, begin, end);
+}
+
 /* Carries out the collected corrections and keeps what was carried out in w. */
 static void correct(int begin, int end, void *context)
 {
@@ -176,10 +182,12 @@ void skv_reference_substep(skv_world *world)
     update_neighbours(sub);
     for (int i = 0; i < fluid->iterations; i++) {
         run(sub, SKV_PASS_WALLS, walls);
-        sub->with_gradient = i == 0;
+        sub->with_gradient = i == 0 && fluid->law == SKV_LAW_CALIBRATED;
         run(sub, SKV_PASS_DENSITY, density);
         run(sub, SKV_PASS_PRESSURE, pressure);
         run(sub, SKV_PASS_DISPLACEMENT, displacement);
+        if (sub->with_gradient)
+            run(sub, SKV_PASS_DISPLACEMENT, tension);
         run(sub, SKV_PASS_DISPLACEMENT, correct);
     }
     run(sub, SKV_PASS_CONTACT, find_contacts);

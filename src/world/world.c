@@ -117,7 +117,8 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     skv_result result = def->tasks.run ? skv_pool_create_lent(&def->tasks, &world->pool, error)
                                        : skv_pool_create(def->threads, &world->pool, error);
     if (result == SKV_OK)
-        result = skv_wall_map_create(terrain, world->h, world->fluid.spacing, &world->walls, error);
+        result = skv_wall_map_create(terrain, world->h, world->fluid.spacing,
+                                     skv_law_kernel(world->fluid.law), &world->walls, error);
     if (result == SKV_OK)
         result = skv_wall_map_shade(world->walls, terrain, error);
     if (result == SKV_OK && world->solver == SKV_SOLVER_REFERENCE)

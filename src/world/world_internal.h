@@ -61,6 +61,9 @@ struct skv_world {
 skv_result skv_check_fluid(const skv_fluid_def *fluid, skv_error *error);
 skv_result skv_check_world_def(const skv_world_def *def, skv_error *error);
 int skv_substep_rule(const skv_fluid_def *fluid, float gravity, float depth);
+/* The kernel of a law's pressure. */
+skv_kernel skv_law_kernel(skv_law law);
+
 skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
 
 /* True if lo <= value <= hi; false for a NaN. */

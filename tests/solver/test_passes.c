@@ -167,6 +167,34 @@ static double difference(const float *array, const double *exact)
             fail_msg("%s differs by %g, more than %g", #array, found, (double)(tolerance));        \
     } while (0)
 
+/* By itself: beside the displacement of such a state it is small. */
+static void check_tension(twin *t)
+{
+    skv_state *s = &t->state;
+    oracle *o = &t->o, *alone = malloc(sizeof *alone);
+    if (o->clavet) {
+        free(alone);
+        return;
+    }
+    *alone = *o;
+    skv_state kept = *s;
+    float dx[N] = {0}, dy[N] = {0}, pressure[N] = {0};
+    s->dx = dx;
+    s->dy = dy;
+    s->pressure = pressure;
+    for (int i = 0; i < N; i++)
+        alone->dx[i] = alone->dy[i] = alone->pressure[i] = 0;
+    skv_pass_tension(s, &t->constants, &t->lists, 0, N);
+    oracle_tension(alone);
+    assert_close(s->dx, alone->dx, 1e-5);
+    assert_close(s->dy, alone->dy, 1e-5);
+    assert_close(s->pressure, alone->pressure, 1e-5);
+    *s = kept;
+    skv_pass_tension(s, &t->constants, &t->lists, 0, N);
+    oracle_tension(o);
+    free(alone);
+}
+
 static void check_twin(twin *t)
 {
     skv_state *s = &t->state;
@@ -222,6 +250,7 @@ static void check_twin(twin *t)
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->dy, o->dy, 1e-5);
     assert_close(s->pressure, o->pressure, 1e-5);
+    check_tension(t);
     for (int i = 0; i < N; i++) {
         s->wx[i] += s->dx[i];
         s->wy[i] += s->dy[i];
@@ -285,6 +314,8 @@ static void pair_passes_keep_momentum(void **unused)
                 (law == SKV_LAW_CLAVET ? skv_pass_pressure_clavet
                                        : skv_pass_pressure_calibrated)(s, &t->constants, 0, N);
                 skv_pass_displacement(s, &t->constants, &t->lists, 0, N);
+                if (law == SKV_LAW_CALIBRATED)
+                    skv_pass_tension(s, &t->constants, &t->lists, 0, N);
             }
             double sum_x = 0, sum_y = 0, size = 0;
             for (int i = 0; i < N; i++) {

@@ -18,37 +18,67 @@ static double pair_at(const oracle *o, int i, int j, double *ux, double *uy)
     return fmax(0, 1 - r / radius_of(o));
 }
 
-/* Hexagonal lattice with one point per s^2; sums of q^a (r/h)^b over all points but the centre. */
-static double lattice_sum(double eta, int q_power, int r_power)
+/* The laws' density kernels at distance x, in h, and their slopes there. */
+static double kernel(bool clavet, double x)
 {
-    double side = sqrt(2 / sqrt(3)) / eta, sum = 0;
+    return clavet ? pow(1 - x, 2) : pow(1 - x, 3) * (1 + 3 * x);
+}
+
+static double kernel_slope(bool clavet, double x)
+{
+    return clavet ? -2 * (1 - x) : -12 * x * pow(1 - x, 2);
+}
+
+/* The slope in the units of the push, which is q for Clavet's kernel and x q^2 for the other. */
+static double force(bool clavet, double x)
+{
+    return kernel_slope(clavet, x) / (clavet ? -2 : -12);
+}
+
+/* Hexagonal lattice with one point per s^2: distances of all points within h of the middle one. */
+static int lattice_distances(double eta, double *x)
+{
+    double side = sqrt(2 / sqrt(3)) / eta;
+    int count = 0;
     for (int a = -30; a <= 30; a++) {
         for (int b = -30; b <= 30; b++) {
             double r = hypot(side * (a + 0.5 * b), side * b * sqrt(0.75));
             if ((a || b) && r < 1)
-                sum += pow(1 - r, q_power) * pow(r, r_power);
+                x[count++] = r;
         }
     }
+    return count;
+}
+
+enum { LATTICE_MAX = 100 };
+
+double oracle_lattice_density(bool clavet, double eta)
+{
+    double x[LATTICE_MAX], sum = 0;
+    for (int i = lattice_distances(eta, x); i-- > 0;)
+        sum += kernel(clavet, x[i]);
     return sum;
 }
 
-double oracle_lattice_density(double eta)
+static double lattice_response(double eta)
 {
-    return lattice_sum(eta, 2, 0);
+    double x[LATTICE_MAX], sum = 0;
+    for (int i = lattice_distances(eta, x); i-- > 0;)
+        sum += pow(force(false, x[i]), 2);
+    return sum;
 }
 
-static double effective_stiffness(const oracle *o)
+static double lattice_near_density(double eta)
 {
-    return o->omega * o->iterations * radius_of(o) /
-           (o->dt * o->dt * oracle_lattice_density(o->eta));
+    double x[LATTICE_MAX], sum = 0;
+    for (int i = lattice_distances(eta, x); i-- > 0;)
+        sum += pow(1 - x[i], 3);
+    return sum;
 }
 
 double oracle_rest_density(const oracle *o)
 {
-    if (o->clavet)
-        return o->rest_density_clavet;
-    double a = lattice_sum(o->eta, 3, 0) * lattice_sum(o->eta, 2, 1) / lattice_sum(o->eta, 1, 1);
-    return oracle_lattice_density(o->eta) + a * o->k_near / effective_stiffness(o);
+    return o->clavet ? o->rest_density_clavet : oracle_lattice_density(false, o->eta);
 }
 
 void oracle_external_forces(oracle *o, const oracle_hand *hand)
@@ -119,35 +149,44 @@ void oracle_density(oracle *o, bool gradient)
             if (j == i)
                 continue;
             double ux, uy, q = pair_at(o, i, j, &ux, &uy);
-            o->density[i] += q * q;
+            if (q <= 0)
+                continue;
+            o->density[i] += kernel(o->clavet, 1 - q);
             o->near_density[i] += q * q * q;
-            o->gx[i] += gradient ? q * ux : 0;
-            o->gy[i] += gradient ? q * uy : 0;
+            o->gx[i] += gradient ? force(o->clavet, 1 - q) * ux : 0;
+            o->gy[i] += gradient ? force(o->clavet, 1 - q) * uy : 0;
         }
     }
 }
 
+static void pressure_clavet(oracle *o, int i)
+{
+    double h = radius_of(o), excess = o->density[i] - o->rest_density_clavet;
+    double strength = o->density[i] * 0.5 * o->k_near_clavet * o->near_density[i];
+    double limit = strength > 0.2 ? 0.2 / strength : 1;
+    o->push[i] = limit * 0.5 * o->k * h * excess;
+    o->near_push[i] = limit * 0.5 * o->k_near_clavet * h * o->near_density[i];
+}
+
+/* Accelerations become displacements of dt^2 each, shared out over the iterations. */
+static void pressure_calibrated(oracle *o, int i)
+{
+    double rest = oracle_rest_density(o), response = lattice_response(o->eta);
+    double fill = o->density[i] / rest, softer = 1 / fmax(1, fill);
+    double share = o->dt * o->dt / o->iterations * softer;
+    double push = o->omega * radius_of(o) / 12 * rest * fmax(0, fill - 1) / response * softer;
+    double held = fmin(1, fmax(0, (fill - 0.25) / 0.25));
+    double pull = 3.57 * o->k_coh / 2 * rest * fmax(0, 0.95 - fill) * held;
+    double usual = lattice_near_density(o->eta) / rest;
+    double crowd = o->k_near / 2 * fmax(0, o->near_density[i] - usual * o->density[i]);
+    o->push[i] = push - share * (pull + 4 * usual * crowd);
+    o->near_push[i] = share * crowd;
+}
+
 void oracle_pressure(oracle *o)
 {
-    double h = radius_of(o), rest = oracle_rest_density(o), stiffness = effective_stiffness(o);
-    for (int i = 0; i < o->n; i++) {
-        double excess = o->density[i] - rest;
-        if (o->clavet) {
-            double strength = o->density[i] * 0.5 * o->k_near_clavet * o->near_density[i];
-            double limit = strength > 0.2 ? 0.2 / strength : 1;
-            o->push[i] = limit * 0.5 * o->k * h * excess;
-            o->near_push[i] = limit * 0.5 * o->k_near_clavet * h * o->near_density[i];
-        } else {
-            double response = o->density[i] + o->gx[i] * o->gx[i] + o->gy[i] * o->gy[i];
-            response = fmax(response, oracle_lattice_density(o->eta));
-            double fill = o->density[i] / oracle_lattice_density(o->eta);
-            if (excess < 0)
-                excess *= fmin(1, o->k_coh / stiffness) * fmin(1, fmax(0, 4 * fill - 1));
-            o->push[i] = o->omega * h / 2 * excess / response;
-            o->near_push[i] =
-                o->omega * h / 2 * (o->k_near / stiffness) * o->near_density[i] / response;
-        }
-    }
+    for (int i = 0; i < o->n; i++)
+        o->clavet ? pressure_clavet(o, i) : pressure_calibrated(o, i);
 }
 
 void oracle_displacement(oracle *o)
@@ -161,15 +200,51 @@ void oracle_displacement(oracle *o)
             if (j == i)
                 continue;
             double ux, uy, q = pair_at(o, i, j, &ux, &uy);
-            double size =
-                (o->push[i] + o->push[j]) * q + (o->near_push[i] + o->near_push[j]) * q * q;
+            if (q <= 0)
+                continue;
+            double size = (o->push[i] + o->push[j]) * force(o->clavet, 1 - q) +
+                          (o->near_push[i] + o->near_push[j]) * q * q;
             o->dx[i] -= size * ux;
             o->dy[i] -= size * uy;
             virial += (1 - q) * h * size;
         }
-        virial +=
-            h * (o->push[i] * o->wall_density[i] + 2.0 / 3 * o->near_push[i] * o->wall_near[i]);
+        double wall = o->clavet ? 1 : 1.0 / 6;
+        virial += h * (wall * o->push[i] * o->wall_density[i] +
+                       2.0 / 3 * o->near_push[i] * o->wall_near[i]);
         o->pressure[i] += o->fluid_density / (4 * o->dt * o->dt) * virial;
+    }
+}
+
+/* The component `k` of F r^ = (1 - |d|)^2 d at a place d, in h, relative to a particle. */
+static double steered(const double d[2], int k)
+{
+    return pow(1 - hypot(d[0], d[1]), 2) * d[k];
+}
+
+/* The energy 0.255 k_coh h/2 sum |g|^2 and its slope, with the slopes of g by differences. */
+void oracle_tension(oracle *o)
+{
+    const double small = 1e-6;
+    double h = radius_of(o), scale = o->dt * o->dt * 0.255 * o->k_coh;
+    for (int i = 0; i < o->n; i++) {
+        for (int j = 0; j < o->n; j++) {
+            double ux, uy, q = j == i ? 0 : pair_at(o, i, j, &ux, &uy);
+            if (q <= 0)
+                continue;
+            double g[2] = {o->gx[i] - o->gx[j], o->gy[i] - o->gy[j]}, push[2];
+            for (int axis = 0; axis < 2; axis++) {
+                double ahead[2] = {(1 - q) * ux, (1 - q) * uy}, behind[2] = {ahead[0], ahead[1]};
+                ahead[axis] += small;
+                behind[axis] -= small;
+                push[axis] = 0;
+                for (int k = 0; k < 2; k++)
+                    push[axis] += g[k] * (steered(ahead, k) - steered(behind, k)) / (2 * small);
+            }
+            o->dx[i] += scale * push[0];
+            o->dy[i] += scale * push[1];
+            o->pressure[i] -= o->fluid_density / (4 * o->dt * o->dt) * scale * h * (1 - q) *
+                              (push[0] * ux + push[1] * uy);
+        }
     }
 }
 

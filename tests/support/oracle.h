@@ -39,12 +39,13 @@ void oracle_advance(oracle *o, double max_speed);
 void oracle_density(oracle *o, bool gradient);
 void oracle_pressure(oracle *o);
 void oracle_displacement(oracle *o);
+void oracle_tension(oracle *o);
 void oracle_contact(oracle *o);
 void oracle_correct(oracle *o);
 void oracle_velocity(oracle *o);
 
 /* Density of the rest lattice and the rest density rho0 of the law. */
-double oracle_lattice_density(double eta);
+double oracle_lattice_density(bool clavet, double eta);
 double oracle_rest_density(const oracle *o);
 
 #endif

@@ -37,59 +37,84 @@ static const group groups[] = {
 };
 enum { GROUPS = sizeof groups / sizeof *groups };
 
-/* The law as energies of position: its accelerations are A(rho_i) + A(rho_j) times q and
- * N(rn_i) + N(rn_j) times q^2 along a pair, which h/2 int A + h/3 int N yields, summed up over the
- * particles (docs/model.md). Where the laws limit their corrections they give less. */
+/* The laws as energies of position (docs/model.md). Where they limit their corrections they give
+ * less. */
 typedef struct energy_law {
-    double h, rest, lattice, pull, k_near;
-    bool clavet;
+    double h, rest, push, pull, k_near, near_share, tension;
+    skv_kernel kernel;
 } energy_law;
 
 static energy_law law_of(const skv_world *world)
 {
     const skv_fluid_def *f = skv_world_fluid(world);
-    skv_lattice lattice = skv_lattice_sums((double)f->radius_ratio);
-    energy_law e = {.h = (double)skv_world_radius(world),
-                    .lattice = lattice.density,
-                    .clavet = f->law == SKV_LAW_CLAVET};
-    double dt = 1.0 / 60 / skv_world_substeps(world);
-    if (e.clavet) {
-        e.rest = (double)f->clavet_rest_density;
-        e.pull = (double)f->clavet_stiffness * e.h / (dt * dt);
-        e.k_near = (double)f->clavet_near_stiffness * e.h / (dt * dt);
-        return e;
+    double h = (double)skv_world_radius(world), dt = 1.0 / 60 / skv_world_substeps(world);
+    if (f->law == SKV_LAW_CLAVET) {
+        double unit = h / (dt * dt);
+        return (energy_law){.h = h,
+                            .kernel = SKV_KERNEL_SPIKY,
+                            .rest = (double)f->clavet_rest_density,
+                            .push = (double)f->clavet_stiffness * unit,
+                            .pull = (double)f->clavet_stiffness * unit,
+                            .k_near = (double)f->clavet_near_stiffness * unit};
     }
-    double stiffness = (double)f->relaxation * f->iterations * e.h / (dt * dt * lattice.density);
-    e.k_near = (double)f->near_stiffness;
-    e.pull = fmin((double)f->cohesion, stiffness);
-    e.rest = lattice.density +
-             e.k_near / stiffness * lattice.near_density * lattice.near_virial / lattice.virial;
-    return e;
+    skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SMOOTH, (double)f->radius_ratio);
+    return (energy_law){.h = h,
+                        .kernel = SKV_KERNEL_SMOOTH,
+                        .rest = lattice.density,
+                        .push = (double)f->relaxation * f->iterations * h /
+                                (6 * dt * dt * lattice.response),
+                        .pull = 3.57 * (double)f->cohesion,
+                        .k_near = (double)f->near_stiffness,
+                        .near_share = lattice.near_density / lattice.density,
+                        .tension = 0.255 * (double)f->cohesion};
 }
 
-/* A(rho), m/s^2. */
+/* The acceleration A(rho) along a pair, per F. */
 static double pull_at(const energy_law *e, double density)
 {
-    double held = e->clavet ? 1 : fmin(1, fmax(0, 4 * density / e->lattice - 1));
-    return 0.5 * e->pull * held * (density - e->rest);
+    if (e->kernel == SKV_KERNEL_SPIKY)
+        return 0.5 * e->pull * (density - e->rest);
+    double fill = density / e->rest, held = fmin(1, fmax(0, (fill - 0.25) / 0.25));
+    if (fill > 1)
+        return 0.5 * e->push * (density - e->rest) / fill;
+    return -0.5 * e->pull * held * e->rest * fmax(0, 0.95 - fill);
 }
 
-/* Energy of position per mass of a particle, m^2/s^2. */
+/* What the others do to particle i. */
+typedef struct sums {
+    double density, near_density, gx, gy;
+} sums;
+
+static sums sums_of(const energy_law *e, const skv_particles *p, int i)
+{
+    sums s = {0};
+    for (int j = 0; j < p->count; j++) {
+        double x = (double)(p->x[j] - p->x[i]), y = (double)(p->y[j] - p->y[i]), r = hypot(x, y);
+        double q = 1 - r / e->h;
+        if (j == i || q <= 0)
+            continue;
+        s.density += skv_kernel_density(e->kernel, q);
+        s.near_density += q * q * q;
+        s.gx += skv_kernel_force(e->kernel, q) * x / fmax(r, 1e-9);
+        s.gy += skv_kernel_force(e->kernel, q) * y / fmax(r, 1e-9);
+    }
+    return s;
+}
+
+/* Energy of position per mass of a particle, m^2/s^2: h/gain int A drho + h/3 int N drho_near + the
+ * tension's h/2 |g|^2, summed up over the particles. */
 static double energy_of_position(const energy_law *e, const skv_particles *p)
 {
     double sum = 0;
     for (int i = 0; i < p->count; i++) {
-        double density = 0, near_density = 0;
-        for (int j = 0; j < p->count; j++) {
-            double r = hypot((double)(p->x[j] - p->x[i]), (double)(p->y[j] - p->y[i]));
-            double q = fmax(0, 1 - r / e->h);
-            density += j == i ? 0 : q * q;
-            near_density += j == i ? 0 : q * q * q;
-        }
+        sums s = sums_of(e, p, i);
         const int steps = 24;
+        double gain = skv_kernel_gain(e->kernel);
         for (int k = 0; k < steps; k++)
-            sum += e->h / 2 * density / steps * pull_at(e, density * (k + 0.5) / steps);
-        sum += e->h / 3 * 0.25 * e->k_near * near_density * near_density;
+            sum += e->h / gain * s.density / steps * pull_at(e, s.density * (k + 0.5) / steps);
+        double crowded = fmax(0, s.near_density - e->near_share * s.density);
+        sum += e->h / 3 * 0.25 * e->k_near * crowded * crowded;
+        sum += e->h / 2 * e->tension * (s.gx * s.gx + s.gy * s.gy);
     }
     return sum;
 }
@@ -166,14 +191,14 @@ static void check(const group *g, double distance, skv_law law, skv_solver solve
     history seen = watch(g, world);
     double dt = 1.0 / 60 / skv_world_substeps(world), unit = e.h * e.pull;
     skv_world_destroy(world);
-    double gain = e.clavet ? 6 : 0.08;
-    double speed = e.clavet ? 0.4 * e.h / dt : 1.25 * sqrt(unit);
+    double gain = e.kernel == SKV_KERNEL_SPIKY ? 6 : 0.08;
+    double speed = e.kernel == SKV_KERNEL_SPIKY ? 0.4 * e.h / dt : 1.25 * sqrt(unit);
     if (seen.gained > gain * unit || seen.speed > speed)
         fail_msg("%s at %.2f h: gained %g of %g, %g m/s of %g", g->name, distance, seen.gained,
                  gain * unit, seen.speed, speed);
     if (g->count == 1)
         assert_true(seen.speed == 0);
-    if (e.clavet)
+    if (e.kernel == SKV_KERNEL_SPIKY)
         return;
     /* A pair only parts, and with no more than the near pressure's energy: k_near h/6 each. */
     if (g->count == 2) {

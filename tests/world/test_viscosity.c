@@ -86,9 +86,10 @@ static void viscosity_is_in_si_units(void **unused)
         printf("spacing %g m: %.5f, %.5f, %.5f m^2/s for 0, 0.007 and 0.03; ratio %.3f\n",
                (double)spacings[i], none, some, more, ratio);
         assert_true(fabs(ratio - 1) < 0.2);
-        /* The method's own: 13 s^2 a second at this speed of 0.3 m/s. */
-        assert_true(none < 13 * (double)(spacings[i] * spacings[i]));
-        assert_true(some > 0.007 && more > 0.03);
+        /* The method's own, at this speed of 0.3 m/s. */
+        assert_true(none < 2.5 * (double)(spacings[i] * spacings[i]));
+        /* Within a radius of the walls pairs are missing: 13 % of the box at the coarser spacing. */
+        assert_true(fabs(some / 0.007 - 1) < 0.1 && fabs(more / 0.03 - 1) < 0.2);
     }
 }
 

@@ -218,6 +218,8 @@ void skv_rows_turn_over(skv_rows *rows)
     rows->sum[1] = old->y;
     rows->sum[2] = old->u;
     rows->sum[3] = old->v;
+    rows->gradient[0] = rows->own[3];
+    rows->gradient[1] = old->v;
     rows->push = old->clear;
     rows->near_push = (float *)(void *)old->number;
     rows->current = !rows->current;

@@ -41,29 +41,37 @@ static int sample_walls(const skv_rows *s, int row, bool gradient, const skv_row
     return all ? thread->near_wall_count - before : -1;
 }
 
-static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_row_constants *c)
+/* The gradient that the row's particles have collected, for the tension. */
+static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c)
 {
-    const v8 zero = v8_set(0), rest = v8_set(c->rest_density), floor = v8_set(c->gradient_floor);
-    const v8 share = v8_set(c->cohesion_share), push = v8_set(c->push_scale), one = v8_set(1);
-    const v8 from = v8_set(c->cohesion_from), slope = v8_set(c->cohesion_slope);
-    const v8 near_push = v8_set(c->near_push_scale);
+    const v8 scale = v8_set(c->tension_scale);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 density = collected(s, 0, i), near_density = collected(s, 1, i), squared;
-        if (later) {
-            /* The gradient of the first iteration serves: it hardly changes, and its sums are a
-             * third of the pass. */
-            squared = v8_load(s->gradient_squared + i);
-        } else {
-            v8 gx = collected(s, 2, i), gy = collected(s, 3, i);
-            squared = v8_add(v8_mul(gx, gx), v8_mul(gy, gy));
-            v8_store(s->gradient_squared + i, squared);
-        }
-        v8 response = v8_max(v8_add(density, squared), floor);
-        v8 excess = v8_sub(density, rest);
+        v8 gx = collected(s, 2, i), gy = collected(s, 3, i);
+        v8_store(s->gradient[0] + i, v8_mul(scale, gx));
+        v8_store(s->gradient[1] + i, v8_mul(scale, gy));
+    }
+}
+
+static void pressure_calibrated(const skv_rows *s, int row, const skv_row_constants *c)
+{
+    const v8 zero = v8_set(0), one = v8_set(1), rest = v8_set(c->rest_density);
+    const v8 answer = v8_set(c->response_slope), floor = v8_set(c->response_floor);
+    const v8 from = v8_set(c->cohesion_from), slope = v8_set(c->cohesion_slope);
+    const v8 below = v8_set(c->cohesion_below), share = v8_set(c->near_share);
+    const v8 push = v8_set(c->push_scale), near_push = v8_set(c->near_push_scale);
+    const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(4 * c->near_share);
+    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
+        v8 density = collected(s, 0, i), near_density = collected(s, 1, i);
+        v8 excess = v8_max(v8_sub(density, rest), zero);
+        v8 missing = v8_max(v8_sub(below, density), zero);
+        v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
+        v8 near = v8_mul(near_push, crowded);
         v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
-        excess = v8_add(v8_max(excess, zero), v8_mul(v8_min(excess, zero), v8_mul(share, held)));
-        v8_store(s->push + i, v8_div(v8_mul(push, excess), response));
-        v8_store(s->near_push + i, v8_div(v8_mul(near_push, near_density), response));
+        v8 response = v8_max(v8_mul(answer, density), floor);
+        v8 size = v8_sub(v8_mul(push, excess), v8_mul(pull, v8_mul(held, missing)));
+        size = v8_sub(size, v8_mul(balance, near));
+        v8_store(s->push + i, v8_div(size, response));
+        v8_store(s->near_push + i, v8_div(near, response));
     }
 }
 
@@ -89,7 +97,9 @@ static int pressure(const skv_rows *s, int row, bool later, const skv_row_consta
     if (c->clavet)
         pressure_clavet(s, row, c);
     else
-        pressure_calibrated(s, row, later, c);
+        pressure_calibrated(s, row, c);
+    if (!c->clavet && !later)
+        keep_gradient(s, row, c);
     return walls;
 }
 
@@ -133,30 +143,31 @@ static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
     }
 }
 
-V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_wall *wall)
+V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
+                        const skv_row_wall *wall)
 {
     s->own[0][i] += s->push[i] * wall->f1x + s->near_push[i] * wall->f2x;
     s->own[1][i] += s->push[i] * wall->f1y + s->near_push[i] * wall->f2y;
-    /* The virial of a smooth solid: n0 int r q is about h R, n0 int r q^2 about 2/3 h Rn. */
+    /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
     if (s->gauged)
-        s->own[2][i] +=
-            s->push[i] * wall->density + 2.0f / 3 * s->near_push[i] * wall->near_density;
+        s->own[2][i] += c->wall_virial * s->push[i] * wall->density +
+                        2.0f / 3 * s->near_push[i] * wall->near_density;
 }
 
 /* Adds the walls' push to a row's displacement, from the samples of the pressure pass; where those
  * found no place (count -1) they are taken again. */
-static void add_wall_push(const skv_rows *s, int row, const skv_row_boundary *boundary,
-                          const skv_near_wall *walls, int count)
+static void add_wall_push(const skv_rows *s, int row, const skv_row_constants *c,
+                          const skv_row_boundary *boundary, const skv_near_wall *walls, int count)
 {
     const skv_row_particles *p = &s->set[s->current];
     for (int w = 0; w < count; w++)
-        add_push(s, walls[w].particle, &walls[w].wall);
+        add_push(s, walls[w].particle, c, &walls[w].wall);
     for (int i = s->row_start[row]; count < 0 && i < s->row_end[row]; i++) {
         skv_row_wall wall;
         if (p->clear[i] >= 1)
             continue;
         boundary->walls(boundary->context, p->x[i], p->y[i], &wall);
-        add_push(s, i, &wall);
+        add_push(s, i, c, &wall);
     }
 }
 
@@ -229,7 +240,7 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
                    const skv_row_boundary *boundary, const skv_near_wall *walls, int wall_count)
 {
     if (wall_count)
-        add_wall_push(s, row, boundary, walls, wall_count);
+        add_wall_push(s, row, c, boundary, walls, wall_count);
     if (s->gauged)
         gauge(s, row, iteration, c);
     bool viscous = s->viscous && iteration == 0;

@@ -26,13 +26,15 @@
 #define EACH(k) _Pragma("GCC unroll 8") for (int k = 0; k < TILE; k++)
 #endif
 
-/* Compile-time variants of the pair loops. */
-/* WITH_GAUGE: the displacement sums the virial as well. */
-enum { WITH_GRADIENT = 1, WITH_VISCOSITY = 2, KEEP_PAIRS = 4, WITH_GAUGE = 8 };
+/* Compile-time variants of the pair loops. SMOOTH: the kernel of base/kernels.h, else the spiky
+ * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
+ * evens it out; both know the smooth kernel's alone. WITH_GAUGE: the displacement sums up the
+ * virial as well. */
+enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_GAUGE = 16 };
 
 /* The four particles of a tile, each in all lanes. */
 typedef struct tile {
-    v8 x[TILE], y[TILE], u[TILE], v[TILE];
+    v8 x[TILE], y[TILE], u[TILE], v[TILE], gx[TILE], gy[TILE];
     int place;                      /* of the first */
     const skv_row_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
 } tile;
@@ -139,16 +141,22 @@ VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsign
                            const tile *t, v8 sigma, v8 beta, tile_sums *sums, const targets *to,
                            float *keep)
 {
-    v8 dx[TILE], dy[TILE], r[TILE], q[TILE], q2[TILE], q3[TILE];
+    v8 dx[TILE], dy[TILE], r[TILE], q[TILE], q2[TILE], q3[TILE], w[TILE];
     measure(p, j, first, t, dx, dy, r, q);
     if (with & KEEP_PAIRS) {
         EACH(k) v8_store(keep + ROW_LANES * k, q[k]);
     }
     EACH(k) q2[k] = v8_mul(q[k], q[k]);
     EACH(k) q3[k] = v8_mul(q2[k], q[k]);
-    EACH(k) sums->a[k] = v8_add(sums->a[k], q2[k]);
+    if (with & SMOOTH) {
+        const v8 three = v8_set(3), four = v8_set(4);
+        EACH(k) w[k] = v8_mul(q3[k], v8_sub(four, v8_mul(three, q[k])));
+    } else {
+        EACH(k) w[k] = q2[k];
+    }
+    EACH(k) sums->a[k] = v8_add(sums->a[k], w[k]);
     EACH(k) sums->b[k] = v8_add(sums->b[k], q3[k]);
-    add_at(to->a + j, over_tile(q2));
+    add_at(to->a + j, over_tile(w));
     add_at(to->b + j, over_tile(q3));
     if (with & WITH_VISCOSITY) {
         const v8 one = v8_set(1);
@@ -157,13 +165,8 @@ VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsign
         viscosity(p, j, t, dx, dy, inverse, q, sigma, beta, sums, to);
     }
     if (with & WITH_GRADIENT) {
-        v8 ratio[TILE];
-        EACH(k) ratio[k] = v8_div(q[k], r[k]);
-        if (with & KEEP_PAIRS) {
-            EACH(k) v8_store(keep + ROW_LANES * (TILE + k), ratio[k]);
-        }
-        EACH(k) dx[k] = v8_mul(dx[k], ratio[k]);
-        EACH(k) dy[k] = v8_mul(dy[k], ratio[k]);
+        EACH(k) dx[k] = v8_mul(dx[k], q2[k]);
+        EACH(k) dy[k] = v8_mul(dy[k], q2[k]);
         EACH(k) sums->c[k] = v8_add(sums->c[k], dx[k]);
         EACH(k) sums->d[k] = v8_add(sums->d[k], dy[k]);
         float *c = to->c + j, *d = to->d + j;
@@ -197,16 +200,16 @@ VARIANT void store_sums(const skv_rows *s, int i, unsigned with, const tile_sums
     EACH(k)
     {
         float out[4];
-        if (with & WITH_GRADIENT)
+        if (with & (WITH_GRADIENT | WITH_GAUGE))
             v8_sum4(sums->a[k], sums->b[k], sums->c[k], sums->d[k], out);
         else
             v8_sum4(sums->a[k], sums->b[k], zero, zero, out);
         s->sum[0][i + k] = out[0];
         s->sum[1][i + k] = out[1];
-        if (with & WITH_GRADIENT) {
+        if (with & (WITH_GRADIENT | WITH_GAUGE))
             s->sum[2][i + k] = out[2];
+        if (with & WITH_GRADIENT)
             s->sum[3][i + k] = out[3];
-        }
         if (with & WITH_VISCOSITY) {
             v8_sum4(sums->u[k], sums->v[k], zero, zero, out);
             s->viscous_sum[0][i + k] = out[0];
@@ -221,7 +224,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
     /* A copy: the compiler need not fear that a store changes it. */
     const skv_row_particles local = s->set[s->current], *p = &local;
     const v8 sigma = v8_set(c->viscosity_linear), beta = v8_set(c->viscosity_quadratic);
-    const int step = with & WITH_GRADIENT ? 2 * TILE * ROW_LANES : TILE * ROW_LANES;
+    const int step = TILE * ROW_LANES;
     const targets own = {s->own[0], s->own[1],         s->own[2],
                          s->own[3], s->viscous_own[0], s->viscous_own[1]};
     const targets next = {s->next[0], s->next[1],         s->next[2],
@@ -255,6 +258,11 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
     }
 }
 
+/* The variants in use, with and without room for the pairs. */
+#define DENSITY_ROW(with)                                                                          \
+    (keep ? density_row(s, row, (with) | KEEP_PAIRS, c, b, kept->pairs)                            \
+          : density_row(s, row, with, c, b, NULL))
+
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
                     const skv_row_boundary *b, skv_row_kept *kept)
 {
@@ -262,30 +270,42 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     bool keep = blocks <= kept->room;
     kept->used = keep ? blocks : -1;
-    unsigned viscous = s->viscous && !later ? WITH_VISCOSITY : 0;
-    if (later || c->clavet) {
-        if (viscous)
-            keep ? density_row(s, row, WITH_VISCOSITY | KEEP_PAIRS, c, b, kept->pairs)
-                 : density_row(s, row, WITH_VISCOSITY, c, b, NULL);
-        else
-            keep ? density_row(s, row, KEEP_PAIRS, c, b, kept->pairs)
-                 : density_row(s, row, 0, c, b, NULL);
-    } else if (viscous) {
-        keep ? density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY | KEEP_PAIRS, c, b, kept->pairs)
-             : density_row(s, row, WITH_GRADIENT | WITH_VISCOSITY, c, b, NULL);
-    } else {
-        keep ? density_row(s, row, WITH_GRADIENT | KEEP_PAIRS, c, b, kept->pairs)
-             : density_row(s, row, WITH_GRADIENT, c, b, NULL);
-    }
+    bool viscous = s->viscous && !later;
+    if (c->clavet)
+        viscous ? DENSITY_ROW(WITH_VISCOSITY) : DENSITY_ROW(0);
+    else if (later)
+        DENSITY_ROW(SMOOTH);
+    else
+        viscous ? DENSITY_ROW(SMOOTH | WITH_GRADIENT | WITH_VISCOSITY)
+                : DENSITY_ROW(SMOOTH | WITH_GRADIENT);
 }
 
-/* Pass B for a tile and eight partners. `with` tells how q and q/r are had: WITH_GRADIENT as the
- * first iteration made them, else from q alone, r being 1 - q. */
-VARIANT void displacement_block(const skv_row_particles *p, const float *pushes,
-                                const float *near_pushes, int j, bool first, unsigned with,
-                                const tile *t, tile_sums *sums, const targets *to,
+/* What pass B reads of the partners: P, N and the gradient. */
+typedef struct pushes {
+    const float *push, *near_push, *gx, *gy;
+} pushes;
+
+/* The tension of a pair: e being the difference of the gradients, d that of the places, q^2 e less
+ * 2 (q/r)(e d) d. Leaves the first part in ex, ey and the factor of d in `along`. */
+VARIANT void tension(const pushes *parts, int j, const tile *t, const v8 *dx, const v8 *dy,
+                     const v8 *q2, const v8 *ratio, v8 *ex, v8 *ey, v8 *along)
+{
+    const v8 two = v8_set(2);
+    v8 gx = v8_load(parts->gx + j), gy = v8_load(parts->gy + j);
+    EACH(k) ex[k] = v8_sub(t->gx[k], gx);
+    EACH(k) ey[k] = v8_sub(t->gy[k], gy);
+    EACH(k) along[k] = v8_add(v8_mul(ex[k], dx[k]), v8_mul(ey[k], dy[k]));
+    EACH(k) along[k] = v8_mul(v8_mul(two, ratio[k]), along[k]);
+    EACH(k) ex[k] = v8_mul(ex[k], q2[k]);
+    EACH(k) ey[k] = v8_mul(ey[k], q2[k]);
+}
+
+/* Pass B for a tile and eight partners. Where q is kept, r is 1 - q. */
+VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts, int j, bool first,
+                                unsigned with, const tile *t, tile_sums *sums, const targets *to,
                                 const float *keep)
 {
+    const v8 one = v8_set(1);
     v8 dx[TILE], dy[TILE], r[TILE], q[TILE], ratio[TILE], size[TILE];
     if (with & KEEP_PAIRS) {
         v8 xj = v8_load(p->x + j), yj = v8_load(p->y + j);
@@ -295,30 +315,40 @@ VARIANT void displacement_block(const skv_row_particles *p, const float *pushes,
     } else {
         measure(p, j, first, t, dx, dy, r, q);
     }
-    if ((with & WITH_GRADIENT) && (with & KEEP_PAIRS)) {
-        EACH(k) ratio[k] = v8_load(keep + ROW_LANES * (TILE + k));
-    } else if (with & WITH_GRADIENT) {
-        EACH(k) ratio[k] = v8_div(q[k], r[k]);
-    } else {
-        const v8 one = v8_set(1);
-        EACH(k) r[k] = v8_sub(one, q[k]);
-        EACH(k) ratio[k] = v8_div(q[k], r[k]);
-    }
-    v8 push = v8_load(pushes + j), near_push = v8_load(near_pushes + j);
+    EACH(k) r[k] = v8_sub(one, q[k]);
+    EACH(k) ratio[k] = v8_div(q[k], r[k]);
+    v8 push = v8_load(parts->push + j), near_push = v8_load(parts->near_push + j);
     /* The tile's u and v hold the P and N of its particles here. */
     EACH(k) size[k] = v8_mul(v8_add(t->v[k], near_push), q[k]);
-    EACH(k) size[k] = v8_add(v8_add(t->u[k], push), size[k]);
+    v8 q2[TILE], ex[TILE], ey[TILE], along[TILE];
+    EACH(k) q2[k] = v8_mul(q[k], q[k]);
+    if (with & SMOOTH) {
+        EACH(k) size[k] = v8_mul(size[k], ratio[k]);
+        EACH(k) size[k] = v8_add(v8_mul(v8_add(t->u[k], push), q2[k]), size[k]);
+    } else {
+        EACH(k) size[k] = v8_mul(v8_add(v8_add(t->u[k], push), size[k]), ratio[k]);
+    }
+    if (with & WITH_GRADIENT) {
+        tension(parts, j, t, dx, dy, q2, ratio, ex, ey, along);
+        EACH(k) size[k] = v8_add(size[k], along[k]);
+    }
     if (with & WITH_GAUGE) {
-        /* Distance times force: r q (P + N q), r being 1 - q. */
-        const v8 one = v8_set(1);
+        /* Distance times force. */
         v8 virial[TILE];
-        EACH(k) virial[k] = v8_mul(v8_mul(v8_sub(one, q[k]), q[k]), size[k]);
+        EACH(k) virial[k] = v8_mul(v8_mul(r[k], r[k]), size[k]);
+        if (with & WITH_GRADIENT) {
+            EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ex[k], dx[k]));
+            EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ey[k], dy[k]));
+        }
         EACH(k) sums->c[k] = v8_add(sums->c[k], virial[k]);
         add_at(to->c + j, over_tile(virial));
     }
-    EACH(k) size[k] = v8_mul(size[k], ratio[k]);
     EACH(k) dx[k] = v8_mul(dx[k], size[k]);
     EACH(k) dy[k] = v8_mul(dy[k], size[k]);
+    if (with & WITH_GRADIENT) {
+        EACH(k) dx[k] = v8_sub(dx[k], ex[k]);
+        EACH(k) dy[k] = v8_sub(dy[k], ey[k]);
+    }
     EACH(k) sums->a[k] = v8_sub(sums->a[k], dx[k]);
     EACH(k) sums->b[k] = v8_sub(sums->b[k], dy[k]);
     add_at(to->a + j, over_tile(dx));
@@ -329,10 +359,10 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
                               const skv_row_boundary *boundary, const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
-    const float *push = s->push, *near_push = s->near_push;
+    const pushes parts = {s->push, s->near_push, s->gradient[0], s->gradient[1]};
     const targets own = {s->own[0], s->own[1], s->own[2], NULL, NULL, NULL};
     const targets next = {s->next[0], s->next[1], s->next[2], NULL, NULL, NULL};
-    const int step = with & WITH_GRADIENT ? 2 * TILE * ROW_LANES : TILE * ROW_LANES;
+    const int step = TILE * ROW_LANES;
     for (int a = 0; a < (with & WITH_GAUGE ? 3 : 2); a++) {
         zero_row(s, s->own[a], row);
         zero_row(s, s->next[a], row + 1);
@@ -350,42 +380,40 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
             t.y[k] = v8_set(p->y[i + k]);
             t.u[k] = v8_set(s->push[i + k]);
             t.v[k] = v8_set(s->near_push[i + k]);
+            t.gx[k] = with & WITH_GRADIENT ? v8_set(s->gradient[0][i + k]) : zero;
+            t.gy[k] = with & WITH_GRADIENT ? v8_set(s->gradient[1][i + k]) : zero;
             sums.a[k] = sums.b[k] = sums.c[k] = sums.d[k] = zero;
         }
         int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;
-        displacement_block(p, push, near_push, j, true, with, &t, &sums, &own, keep);
+        displacement_block(p, &parts, j, true, with, &t, &sums, &own, keep);
         keep += with & KEEP_PAIRS ? step : 0;
         for (j += ROW_LANES; j < own_end; j += ROW_LANES) {
-            displacement_block(p, push, near_push, j, false, with, &t, &sums, &own, keep);
+            displacement_block(p, &parts, j, false, with, &t, &sums, &own, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
         for (j = s->next_begin[i / TILE]; j < next_end; j += ROW_LANES) {
-            displacement_block(p, push, near_push, j, false, with, &t, &sums, &next, keep);
+            displacement_block(p, &parts, j, false, with, &t, &sums, &next, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
-        store_sums(s, i, with & WITH_GAUGE ? WITH_GRADIENT : 0, &sums);
+        store_sums(s, i, with & WITH_GAUGE, &sums);
     }
 }
 
-static void displacement(const skv_rows *s, int row, bool later, const skv_row_boundary *b,
-                         const skv_row_kept *kept)
+#define DISPLACEMENT_ROW(with)                                                                     \
+    (keep ? displacement_row(s, row, (with) | KEEP_PAIRS, b, kept->pairs)                          \
+          : displacement_row(s, row, with, b, NULL))
+
+static void displacement(const skv_rows *s, int row, bool later, const skv_row_constants *c,
+                         const skv_row_boundary *b, const skv_row_kept *kept)
 {
     bool keep = kept->used >= 0;
-    const float *pairs = kept->pairs;
-    if (s->gauged) {
-        if (later)
-            keep ? displacement_row(s, row, WITH_GAUGE | KEEP_PAIRS, b, pairs)
-                 : displacement_row(s, row, WITH_GAUGE, b, NULL);
-        else
-            keep ? displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT | KEEP_PAIRS, b, pairs)
-                 : displacement_row(s, row, WITH_GAUGE | WITH_GRADIENT, b, NULL);
-    } else if (later) {
-        keep ? displacement_row(s, row, KEEP_PAIRS, b, pairs)
-             : displacement_row(s, row, 0, b, NULL);
-    } else {
-        keep ? displacement_row(s, row, WITH_GRADIENT | KEEP_PAIRS, b, pairs)
-             : displacement_row(s, row, WITH_GRADIENT, b, NULL);
-    }
+    if (c->clavet)
+        s->gauged ? DISPLACEMENT_ROW(WITH_GAUGE) : DISPLACEMENT_ROW(0);
+    else if (later)
+        s->gauged ? DISPLACEMENT_ROW(SMOOTH | WITH_GAUGE) : DISPLACEMENT_ROW(SMOOTH);
+    else
+        s->gauged ? DISPLACEMENT_ROW(SMOOTH | WITH_GRADIENT | WITH_GAUGE)
+                  : DISPLACEMENT_ROW(SMOOTH | WITH_GRADIENT);
 }
 
 #endif

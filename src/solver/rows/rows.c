@@ -23,7 +23,7 @@
 
 enum {
     LINE = 16, /* integers in a cache line */
-    FLOATS_A_BLOCK = 2 * ROW_TILE * ROW_LANES,
+    FLOATS_A_BLOCK = ROW_TILE * ROW_LANES,
     ROW_NUMBERS = 8, /* integers kept for each row */
     MAX_CELLS = 1 << 26
 };
@@ -174,11 +174,10 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     /* A row's dummies and the gap to the next multiple of eight are fewer than two blocks. */
     size_t slots = (size_t)capacity + (size_t)rows->row_count * 2 * ROW_LANES + 4 * ROW_LANES;
     float **floats[] = {
-        &rows->set[0].x,     &rows->set[0].y, &rows->set[0].u,         &rows->set[0].v,
-        &rows->set[0].clear, &rows->set[1].x, &rows->set[1].y,         &rows->set[1].u,
-        &rows->set[1].v,     &rows->own[0],   &rows->own[1],           &rows->own[2],
-        &rows->own[3],       &rows->next[0],  &rows->next[1],          &rows->next[2],
-        &rows->next[3],      &rows->pressure, &rows->gradient_squared, &rows->set[1].clear,
+        &rows->set[0].x, &rows->set[0].y, &rows->set[0].u, &rows->set[0].v,     &rows->set[0].clear,
+        &rows->set[1].x, &rows->set[1].y, &rows->set[1].u, &rows->set[1].v,     &rows->own[0],
+        &rows->own[1],   &rows->own[2],   &rows->own[3],   &rows->next[0],      &rows->next[1],
+        &rows->next[2],  &rows->next[3],  &rows->pressure, &rows->set[1].clear,
     };
     enum { FLOATS = sizeof floats / sizeof *floats };
     size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
@@ -373,9 +372,8 @@ static void run_pressure(const lane *l, int row)
 static void run_displacement(const lane *l, int row)
 {
     int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
-    bool ratio_kept = !l->later && !l->shared->constants->clavet;
-    l->shared->kernels->displacement(l->shared->rows, row, !ratio_kept, l->shared->boundary,
-                                     &l->own->kept[slot]);
+    l->shared->kernels->displacement(l->shared->rows, row, l->later, l->shared->constants,
+                                     l->shared->boundary, &l->own->kept[slot]);
 }
 
 static void run_update(const lane *l, int row)

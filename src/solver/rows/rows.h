@@ -11,7 +11,7 @@
  *
  * Within a substep the rows run through a pipeline: density of row R, pressure of row R,
  * displacement of row R-1, update of row R-1; so a row's data is still in the cache, and its pairs'
- * q and q/r are kept for the displacement. Rows lie across the longer side of the world, to have
+ * q are kept for the displacement. Rows lie across the longer side of the world, to have
  * many of them.
  *
  * Units: lengths in h, times in substeps. Coordinates: `x` runs along the rows, `y` across them.
@@ -58,8 +58,9 @@ typedef struct skv_row_constants {
     float gravity_x, gravity_y;
     float max_speed;
     float viscosity_linear, viscosity_quadratic;
-    float rest_density, gradient_floor, push_scale, near_push_scale, push_limit;
-    float cohesion_share, cohesion_from, cohesion_slope;
+    float rest_density, push_scale, near_push_scale, push_limit, wall_virial;
+    float response_slope, response_floor, near_share;
+    float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale;
     float pressure_scale; /* from the virial to Pa m */
     float contact_distance, softness, friction;
     float wall_clearance; /* how close a move may come to a wall */

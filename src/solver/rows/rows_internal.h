@@ -38,7 +38,7 @@ typedef struct skv_row_particles {
 
 /* Where the pairs of one row are kept between density and displacement. */
 typedef struct skv_row_kept {
-    float *pairs; /* 2 * ROW_TILE * ROW_LANES floats a block */
+    float *pairs; /* ROW_TILE * ROW_LANES floats a block: q */
     int room;     /* blocks */
     int used;     /* blocks of the row kept now; -1: it had no room and is computed again */
 } skv_row_kept;
@@ -88,7 +88,8 @@ struct skv_rows {
      * is not current. */
     float *own[ROW_SUMS], *next[ROW_SUMS], *sum[ROW_SUMS];
     float *viscous_own[2], *viscous_next[2], *viscous_sum[2]; /* null without viscosity */
-    float *push, *near_push, *gradient_squared, *pressure;
+    float *push, *near_push, *pressure;
+    float *gradient[2]; /* that the tension evens out; lie where those of y were summed up */
 
     skv_row_thread *thread;
     int thread_room, threads; /* threads to have memory for, and at work in this call */
@@ -105,7 +106,8 @@ typedef struct skv_row_kernels {
     /* Forces and advance. */
     void (*advance)(const skv_rows *rows, int row, const skv_row_constants *constants,
                     const skv_row_boundary *boundary);
-    /* Pass A. `later` false: with gradient, and viscosity if there is any; true: densities only.
+    /* Pass A. `later` false: with the gradient that the calibrated law's tension needs, and
+     * viscosity if there is any; true: densities only.
      * Keeps the pairs if there is room. */
     void (*density)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
                     const skv_row_boundary *boundary, skv_row_kept *kept);
@@ -113,9 +115,10 @@ typedef struct skv_row_kernels {
      * or -1 if not all of them found a place. */
     int (*pressure)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
                     const skv_row_boundary *boundary, skv_row_thread *thread);
-    /* Pass B. */
+    /* Pass B; with the tension unless it is `later`. */
     void (*displacement)(const skv_rows *rows, int row, bool later,
-                         const skv_row_boundary *boundary, const skv_row_kept *kept);
+                         const skv_row_constants *constants, const skv_row_boundary *boundary,
+                         const skv_row_kept *kept);
     /* Carries out the displacement; in the last iteration the contact as well. */
     void (*update)(const skv_rows *rows, int row, int iteration, const skv_row_constants *constants,
                    const skv_row_boundary *boundary, const skv_near_wall *walls, int wall_count);
