@@ -47,7 +47,8 @@ typedef struct skv_fluid_def {
     float clavet_rest_density;   /* rho0, dimensionless, 1..40; default 10 */
     float wall_friction;    /* share of the tangential speed lost at a wall in 1/60 s, 0..1; 0.05 */
     float wall_softness;    /* share of the penetration corrected in 1/60 s, 0.1..1; default 1 */
-    float contact_distance; /* in spacings: closer than this to a wall is contact; 0..1; 0.2 (clavet: 0.3) */
+    float contact_distance; /* in spacings: closer than this to a wall is contact; 0..1; 0.2
+                               (clavet: 0.3) */
     int cookie;
 } skv_fluid_def;
 

@@ -8,6 +8,7 @@
 #include "solver/pair.h"
 #include "solver/passes.h"
 
+#include <math.h>
 #include <stddef.h>
 
 void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours *n, bool gradient,
@@ -28,8 +29,12 @@ void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours
         s->density[i] = density + s->wall_density[i];
         s->near_density[i] = near_density + s->wall_near[i];
         if (gradient) {
-            s->gradient_x[i] = gx - s->f1x[i];
-            s->gradient_y[i] = gy - s->f1y[i];
+            gx -= s->f1x[i];
+            gy -= s->f1y[i];
+            float size = sqrtf(gx * gx + gy * gy);
+            float share = size > c->tension_from ? (size - c->tension_from) / size : 0;
+            s->gradient_x[i] = share * gx;
+            s->gradient_y[i] = share * gy;
         }
     }
 }

@@ -19,10 +19,11 @@ typedef struct skv_state {
     float *wx, *wy; /* sum of the substep's position corrections, m (docs/model.md, "float32") */
     float *dx, *dy; /* what a gather pass has found: a change of velocity or of position */
 
-    float *density, *near_density;  /* sum W, sum q^3, walls included; dimensionless */
-    float *gradient_x, *gradient_y; /* sum F r^, walls included; dimensionless */
-    float *push, *near_push;        /* P and N of the pressure law, m */
-    float *pressure;                /* gauge pressure of the substep, Pa m */
+    float *density, *near_density; /* sum W, sum q^3, walls included; dimensionless */
+    float *gradient_x,
+        *gradient_y;         /* sum F r^, walls included, less what the bulk has; dimensionless */
+    float *push, *near_push; /* P and N of the pressure law, m */
+    float *pressure;         /* gauge pressure of the substep, Pa m */
 
     float *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
     float *f1x, *f1y, *f2x, *f2y;    /* F1, F2 of the wall maps; dimensionless */
@@ -57,6 +58,7 @@ typedef struct skv_constants {
     float cohesion_from;  /* density up to which there is no cohesion ... */
     float cohesion_slope; /* ... and how steeply its share grows to 1 from there */
     float tension_scale;  /* of the surface tension, m */
+    float tension_from;   /* gradient up to which there is none */
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 

@@ -27,6 +27,7 @@ enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
 #define COHESION_BELOW   0.95  /* rest densities: the bulk, which wants for nothing */
 #define COHESION_PULL    3.57  /* F is so much weaker here than q, for which k_coh was meant */
 #define COHESION_TENSION 0.255 /* of k_coh; more makes drops stiffer, less lets them come apart */
+#define TENSION_FROM     0.2   /* of |g| at a flat surface: how uneven the bulk may be */
 #define COHESION_MARGIN  6     /* how much stiffer than the cohesion the pressure must be */
 
 skv_fluid_def skv_default_fluid_def(skv_law law)
@@ -199,6 +200,12 @@ int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
     return whole < 1 ? 1 : whole > 1000 ? 1000 : whole;
 }
 
+double skv_surface_gradient(const skv_fluid_def *f)
+{
+    double eta = (double)f->radius_ratio;
+    return eta * eta / (skv_law_kernel(f->law) == SKV_KERNEL_SMOOTH ? 15 : 3);
+}
+
 /* A share that is meant for one frame, for a time dt instead. */
 static double share_for(double share_a_frame, double dt)
 {
@@ -222,6 +229,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->cohesion_from = (float)(COHESION_FROM * rest);
     c->cohesion_slope = (float)(1 / ((COHESION_FULL - COHESION_FROM) * rest));
     c->tension_scale = (float)(dt * dt * COHESION_TENSION * cohesion);
+    c->tension_from = (float)(TENSION_FROM * skv_surface_gradient(f));
     /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
     c->wall_virial = 1.0f / 6;
 }

@@ -81,10 +81,8 @@ static void measure_packing(const skv_world *world, skv_stats *stats)
         skv_neighbours_build(&lists, s, world->h, NULL);
         double eta = (double)world->fluid.radius_ratio;
         skv_kernel kernel = skv_law_kernel(world->fluid.law);
-        /* n0 times the integral of F x/r over a half disc. */
-        double at_surface = eta * eta / (kernel == SKV_KERNEL_SMOOTH ? 15 : 3);
         double rest = skv_lattice_sums(kernel, eta).density;
-        double bulk_below = BULK_GRADIENT * at_surface;
+        double bulk_below = BULK_GRADIENT * skv_surface_gradient(&world->fluid);
         skv_constants constants = skv_make_constants(&world->fluid, 1.0f / 60);
         double pairs = 0, volume = 0, bulk = 0;
         for (int i = 0; i < s->count; i++) {

@@ -111,6 +111,7 @@ static skv_row_constants row_constants(const skv_world *world, bool swapped)
         .cohesion_from = c->cohesion_from,
         .cohesion_slope = c->cohesion_slope,
         .tension_scale = c->tension_scale * inv_h,
+        .tension_from = c->tension_from,
         .pressure_scale = c->pressure_scale * c->h * c->h,
         .contact_distance = c->contact_distance * inv_h,
         .softness = c->softness,

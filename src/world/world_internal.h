@@ -64,6 +64,9 @@ int skv_substep_rule(const skv_fluid_def *fluid, float gravity, float depth);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);
 
+/* |g| at a flat surface: n0 times the integral of F x/r over a half disc. */
+double skv_surface_gradient(const skv_fluid_def *fluid);
+
 skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
 
 /* True if lo <= value <= hi; false for a NaN. */

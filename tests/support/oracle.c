@@ -156,6 +156,11 @@ void oracle_density(oracle *o, bool gradient)
             o->gx[i] += gradient ? force(o->clavet, 1 - q) * ux : 0;
             o->gy[i] += gradient ? force(o->clavet, 1 - q) * uy : 0;
         }
+        /* A fifth of what it is at a flat surface does not count. */
+        double size = hypot(o->gx[i], o->gy[i]), bulk = o->clavet ? 0 : 0.2 * o->eta * o->eta / 15;
+        double share = size > bulk ? 1 - bulk / size : 0;
+        o->gx[i] *= gradient ? share : 1;
+        o->gy[i] *= gradient ? share : 1;
     }
 }
 
@@ -221,7 +226,8 @@ static double steered(const double d[2], int k)
     return pow(1 - hypot(d[0], d[1]), 2) * d[k];
 }
 
-/* The energy 0.255 k_coh h/2 sum |g|^2 and its slope, with the slopes of g by differences. */
+/* The energy 0.255 k_coh h/2 sum |g|^2, of the g that count, and its slope, with the slopes of g by
+ * differences. */
 void oracle_tension(oracle *o)
 {
     const double small = 1e-6;

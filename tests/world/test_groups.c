@@ -40,7 +40,7 @@ enum { GROUPS = sizeof groups / sizeof *groups };
 /* The laws as energies of position (docs/model.md). Where they limit their corrections they give
  * less. */
 typedef struct energy_law {
-    double h, rest, push, pull, k_near, near_share, tension;
+    double h, rest, push, pull, k_near, near_share, tension, even;
     skv_kernel kernel;
 } energy_law;
 
@@ -66,7 +66,8 @@ static energy_law law_of(const skv_world *world)
                         .pull = 3.57 * (double)f->cohesion,
                         .k_near = (double)f->near_stiffness,
                         .near_share = lattice.near_density / lattice.density,
-                        .tension = 0.255 * (double)f->cohesion};
+                        .tension = 0.255 * (double)f->cohesion,
+                        .even = 0.2 * (double)(f->radius_ratio * f->radius_ratio) / 15};
 }
 
 /* The acceleration A(rho) along a pair, per F. */
@@ -102,7 +103,7 @@ static sums sums_of(const energy_law *e, const skv_particles *p, int i)
 }
 
 /* Energy of position per mass of a particle, m^2/s^2: h/gain int A drho + h/3 int N drho_near + the
- * tension's h/2 |g|^2, summed up over the particles. */
+ * tension's h/2 |g|^2 beyond the bulk's, summed up over the particles. */
 static double energy_of_position(const energy_law *e, const skv_particles *p)
 {
     double sum = 0;
@@ -114,7 +115,8 @@ static double energy_of_position(const energy_law *e, const skv_particles *p)
             sum += e->h / gain * s.density / steps * pull_at(e, s.density * (k + 0.5) / steps);
         double crowded = fmax(0, s.near_density - e->near_share * s.density);
         sum += e->h / 3 * 0.25 * e->k_near * crowded * crowded;
-        sum += e->h / 2 * e->tension * (s.gx * s.gx + s.gy * s.gy);
+        double uneven = fmax(0, hypot(s.gx, s.gy) - e->even);
+        sum += e->h / 2 * e->tension * uneven * uneven;
     }
     return sum;
 }

@@ -88,7 +88,8 @@ static void viscosity_is_in_si_units(void **unused)
         assert_true(fabs(ratio - 1) < 0.2);
         /* The method's own, at this speed of 0.3 m/s. */
         assert_true(none < 2.5 * (double)(spacings[i] * spacings[i]));
-        /* Within a radius of the walls pairs are missing: 13 % of the box at the coarser spacing. */
+        /* Within a radius of the walls pairs are missing: 13 % of the box at the coarser spacing.
+         */
         assert_true(fabs(some / 0.007 - 1) < 0.1 && fabs(more / 0.03 - 1) < 0.2);
     }
 }

@@ -41,14 +41,18 @@ static int sample_walls(const skv_rows *s, int row, bool gradient, const skv_row
     return all ? thread->near_wall_count - before : -1;
 }
 
-/* The gradient that the row's particles have collected, for the tension. */
+/* The gradient that the row's particles have collected, for the tension: what exceeds the
+ * unevenness of the bulk, times the tension's strength. */
 static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c)
 {
-    const v8 scale = v8_set(c->tension_scale);
+    const v8 zero = v8_set(0), scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
+    const v8 tiny = v8_set(TINY_SQUARED);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 gx = collected(s, 2, i), gy = collected(s, 3, i);
-        v8_store(s->gradient[0] + i, v8_mul(scale, gx));
-        v8_store(s->gradient[1] + i, v8_mul(scale, gy));
+        v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
+        v8 share = v8_div(v8_mul(scale, v8_max(v8_sub(size, bulk), zero)), size);
+        v8_store(s->gradient[0] + i, v8_mul(share, gx));
+        v8_store(s->gradient[1] + i, v8_mul(share, gy));
     }
 }
 

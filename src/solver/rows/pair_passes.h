@@ -35,6 +35,7 @@ enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_G
 /* The four particles of a tile, each in all lanes. */
 typedef struct tile {
     v8 x[TILE], y[TILE], u[TILE], v[TILE], gx[TILE], gy[TILE];
+    bool tense;                     /* the gradient of one of them is not 0 */
     int place;                      /* of the first */
     const skv_row_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
 } tile;
@@ -285,6 +286,13 @@ typedef struct pushes {
     const float *push, *near_push, *gx, *gy;
 } pushes;
 
+/* Whether one of eight partners has a gradient. */
+V8_INLINE bool is_tense(const pushes *parts, int j)
+{
+    v8 gx = v8_load(parts->gx + j), gy = v8_load(parts->gy + j);
+    return v8_any_below(v8_set(0), v8_add(v8_mul(gx, gx), v8_mul(gy, gy)));
+}
+
 /* The tension of a pair: e being the difference of the gradients, d that of the places, q^2 e less
  * 2 (q/r)(e d) d. Leaves the first part in ex, ey and the factor of d in `along`. */
 VARIANT void tension(const pushes *parts, int j, const tile *t, const v8 *dx, const v8 *dy,
@@ -328,7 +336,9 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
     } else {
         EACH(k) size[k] = v8_mul(v8_add(v8_add(t->u[k], push), size[k]), ratio[k]);
     }
-    if (with & WITH_GRADIENT) {
+    /* Inside the fluid there is none to be had. */
+    bool tense = with & WITH_GRADIENT && (t->tense || is_tense(parts, j));
+    if (tense) {
         tension(parts, j, t, dx, dy, q2, ratio, ex, ey, along);
         EACH(k) size[k] = v8_add(size[k], along[k]);
     }
@@ -336,7 +346,7 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
         /* Distance times force. */
         v8 virial[TILE];
         EACH(k) virial[k] = v8_mul(v8_mul(r[k], r[k]), size[k]);
-        if (with & WITH_GRADIENT) {
+        if (tense) {
             EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ex[k], dx[k]));
             EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ey[k], dy[k]));
         }
@@ -345,7 +355,7 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
     }
     EACH(k) dx[k] = v8_mul(dx[k], size[k]);
     EACH(k) dy[k] = v8_mul(dy[k], size[k]);
-    if (with & WITH_GRADIENT) {
+    if (tense) {
         EACH(k) dx[k] = v8_sub(dx[k], ex[k]);
         EACH(k) dy[k] = v8_sub(dy[k], ey[k]);
     }
@@ -382,6 +392,8 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
             t.v[k] = v8_set(s->near_push[i + k]);
             t.gx[k] = with & WITH_GRADIENT ? v8_set(s->gradient[0][i + k]) : zero;
             t.gy[k] = with & WITH_GRADIENT ? v8_set(s->gradient[1][i + k]) : zero;
+            t.tense = t.tense || (with & WITH_GRADIENT && i + k < end &&
+                                  (s->gradient[0][i + k] != 0 || s->gradient[1][i + k] != 0));
             sums.a[k] = sums.b[k] = sums.c[k] = sums.d[k] = zero;
         }
         int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;

@@ -60,7 +60,8 @@ typedef struct skv_row_constants {
     float viscosity_linear, viscosity_quadratic;
     float rest_density, push_scale, near_push_scale, push_limit, wall_virial;
     float response_slope, response_floor, near_share;
-    float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale;
+    float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale,
+        tension_from;
     float pressure_scale; /* from the virial to Pa m */
     float contact_distance, softness, friction;
     float wall_clearance; /* how close a move may come to a wall */
