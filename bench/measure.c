@@ -54,8 +54,8 @@ static double seconds_now(void)
 static void make_viscous(skv_fluid_def *fluid, const skv_world *world)
 {
     const float most = 1000; /* what a fluid may have */
-    fluid->viscosity_linear = fminf(0.05f * 60 * (float)skv_world_substeps(world), most);
-    fluid->viscosity_quadratic = fminf(2 / skv_world_radius(world), most);
+    fluid->viscosity_linear = fminf(0.05f * 60 * (float)skv_world_substeps_per_frame(world), most);
+    fluid->viscosity_quadratic = fminf(2 / skv_world_smoothing_radius(world), most);
 }
 
 /* The scene's world with the case's fluid, on all threads. */
@@ -97,7 +97,7 @@ static skv_result warm_up(const bench *b, skv_world *world, skv_error *error)
 /* Whole frames; several a round where they are short, as the first one finds cold caches. */
 static void prepare_fast(runner *r)
 {
-    r->substeps = skv_world_substeps(r->world);
+    r->substeps = skv_world_substeps_per_frame(r->world);
     int steps = 1 + 50000 / (skv_world_particle_count(r->world) * r->substeps);
     r->steps_a_round = steps < MOST_STEPS ? steps : MOST_STEPS;
     r->dt = 1.0f / 60;
@@ -106,7 +106,7 @@ static void prepare_fast(runner *r)
 /* A few substeps: they are long, and all alike for the reference. */
 static void prepare_reference(runner *r)
 {
-    int frame = skv_world_substeps(r->world);
+    int frame = skv_world_substeps_per_frame(r->world);
     int wanted = 1 + 30000 / skv_world_particle_count(r->world);
     r->steps_a_round = 1;
     r->substeps = wanted < frame ? wanted : frame;
@@ -258,7 +258,7 @@ static void add_rows(const bench *b, bench_report *report)
             .what = b->what,
             .particles = stats.particles,
             .threads = skv_world_threads(world),
-            .substeps = skv_world_substeps(world),
+            .substeps = skv_world_substeps_per_frame(world),
             .neighbours = stats.neighbours,
             .fast = summary(&b->fast[t]),
             .reference = summary(&b->reference[t]),

@@ -21,7 +21,7 @@ skv_result bench_twin(const skv_world *source, const skv_fluid_def *fluid, skv_s
         return result;
     def.fluid = *fluid;
     skv_world_gravity(source, &def.gravity_x, &def.gravity_y);
-    def.substeps = skv_world_substeps(source);
+    def.substeps = skv_world_substeps_per_frame(source);
     def.threads = threads;
     def.solver = solver;
     def.sleep = false;

@@ -18,7 +18,7 @@ static void print_summary(const skv_scene *scene, const skv_world *world)
            skv_scene_name(scene), (double)skv_terrain_width(terrain),
            (double)skv_terrain_height(terrain), skv_terrain_pixels_x(terrain),
            skv_terrain_pixels_y(terrain), skv_world_particle_count(world),
-           1000.0 * (double)skv_world_spacing(world), skv_world_substeps(world), notices,
+           1000.0 * (double)skv_world_spacing(world), skv_world_substeps_per_frame(world), notices,
            notices == 1 ? "" : "s");
 }
 

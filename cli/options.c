@@ -305,7 +305,7 @@ static skv_result parse_option(command which, int count, char **arguments, int *
     const char *value = name[length] == '=' ? name + length + 1 : NULL;
     if (rule->kind == KIND_FLAG) {
         if (value)
-            return skv_fail(error, SKV_ERROR_VALUE, "--%s: it takes no value; leave '=%s' away",
+            return skv_fail(error, SKV_ERROR_VALUE, "--%s: it takes no value; omit '=%s'",
                             rule->name, value);
         *(bool *)((char *)result + rule->offset) = true;
         return SKV_OK;
@@ -371,7 +371,7 @@ static skv_result check_together(command which, const cli_options *given, skv_er
     }
     if (given->markdown && (given->json || is_dash(given->csv))) {
         return skv_fail(error, SKV_ERROR_VALUE,
-                        "--markdown: it and %s would both write to stdout; leave one away",
+                        "--markdown: it and %s would both write to stdout; omit one",
                         given->json ? "--json" : "--csv -");
     }
     if (is_dash(given->plot))
@@ -414,7 +414,7 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
                 which == COMMAND_BENCH ? "run" : "check");
         } else if (result->scene) {
             return skv_fail(error, SKV_ERROR_VALUE,
-                            "%s: one scene at a time, but got '%s' and '%s'; leave one away",
+                            "%s: one scene at a time, but got '%s' and '%s'; omit one",
                             command_name(which), result->scene, text);
         } else {
             result->scene = text;

@@ -20,7 +20,7 @@
 
 extern char **environ;
 
-static const char no_ffmpeg[] = "install the package ffmpeg, or leave --video away";
+static const char no_ffmpeg[] = "install the package ffmpeg, or omit --video";
 
 /* Starts ffmpeg with the given standard streams; -1 is /dev/null. */
 static skv_result spawn_ffmpeg(const char *const *arguments, int in, int out, int err, pid_t *pid,
@@ -150,8 +150,7 @@ skv_result video_start(output_video *video, int width, int height, skv_error *er
     video->messages = tmpfile();
     if (!video->messages || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
         return skv_fail(error, SKV_ERROR_DEVICE,
-                        "--video: no way to talk to ffmpeg: %s; leave --video away",
-                        strerror(errno));
+                        "--video: no way to talk to ffmpeg: %s; omit --video", strerror(errno));
     }
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);

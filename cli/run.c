@@ -187,11 +187,11 @@ static skv_result finish(cli_run *run, skv_error *error)
 
 static void print_json(const cli_run *run, const skv_stats *stats)
 {
-    int64_t steps = skv_world_steps(run->world);
+    int64_t steps = skv_world_substep_count(run->world);
     fputs("{\"scene\": ", stdout);
     json_text(stdout, skv_scene_name(run->scene));
     printf(", \"particles\": %d, \"substeps\": %d, \"steps\": %" PRId64 ", \"sim_seconds\": ",
-           stats->particles, skv_world_substeps(run->world), steps);
+           stats->particles, skv_world_substeps_per_frame(run->world), steps);
     json_number(stdout, run->timeline.time);
     fputs(", \"ms_per_step\": ", stdout);
     json_number(stdout, steps ? 1000 * run->step_seconds / (double)steps : NAN);
@@ -208,13 +208,13 @@ static void print_json(const cli_run *run, const skv_stats *stats)
 static void print_summary(const cli_run *run, const skv_stats *stats)
 {
     double simulated = run->timeline.time;
-    int64_t steps = skv_world_steps(run->world);
+    int64_t steps = skv_world_substep_count(run->world);
     printf("%s: %d particles, %.4g s simulated in %.3g s", skv_scene_title(run->scene),
            stats->particles, simulated, run->step_seconds);
     if (steps) {
         printf(" (%.3gx real time)\n  %" PRId64 " substeps of %.3g ms, %d a frame",
                simulated / run->step_seconds, steps, 1000 * run->step_seconds / (double)steps,
-               skv_world_substeps(run->world));
+               skv_world_substeps_per_frame(run->world));
     }
     printf("\n  %.1f neighbours, volume ratio %.3f, speed %.3g m/s (rms), kinetic energy %.4g J/m\n"
            "  %d escaped, %d not finite, hash %016" PRIx64 "\n",

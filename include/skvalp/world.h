@@ -172,12 +172,12 @@ SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, s
 SKV_API int skv_world_particle_count(const skv_world *world);
 /* Particles that do not sleep: those that the last step moved, and those added since. */
 SKV_API int skv_world_awake_count(const skv_world *world);
-SKV_API int skv_world_substeps(const skv_world *world); /* a 1/60 s frame */
+SKV_API int skv_world_substeps_per_frame(const skv_world *world); /* a 1/60 s frame */
 SKV_API int skv_world_threads(const skv_world *world);
-SKV_API double skv_world_time(const skv_world *world);   /* s, simulated */
-SKV_API int64_t skv_world_steps(const skv_world *world); /* substeps taken */
-SKV_API float skv_world_spacing(const skv_world *world); /* s, m */
-SKV_API float skv_world_radius(const skv_world *world);  /* h, m */
+SKV_API double skv_world_time(const skv_world *world);            /* s, simulated */
+SKV_API int64_t skv_world_substep_count(const skv_world *world);  /* substeps taken */
+SKV_API float skv_world_spacing(const skv_world *world);          /* s, m */
+SKV_API float skv_world_smoothing_radius(const skv_world *world); /* h, m */
 SKV_API const skv_fluid_def *skv_world_fluid(const skv_world *world);
 SKV_API void skv_world_gravity(const skv_world *world, float *gx, float *gy);
 SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);

@@ -31,23 +31,23 @@ int skv_platform_cores(void);
 /* Lets another thread run. */
 void skv_platform_yield(void);
 
-/* A crew: threads, and a bed for those of them that have nothing to do. */
-typedef struct skv_crew skv_crew;
+/* Threads, and a place to wait for those that have nothing to do. */
+typedef struct skv_threads skv_threads;
 
-/* A crew without threads; null if memory is out. */
-skv_crew *skv_crew_create(void);
+/* An empty group of threads; null if memory is out. */
+skv_threads *skv_threads_create(void);
 
 /* Starts a thread that runs `work`; false if the system has none left, or has no threads. */
-bool skv_crew_start(skv_crew *crew, void (*work)(void *argument), void *argument);
+bool skv_threads_start(skv_threads *threads, void (*work)(void *argument), void *argument);
 
-/* Waits until all threads have returned, then frees the crew; null is allowed. */
-void skv_crew_join(skv_crew *crew);
+/* Waits until all threads have returned, then frees the group; null is allowed. */
+void skv_threads_join(skv_threads *threads);
 
 /* Sleeps as long as *counter is `old`. */
-void skv_crew_sleep(skv_crew *crew, atomic_uint *counter, unsigned old);
+void skv_threads_sleep(skv_threads *threads, atomic_uint *counter, unsigned old);
 
 /* Wakes the sleepers; to be called after a counter has changed. Costs next to nothing if there are
  * none. */
-void skv_crew_wake(skv_crew *crew);
+void skv_threads_wake(skv_threads *threads);
 
 #endif

@@ -17,24 +17,25 @@
 enum { SPINS = 400, MOST_SPINS = 4000, MORE_SPINS = 64 };
 /* How long the first of the lent threads waits for the others, in turns. */
 enum { GATHERING = 2500 };
-/* A door's state: the number of threads that have come in, and this once it is closed. */
+/* The state of `joined`: the number of threads that have come in, and this once the team is
+ * complete. */
 #define CLOSED 0x80000000u
 
 enum { CHUNK = 128, MAX_THREADS = 64 };
 
 /* What a worker is started with. */
-typedef struct seat {
+typedef struct start {
     skv_pool *pool;
     int thread;
-} seat;
+} start;
 
 struct skv_pool {
     int threads;          /* the most of a team */
     int size;             /* of the running team */
     skv_task_system lent; /* run null: own threads */
-    atomic_uint door;     /* of lent threads' teams */
-    skv_crew *crew;
-    seat seats[MAX_THREADS];
+    atomic_uint joined;   /* of lent threads' teams */
+    skv_threads *workers;
+    start starts[MAX_THREADS];
     atomic_uint generation; /* raised to start a team */
     atomic_uint phase;      /* raised when all members have reached a barrier */
     atomic_int arrived;
@@ -75,7 +76,7 @@ static bool spin(atomic_uint *counter, unsigned old, int most)
 static void raise(skv_pool *pool, atomic_uint *counter)
 {
     atomic_fetch_add(counter, 1);
-    skv_crew_wake(pool->crew);
+    skv_threads_wake(pool->workers);
 }
 
 /* Waits until a counter has left `old`, spinning for as long as that is likely to help. */
@@ -86,7 +87,7 @@ static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
     if (spin(counter, old, patience))
         next = patience + MORE_SPINS < MOST_SPINS ? patience + MORE_SPINS : MOST_SPINS;
     else
-        skv_crew_sleep(pool->crew, counter, old);
+        skv_threads_sleep(pool->workers, counter, old);
     if (next != patience)
         atomic_store_explicit(&pool->patience, next, memory_order_relaxed);
 }
@@ -117,7 +118,7 @@ void skv_pool_reach(skv_pool *pool, skv_progress *own, unsigned reached)
     if (!pool || pool->size == 1)
         return;
     atomic_store(&own->reached, reached);
-    skv_crew_wake(pool->crew);
+    skv_threads_wake(pool->workers);
 }
 
 void skv_pool_await(skv_pool *pool, skv_progress *other, unsigned reached)
@@ -132,11 +133,11 @@ void skv_pool_await(skv_pool *pool, skv_progress *other, unsigned reached)
 
 static void worker_main(void *argument)
 {
-    const seat *own = argument;
+    const start *own = argument;
     skv_pool *pool = own->pool;
     for (unsigned seen = 0;; seen++) {
         if (!spin(&pool->generation, seen, SPINS))
-            skv_crew_sleep(pool->crew, &pool->generation, seen);
+            skv_threads_sleep(pool->workers, &pool->generation, seen);
         if (pool->quit)
             return;
         pool->member(own->thread, pool->size, pool->context);
@@ -148,14 +149,14 @@ static void worker_main(void *argument)
 static skv_pool *make_pool(int threads, skv_error *error)
 {
     skv_pool *pool = skv_calloc(1, sizeof *pool);
-    skv_crew *crew = skv_crew_create();
-    if (!pool || !crew) {
-        skv_crew_join(crew);
+    skv_threads *workers = skv_threads_create();
+    if (!pool || !workers) {
+        skv_threads_join(workers);
         skv_free(pool);
         skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the task pool");
         return NULL;
     }
-    pool->crew = crew;
+    pool->workers = workers;
     pool->threads = pool->size = threads;
     atomic_init(&pool->patience, SPINS);
     return pool;
@@ -173,8 +174,8 @@ skv_result skv_pool_create(int threads, skv_pool **out, skv_error *error)
     if (!pool)
         return SKV_ERROR_MEMORY;
     for (int i = 1; i < wanted; i++) {
-        pool->seats[i] = (seat){pool, i};
-        if (!skv_crew_start(pool->crew, worker_main, &pool->seats[i])) {
+        pool->starts[i] = (start){pool, i};
+        if (!skv_threads_start(pool->workers, worker_main, &pool->starts[i])) {
             skv_pool_destroy(pool);
             return skv_fail(error, SKV_ERROR_LIMIT,
                             "the system refused to start thread %d of %d; use fewer threads", i + 1,
@@ -206,7 +207,7 @@ void skv_pool_destroy(skv_pool *pool)
         return;
     pool->quit = true;
     raise(pool, &pool->generation);
-    skv_crew_join(pool->crew);
+    skv_threads_join(pool->workers);
     skv_free(pool);
 }
 
@@ -218,10 +219,10 @@ int skv_pool_threads(const skv_pool *pool)
 /* Takes a place in the team that is gathering: its index, or -1 if the team is complete. */
 static int join(skv_pool *pool)
 {
-    unsigned door = atomic_load(&pool->door);
-    while (!(door & CLOSED) && door < (unsigned)pool->threads)
-        if (atomic_compare_exchange_weak(&pool->door, &door, door + 1))
-            return (int)door;
+    unsigned joined = atomic_load(&pool->joined);
+    while (!(joined & CLOSED) && joined < (unsigned)pool->threads)
+        if (atomic_compare_exchange_weak(&pool->joined, &joined, joined + 1))
+            return (int)joined;
     return -1;
 }
 
@@ -233,14 +234,14 @@ static void enter(void *team)
     if (thread < 0)
         return;
     if (thread == 0) {
-        for (int t = 0; t < GATHERING && atomic_load(&pool->door) < (unsigned)pool->threads; t++)
+        for (int t = 0; t < GATHERING && atomic_load(&pool->joined) < (unsigned)pool->threads; t++)
             relax_cpu();
-        unsigned door = atomic_load(&pool->door);
+        unsigned joined = atomic_load(&pool->joined);
         do
-            pool->size = (int)door;
-        while (!atomic_compare_exchange_weak(&pool->door, &door, door | CLOSED));
+            pool->size = (int)joined;
+        while (!atomic_compare_exchange_weak(&pool->joined, &joined, joined | CLOSED));
     }
-    for (int turns = 0; !(atomic_load(&pool->door) & CLOSED);)
+    for (int turns = 0; !(atomic_load(&pool->joined) & CLOSED);)
         pause_or_yield(&turns);
     pool->member(thread, pool->size, pool->context);
 }
@@ -254,9 +255,9 @@ void skv_pool_team(skv_pool *pool, skv_member *member, void *context)
     pool->member = member;
     pool->context = context;
     if (pool->lent.run) {
-        atomic_store(&pool->door, 0);
+        atomic_store(&pool->joined, 0);
         pool->lent.run(pool->lent.user, pool->threads, enter, pool);
-        /* Does the work if the host has called nobody; else the door is closed. */
+        /* Does the work if the host has called nobody; else the team is closed. */
         enter(pool);
         return;
     }

@@ -47,7 +47,7 @@ skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *op
     result = e->measure(&set_up, found, error);
     if (result == SKV_OK) {
         found->particles = skv_world_particle_count(set_up.world);
-        found->substeps = skv_world_substeps(set_up.world);
+        found->substeps = skv_world_substeps_per_frame(set_up.world);
         found->spacing = set_up.spacing;
         found->seconds = set_up.done;
     }

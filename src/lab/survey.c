@@ -208,7 +208,7 @@ skv_result skv_survey_take(skv_survey *s, const skv_world *world, skv_error *err
     double height = (double)skv_terrain_height(terrain);
     skv_result result = reserve_particles(s, particles.count, error);
     double h_before = s->h;
-    s->h = (double)skv_world_radius(world);
+    s->h = (double)skv_world_smoothing_radius(world);
     if (result == SKV_OK)
         result = reserve_cells(s, width, height, error);
     if (result != SKV_OK) {

@@ -22,7 +22,7 @@ static void float_arrays(skv_state *s, float **arrays[ARRAYS])
         &s->x,         &s->y,          &s->vx,           &s->vy,       &s->wx,
         &s->wy,        &s->dx,         &s->dy,           &s->density,  &s->push,
         &s->near_push, &s->gradient_x, &s->gradient_y,   &s->pressure, &s->near_density,
-        &s->clear,     &s->wall_near,  &s->wall_density, &s->f1x,      &s->f1y,
+        &s->clearance, &s->wall_near,  &s->wall_density, &s->f1x,      &s->f1y,
         &s->f2x,       &s->f2y,        &s->normal_x,     &s->normal_y, &s->depth,
     };
     memcpy(arrays, list, sizeof list);
@@ -97,7 +97,7 @@ static skv_result copy_fluid(measurement *m, skv_error *error)
         to->vx[k] = from->vx[i];
         to->vy[k] = from->vy[i];
         to->id[k] = from->id[i];
-        to->clear[k] = 0;
+        to->clearance[k] = 0;
     }
     return SKV_OK;
 }
@@ -161,7 +161,7 @@ static void move_all(measurement *m, bool walls_push)
             wall_y = (double)(s->push[i] * s->f1y[i] + s->near_push[i] * s->f2y[i]);
         }
         float x = s->x[i], y = s->y[i], dx = s->dx[i], dy = s->dy[i];
-        float made = skv_move_at_walls(m->world, &x, &y, dx, dy, &s->clear[i]);
+        float made = skv_move_at_walls(m->world, &x, &y, dx, dy, &s->clearance[i]);
         wall_x += (double)((made - 1) * dx);
         wall_y += (double)((made - 1) * dy);
         if (wall_x != 0 || wall_y != 0)
@@ -218,11 +218,11 @@ static void relax(measurement *m)
     skv_pressure_law *law = clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated;
     for (int iteration = 0; iteration < m->world->fluid.iterations; iteration++) {
         sample_walls(m);
-        bool tense = iteration == 0 && !clavet;
-        skv_pass_density(s, c, &m->meter->neighbours, tense, 0, s->count);
+        bool has_gradient = iteration == 0 && !clavet;
+        skv_pass_density(s, c, &m->meter->neighbours, has_gradient, 0, s->count);
         law(s, c, 0, s->count);
         skv_pass_displacement(s, c, &m->meter->neighbours, 0, s->count);
-        if (tense)
+        if (has_gradient)
             skv_pass_tension(s, c, &m->meter->neighbours, 0, s->count);
         move_all(m, true);
     }
@@ -233,7 +233,7 @@ static void touch_walls(measurement *m)
     skv_state *s = &m->meter->state;
     for (int i = 0; i < s->count; i++)
         s->depth[i] = skv_contact_depth(m->world, s->x[i], s->y[i], &s->normal_x[i],
-                                        &s->normal_y[i], &s->clear[i]);
+                                        &s->normal_y[i], &s->clearance[i]);
     skv_pass_contact(s, &m->constants, 0, s->count);
     for (int i = 0; i < s->count; i++) {
         if (s->depth[i] > 0)

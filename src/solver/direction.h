@@ -7,7 +7,7 @@
 
 /* A direction for coincident particles, hashed from their numbers: antisymmetric, so the pair's
  * momentum is kept, and the same on every machine (erratum of Algorithm 6, r = 0). */
-static inline void skv_made_up_direction(uint32_t a, uint32_t b, float *ux, float *uy)
+static inline void skv_fallback_direction(uint32_t a, uint32_t b, float *ux, float *uy)
 {
     uint32_t low = a < b ? a : b, high = a < b ? b : a;
     uint32_t bits = (low * 0x9e3779b1u) ^ (high * 0x85ebca6bu);

@@ -136,7 +136,7 @@ static int gather(const build *b, int i, int *out)
             float dx = x[j] - x[i], dy = y[j] - y[i];
             if (!(dx * dx + dy * dy < b->h_squared) || j == i)
                 continue;
-            if (n->parted && n->parted(n->parted_context, x[i], y[i], x[j], y[j]))
+            if (n->occluded && n->occluded(n->occluded_context, x[i], y[i], x[j], y[j]))
                 continue;
             if (out)
                 out[found] = j;

@@ -12,7 +12,7 @@
 #include "solver/state.h"
 
 /* True if a wall parts two places that are within the radius of each other. */
-typedef bool skv_parted(const void *context, float ax, float ay, float bx, float by);
+typedef bool skv_occluded(const void *context, float ax, float ay, float bx, float by);
 
 typedef struct skv_neighbours {
     float origin_x, origin_y, inv_cell; /* of the grid, m and 1/m */
@@ -23,9 +23,9 @@ typedef struct skv_neighbours {
     int *start;      /* count + 1: where a particle's list begins in `list` */
     int *list;
     int particle_capacity, list_capacity;
-    int wanted;         /* elements the last build would have liked in `list` */
-    skv_parted *parted; /* pairs for which it says true are left out; null: none */
-    const void *parted_context;
+    int wanted;             /* elements the last build would have liked in `list` */
+    skv_occluded *occluded; /* pairs for which it says true are left out; null: none */
+    const void *occluded_context;
 } skv_neighbours;
 
 /* Sets up the grid over [x0, x1] x [y0, y1]; particles outside count for the nearest cell. */

@@ -32,7 +32,7 @@ static inline bool skv_pair_of(const skv_state *s, const skv_constants *c, int i
         pair->ux = dx * inverse;
         pair->uy = dy * inverse;
     } else {
-        skv_made_up_direction(s->id[i], s->id[j], &pair->ux, &pair->uy);
+        skv_fallback_direction(s->id[i], s->id[j], &pair->ux, &pair->uy);
     }
     return true;
 }

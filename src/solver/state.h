@@ -27,7 +27,7 @@ typedef struct skv_state {
 
     float *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
     float *f1x, *f1y, *f2x, *f2y;    /* F1, F2 of the wall maps; dimensionless */
-    float *clear;                    /* lower bound of the distance to the nearest wall, m */
+    float *clearance;                /* lower bound of the distance to the nearest wall, m */
     float *depth;                    /* to push out of the contact distance, m; 0: no contact */
     float *normal_x, *normal_y;      /* out of the wall; valid where depth > 0 */
 

@@ -41,8 +41,8 @@ float skv_grid_distance(const skv_terrain *terrain, float gx, float gy)
 
 /* Whether solid lies between two points so far apart, whose distances from it are known; all in
  * pixels. What both distances cover is free: a distance falls by at most sqrt(2) a pixel. */
-static bool is_parted(const skv_terrain *terrain, float ax, float ay, float a, float bx, float by,
-                      float b, float length)
+static bool is_occluded(const skv_terrain *terrain, float ax, float ay, float a, float bx, float by,
+                        float b, float length)
 {
     if (a <= 0 || b <= 0)
         return true;
@@ -50,8 +50,8 @@ static bool is_parted(const skv_terrain *terrain, float ax, float ay, float a, f
         return false;
     float x = 0.5f * (ax + bx), y = 0.5f * (ay + by), half = 0.5f * length;
     float middle = skv_grid_distance(terrain, x, y) * terrain->per_metre;
-    return is_parted(terrain, ax, ay, a, x, y, middle, half) ||
-           is_parted(terrain, x, y, middle, bx, by, b, half);
+    return is_occluded(terrain, ax, ay, a, x, y, middle, half) ||
+           is_occluded(terrain, x, y, middle, bx, by, b, half);
 }
 
 /* The distance of an end from solid in pixels, or the bound of it that is known. Ends are
@@ -65,12 +65,12 @@ static float at_end(const skv_terrain *terrain, float gx, float gy, float clear)
     return clear > beside ? clear : beside;
 }
 
-bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float a_clear, float bx,
-                     float by, float b_clear)
+bool skv_grid_occluded(const skv_terrain *terrain, float ax, float ay, float a_clearance, float bx,
+                       float by, float b_clearance)
 {
     float dx = bx - ax, dy = by - ay;
-    return is_parted(terrain, ax, ay, at_end(terrain, ax, ay, a_clear), bx, by,
-                     at_end(terrain, bx, by, b_clear), sqrtf(dx * dx + dy * dy));
+    return is_occluded(terrain, ax, ay, at_end(terrain, ax, ay, a_clearance), bx, by,
+                       at_end(terrain, bx, by, b_clearance), sqrtf(dx * dx + dy * dy));
 }
 
 float skv_terrain_distance(const skv_terrain *terrain, float x, float y)

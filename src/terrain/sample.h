@@ -57,8 +57,8 @@ float skv_grid_distance(const skv_terrain *terrain, float gx, float gy);
 /* True if the straight way between two points in grid coordinates meets solid. The same for (a, b)
  * and (b, a), bit by bit; a wall thinner than a third of a pixel may be missed. The bounds spare
  * looking distances up: lower bounds, in m, of the ends' distances from solid; 0: not known. */
-bool skv_grid_parted(const skv_terrain *terrain, float ax, float ay, float a_clear, float bx,
-                     float by, float b_clear);
+bool skv_grid_occluded(const skv_terrain *terrain, float ax, float ay, float a_clearance, float bx,
+                       float by, float b_clearance);
 
 /* The sums of the 3x3 normal kernel, interpolated to grid coordinates inside the sampled range:
  * along the normal, not normalised, zero in the middle of a channel. */

@@ -429,12 +429,13 @@ bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y)
     return map->thin && skv_near_thin_wall(map->thin, x, y);
 }
 
-bool skv_wall_map_parted(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
-                         float a_clear, float bx, float by, float b_clear)
+bool skv_wall_map_occluded(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
+                           float a_clearance, float bx, float by, float b_clearance)
 {
     return skv_wall_map_near_thin(map, ax, ay) && skv_wall_map_near_thin(map, bx, by) &&
-           skv_grid_parted(terrain, skv_to_grid(terrain, ax), skv_to_grid(terrain, ay), a_clear,
-                           skv_to_grid(terrain, bx), skv_to_grid(terrain, by), b_clear);
+           skv_grid_occluded(terrain, skv_to_grid(terrain, ax), skv_to_grid(terrain, ay),
+                             a_clearance, skv_to_grid(terrain, bx), skv_to_grid(terrain, by),
+                             b_clearance);
 }
 
 bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, float y, float distance, float nx,

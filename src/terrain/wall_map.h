@@ -42,8 +42,8 @@ bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y);
 
 /* True if a thin wall stands between two places that are within h of each other. The same for both
  * orders. The bounds are lower bounds of the places' distances from walls, in m; 0: not known. */
-bool skv_wall_map_parted(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
-                         float a_clear, float bx, float by, float b_clear);
+bool skv_wall_map_occluded(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
+                           float a_clearance, float bx, float by, float b_clearance);
 
 /* Samples the maps near a thin wall, for a point at `distance` from a wall with the normal (nx,
  * ny). Samples on the other side of the wall must not be mixed in, so nearer than one and a half

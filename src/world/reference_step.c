@@ -18,16 +18,16 @@ typedef struct substep {
     bool with_gradient; /* the density pass of the first iteration */
 } substep;
 
-/* Moves particle i by (dx, dy) as far as the walls allow; returns the share it could move. `clear`
- * is a lower bound of the distance to the nearest wall: only moves that exceed it look at the
- * terrain, which in a pool are one in ten. */
+/* Moves particle i by (dx, dy) as far as the walls allow; returns the share it could move.
+ * `clearance` is a lower bound of the distance to the nearest wall: only moves that exceed it look
+ * at the terrain, which in a pool are one in ten. */
 static float move_particle(const substep *sub, int i, float dx, float dy)
 {
     skv_state *s = sub->state;
     /* The distance is bilinear: along a diagonal it can fall by the square root of two. */
-    s->clear[i] -= 1.4143f * sqrtf(dx * dx + dy * dy);
-    if (s->clear[i] <= sub->world->wall_clearance)
-        return skv_move_at_walls(sub->world, &s->x[i], &s->y[i], dx, dy, &s->clear[i]);
+    s->clearance[i] -= 1.4143f * sqrtf(dx * dx + dy * dy);
+    if (s->clearance[i] <= sub->world->wall_clearance)
+        return skv_move_at_walls(sub->world, &s->x[i], &s->y[i], dx, dy, &s->clearance[i]);
     s->x[i] += dx;
     s->y[i] += dy;
     return 1;
@@ -128,9 +128,9 @@ static void find_contacts(int begin, int end, void *context)
     skv_state *s = sub->state;
     for (int i = begin; i < end; i++) {
         s->depth[i] = 0;
-        if (s->clear[i] < sub->constants->contact_distance)
+        if (s->clearance[i] < sub->constants->contact_distance)
             s->depth[i] = skv_contact_depth(sub->world, s->x[i], s->y[i], &s->normal_x[i],
-                                            &s->normal_y[i], &s->clear[i]);
+                                            &s->normal_y[i], &s->clearance[i]);
     }
 }
 

@@ -74,8 +74,8 @@ static bool view_near_thin(const void *context, float x, float y)
     return skv_wall_map_near_thin(v->world->walls, x * v->h, y * v->h);
 }
 
-static bool view_parted(const void *context, float ax, float ay, float a_clear, float bx, float by,
-                        float b_clear)
+static bool view_occluded(const void *context, float ax, float ay, float a_clearance, float bx,
+                          float by, float b_clearance)
 {
     const view *v = context;
     if (v->swapped) {
@@ -83,8 +83,8 @@ static bool view_parted(const void *context, float ax, float ay, float a_clear, 
         swap(&bx, &by);
     }
     const skv_world *world = v->world;
-    return skv_wall_map_parted(world->walls, world->terrain, ax * v->h, ay * v->h, a_clear * v->h,
-                               bx * v->h, by * v->h, b_clear * v->h);
+    return skv_wall_map_occluded(world->walls, world->terrain, ax * v->h, ay * v->h,
+                                 a_clearance * v->h, bx * v->h, by * v->h, b_clearance * v->h);
 }
 
 static skv_row_constants row_constants(const skv_world *world, bool swapped)
@@ -162,7 +162,7 @@ void skv_rows_substeps(skv_world *world, int count, float time)
         .context = &v, .walls = view_walls, .move = view_move, .contact = view_contact};
     if (skv_wall_map_has_thin(world->walls)) {
         boundary.near_thin = view_near_thin;
-        boundary.parted = view_parted;
+        boundary.occluded = view_occluded;
     }
     skv_row_pull pulls[SKV_MAX_HANDS];
     make_pulls(world, swapped, pulls);
@@ -175,7 +175,7 @@ void skv_rows_substeps(skv_world *world, int count, float time)
         .y = swapped ? s->x : s->y,
         .vx = swapped ? s->vy : s->vx,
         .vy = swapped ? s->vx : s->vy,
-        .clear = s->clear,
+        .clearance = s->clearance,
         .pressure = s->pressure,
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,

@@ -73,7 +73,7 @@ static void remove_leavers(skv_world *world)
             s->vx[kept] = s->vx[i];
             s->vy[kept] = s->vy[i];
             s->pressure[kept] = s->pressure[i];
-            s->clear[kept] = s->clear[i];
+            s->clearance[kept] = s->clearance[i];
             s->id[kept] = s->id[i];
             world->sleep.anchor_x[kept] = world->sleep.anchor_x[i];
             world->sleep.anchor_y[kept] = world->sleep.anchor_y[i];

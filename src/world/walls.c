@@ -46,13 +46,13 @@ float skv_walls_at(const skv_world *world, float x, float y, skv_wall_sample *wa
 bool skv_wall_between(const void *context, float ax, float ay, float bx, float by)
 {
     const skv_world *world = context;
-    return skv_wall_map_parted(world->walls, world->terrain, ax, ay, 0, bx, by, 0);
+    return skv_wall_map_occluded(world->walls, world->terrain, ax, ay, 0, bx, by, 0);
 }
 
 void skv_cut_pairs_at_walls(const skv_world *world, skv_neighbours *neighbours)
 {
     if (!skv_wall_map_has_thin(world->walls))
         return;
-    neighbours->parted = skv_wall_between;
-    neighbours->parted_context = world;
+    neighbours->occluded = skv_wall_between;
+    neighbours->occluded_context = world;
 }

@@ -39,7 +39,7 @@ static void float_arrays(skv_world *world, float **arrays[FLOAT_ARRAYS])
         &s->f1y,
         &s->f2x,
         &s->f2y,
-        &s->clear,
+        &s->clearance,
         &s->normal_x,
         &s->normal_y,
         &world->sleep.anchor_x,
@@ -100,7 +100,7 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy)
     s->vx[i] = vx;
     s->vy[i] = vy;
     s->pressure[i] = 0;
-    s->clear[i] = 0;
+    s->clearance[i] = 0;
     s->id[i] = world->next_id++;
     world->sleep.anchor_x[i] = x;
     world->sleep.anchor_y[i] = y;
@@ -246,7 +246,7 @@ int skv_world_particle_count(const skv_world *world)
     return world->state.count;
 }
 
-int skv_world_substeps(const skv_world *world)
+int skv_world_substeps_per_frame(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
     return world->substeps;
@@ -264,7 +264,7 @@ double skv_world_time(const skv_world *world)
     return world->time;
 }
 
-int64_t skv_world_steps(const skv_world *world)
+int64_t skv_world_substep_count(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
     return world->steps;
@@ -282,7 +282,7 @@ float skv_world_spacing(const skv_world *world)
     return world->fluid.spacing;
 }
 
-float skv_world_radius(const skv_world *world)
+float skv_world_smoothing_radius(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
     return world->h;

@@ -367,7 +367,7 @@ static void test_values_arrive(void **state)
     assert_null(skv_scene_notice(scene, 0));
     assert_int_equal(skv_scene_marked_pixels(scene, true, NULL, 0), 0);
     assert_int_equal(skv_scene_create_world(scene, 1, &world, &error), SKV_OK);
-    assert_int_equal(skv_world_substeps(world), 7);
+    assert_int_equal(skv_world_substeps_per_frame(world), 7);
     assert_int_equal(skv_world_particle_count(world), 321);
     const skv_fluid_def *fluid = skv_world_fluid(world);
     skv_fluid_def clavet = skv_default_fluid_def(SKV_LAW_CLAVET);

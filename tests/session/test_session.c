@@ -30,7 +30,7 @@ static int teardown(void **state)
 static int64_t frames_of(skv_session *session)
 {
     const skv_world *world = skv_session_world(session);
-    return skv_world_steps(world) / skv_world_substeps(world);
+    return skv_world_substep_count(world) / skv_world_substeps_per_frame(world);
 }
 
 static void test_starts_empty(void **state)
@@ -82,7 +82,7 @@ static void test_open_takes_over(void **state)
     assert_int_equal(skv_session_open_scene(session, scene, NULL), SKV_OK);
     assert_ptr_equal(skv_session_scene(session), scene);
     assert_string_equal(skv_scene_name(skv_session_scene(session)), "dam-break");
-    assert_int_equal(skv_world_steps(skv_session_world(session)), 0);
+    assert_int_equal(skv_world_substep_count(skv_session_world(session)), 0);
     assert_int_equal(skv_session_pointer_count(session), 0);
     assert_true(skv_session_speed(session) == 0.5);
 

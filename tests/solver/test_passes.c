@@ -44,7 +44,7 @@ static void bind_arrays(twin *t)
         &s->wy,         &s->dx,         &s->dy,           &s->density,   &s->near_density,
         &s->gradient_x, &s->gradient_y, &s->push,         &s->near_push, &s->pressure,
         &s->wall_near,  &s->f1x,        &s->wall_density, &s->f1y,       &s->f2x,
-        &s->f2y,        &s->clear,      &s->normal_x,     &s->normal_y,  &s->depth,
+        &s->f2y,        &s->clearance,  &s->normal_x,     &s->normal_y,  &s->depth,
     };
     for (int a = 0; a < ARRAYS; a++)
         *arrays[a] = t->memory[a];
@@ -85,7 +85,7 @@ static void randomise(twin *t)
 }
 
 /* The oracle's thin wall for the lists. */
-static bool is_parted(const void *context, float ax, float ay, float bx, float by)
+static bool is_occluded(const void *context, float ax, float ay, float bx, float by)
 {
     double wall = *(const double *)context;
     (void)ay;
@@ -133,8 +133,8 @@ static twin *make_twin(skv_law law, uint32_t seed)
     o->walled = seed % 2 == 0;
     o->wall_x = 10 * (double)f->spacing;
     if (o->walled) {
-        t->lists.parted = is_parted;
-        t->lists.parted_context = &o->wall_x;
+        t->lists.occluded = is_occluded;
+        t->lists.occluded_context = &o->wall_x;
     }
     for (int round = 0; round < 2; round++) {
         assert_int_equal(skv_neighbours_reserve(&t->lists, N, NULL), SKV_OK);
@@ -336,8 +336,8 @@ static void coincident_particles_part(void **unused)
     (void)unused;
     for (uint32_t a = 0; a < 200; a++) {
         float ux, uy, wx, wy;
-        skv_made_up_direction(a, 3 * a + 1, &ux, &uy);
-        skv_made_up_direction(3 * a + 1, a, &wx, &wy);
+        skv_fallback_direction(a, 3 * a + 1, &ux, &uy);
+        skv_fallback_direction(3 * a + 1, a, &wx, &wy);
         assert_true(fabsf(ux * ux + uy * uy - 1) < 1e-5f);
         assert_true(ux == -wx && uy == -wy);
     }

@@ -77,7 +77,7 @@ skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity)
 double fixture_wall_layer(const skv_world *world, double level)
 {
     const skv_terrain *terrain = skv_world_terrain(world);
-    float s = skv_world_spacing(world), top = (float)level - 3 * skv_world_radius(world);
+    float s = skv_world_spacing(world), top = (float)level - 3 * skv_world_smoothing_radius(world);
     skv_particles p = skv_world_particles(world);
     int particles = 0, points = 0;
     for (int i = 0; i < p.count; i++)
@@ -99,12 +99,12 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
     for (int i = 0; i < p.count; i++)
         assert_int_equal(skv_world_add_particle(slow, p.x[i], p.y[i], p.vx[i], p.vy[i], NULL),
                          SKV_OK);
-    float dt = 1.0f / 60 / (float)skv_world_substeps(fast);
+    float dt = 1.0f / 60 / (float)skv_world_substeps_per_frame(fast);
     assert_int_equal(skv_world_step(fast, dt), SKV_OK);
     assert_int_equal(skv_world_step(slow, dt), SKV_OK);
     p = skv_world_particles(fast);
     skv_particles q = skv_world_particles(slow);
-    double most = 2e-5 * (double)skv_world_radius(fast);
+    double most = 2e-5 * (double)skv_world_smoothing_radius(fast);
     for (int i = 0; i < p.count; i++) {
         assert_true(hypot((double)(p.x[i] - q.x[i]), (double)(p.y[i] - q.y[i])) < most);
         assert_true(hypot((double)(p.vx[i] - q.vx[i]), (double)(p.vy[i] - q.vy[i])) <

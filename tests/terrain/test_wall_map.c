@@ -447,9 +447,9 @@ static void check_thin_wall(skv_kernel kernel)
     assert_true(skv_wall_map_near_thin(map, 0.6f, 0.6f));
     assert_true(skv_wall_map_near_thin(map, 0.5f, 0.6f));
     assert_false(skv_wall_map_near_thin(map, 0.3f, 0.6f));
-    assert_true(skv_wall_map_parted(map, terrain, 0.58f, 0.6f, 0, 0.62f, 0.65f, 0));
-    assert_true(skv_wall_map_parted(map, terrain, 0.62f, 0.65f, 0, 0.58f, 0.6f, 0));
-    assert_false(skv_wall_map_parted(map, terrain, 0.58f, 0.6f, 0, 0.58f, 0.7f, 0));
+    assert_true(skv_wall_map_occluded(map, terrain, 0.58f, 0.6f, 0, 0.62f, 0.65f, 0));
+    assert_true(skv_wall_map_occluded(map, terrain, 0.62f, 0.65f, 0, 0.58f, 0.6f, 0));
+    assert_false(skv_wall_map_occluded(map, terrain, 0.58f, 0.6f, 0, 0.58f, 0.7f, 0));
     skv_wall_map_destroy(map);
     skv_terrain_destroy(terrain);
 }

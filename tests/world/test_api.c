@@ -163,11 +163,11 @@ static void facts_are_right(void **unused)
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
     assert_int_equal(skv_world_threads(world), 2);
     assert_true(skv_world_spacing(world) == def.fluid.spacing);
-    assert_true(skv_world_radius(world) == def.fluid.spacing * 3);
+    assert_true(skv_world_smoothing_radius(world) == def.fluid.spacing * 3);
     assert_int_equal(skv_world_fluid(world)->law, SKV_LAW_CALIBRATED);
     assert_string_equal(skv_law_name(SKV_LAW_CLAVET), "clavet");
     assert_true(fabsf(skv_terrain_width(skv_world_terrain(world)) - 1.6f) < 1e-6f);
-    assert_true(skv_world_substeps(world) >= 1);
+    assert_true(skv_world_substeps_per_frame(world) >= 1);
     skv_profile profile = skv_world_profile(world, false);
     assert_int_equal(profile.count, 4);
     assert_string_equal(profile.name[1], "sort");

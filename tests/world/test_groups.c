@@ -47,7 +47,8 @@ typedef struct energy_law {
 static energy_law law_of(const skv_world *world)
 {
     const skv_fluid_def *f = skv_world_fluid(world);
-    double h = (double)skv_world_radius(world), dt = 1.0 / 60 / skv_world_substeps(world);
+    double h = (double)skv_world_smoothing_radius(world),
+           dt = 1.0 / 60 / skv_world_substeps_per_frame(world);
     if (f->law == SKV_LAW_CLAVET) {
         double unit = h / (dt * dt);
         return (energy_law){.h = h,
@@ -145,7 +146,7 @@ static skv_world *make_world(const group *g, double distance, skv_law law, skv_s
     skv_world *world;
     assert_int_equal(skv_terrain_create(&tank, &def.terrain, NULL), SKV_OK);
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
-    double h = (double)skv_world_radius(world), middle = SIDE * (double)PIXEL / 2;
+    double h = (double)skv_world_smoothing_radius(world), middle = SIDE * (double)PIXEL / 2;
     for (int i = 0; i < g->count; i++)
         assert_int_equal(skv_world_add_particle(world, (float)(middle + distance * h * g->x[i]),
                                                 (float)(middle + distance * h * g->y[i]), 0, 0,
@@ -167,7 +168,7 @@ static history watch(const group *g, skv_world *world)
     skv_particles p = skv_world_particles(world);
     double start = energy_of_position(&e, &p);
     history seen = {.nearest = 1};
-    int substeps = skv_world_substeps(world);
+    int substeps = skv_world_substeps_per_frame(world);
     for (int s = 0; s < 30 * substeps; s++) {
         assert_int_equal(skv_world_step(world, 1.0f / 60 / (float)substeps), SKV_OK);
         p = skv_world_particles(world);
@@ -191,7 +192,7 @@ static void check(const group *g, double distance, skv_law law, skv_solver solve
     skv_world *world = make_world(g, distance, law, solver, depth);
     energy_law e = law_of(world);
     history seen = watch(g, world);
-    double dt = 1.0 / 60 / skv_world_substeps(world), unit = e.h * e.pull;
+    double dt = 1.0 / 60 / skv_world_substeps_per_frame(world), unit = e.h * e.pull;
     skv_world_destroy(world);
     double gain = e.kernel == SKV_KERNEL_SPIKY ? 6 : 0.08;
     double speed = e.kernel == SKV_KERNEL_SPIKY ? 0.4 * e.h / dt : 1.25 * sqrt(unit);

@@ -29,7 +29,7 @@ static void read_state(const skv_world *world, oracle *o)
     o->beta = (double)f->viscosity_quadratic;
     o->eta = (double)f->radius_ratio;
     o->fluid_density = (double)f->density;
-    o->dt = 1.0 / 60 / skv_world_substeps(world);
+    o->dt = 1.0 / 60 / skv_world_substeps_per_frame(world);
     o->omega = (double)f->relaxation;
     o->k_near = (double)f->near_stiffness;
     o->k_coh = (double)f->cohesion;
@@ -102,7 +102,7 @@ static void check_substeps(skv_law law, skv_solver solver)
         oracle_substep(&o, solver);
         assert_int_equal(skv_world_step(world, (float)o.dt), SKV_OK);
         skv_particles p = skv_world_particles(world);
-        double h = (double)skv_world_radius(world);
+        double h = (double)skv_world_smoothing_radius(world);
         double modulus = o.fluid_density * (h / o.dt) * (h / o.dt);
         for (int i = 0; i < o.n; i++) {
             assert_true(hypot((double)p.x[i] - o.x[i], (double)p.y[i] - o.y[i]) < 1e-5 * h);
@@ -218,11 +218,12 @@ static void gravity_is_gravity(void **unused)
     fixture_run(world, 30);
     skv_stats after = skv_world_stats(world);
     /* The substep rule integrates x += dt v after v += dt g: n (n + 1) / 2 instead of n^2 / 2. */
-    double n = 30.0 * skv_world_substeps(world), dt = 0.5 / n, fall = 0.5 * n * (n + 1) * dt * dt;
+    double n = 30.0 * skv_world_substeps_per_frame(world), dt = 0.5 / n,
+           fall = 0.5 * n * (n + 1) * dt * dt;
     assert_true(fabs(before.centre_y - after.centre_y - fall) < 1e-4 * fall);
     assert_true(fabs(after.centre_x - before.centre_x - 0.5 * fall) < 1e-4 * fall);
     assert_true(fabs(skv_world_time(world) - 0.5) < 1e-6);
-    assert_int_equal(skv_world_steps(world), 30 * skv_world_substeps(world));
+    assert_int_equal(skv_world_substep_count(world), 30 * skv_world_substeps_per_frame(world));
     skv_world_destroy(world);
 }
 

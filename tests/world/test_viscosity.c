@@ -103,7 +103,7 @@ static void water_costs_nothing(void **unused)
     fixture_run(plain, 10);
     fixture_run(water, 10);
     assert_true(skv_world_hash(plain) == skv_world_hash(water));
-    assert_int_equal(skv_world_substeps(plain), skv_world_substeps(water));
+    assert_int_equal(skv_world_substeps_per_frame(plain), skv_world_substeps_per_frame(water));
     skv_world_destroy(plain);
     skv_world_destroy(water);
 }

@@ -78,7 +78,7 @@ static rest measure(skv_world *world, double degrees, float level, int frames)
 {
     double angle = degrees * acos(-1) / 180, tx = cos(angle), ty = sin(angle);
     int n = skv_world_particle_count(world);
-    float h = skv_world_radius(world), s = skv_world_spacing(world);
+    float h = skv_world_smoothing_radius(world), s = skv_world_spacing(world);
     float *x = malloc((size_t)n * sizeof *x), *y = malloc((size_t)n * sizeof *y);
     int near_wall = 0, layer = 0;
     rest result = {0};

@@ -215,7 +215,8 @@ static bool run_world(uint64_t seed, bool talk)
                       t->world ? skv_law_name(skv_world_fluid(t->world)->law) : "-",
                       t->solver == SKV_SOLVER_FAST ? "fast" : "reference",
                       t->world ? (double)(skv_world_spacing(t->world) / t->pixel) : 0.0,
-                      t->world ? skv_world_substeps(t->world) : 0, good ? "fine" : t->failure);
+                      t->world ? skv_world_substeps_per_frame(t->world) : 0,
+                      good ? "fine" : t->failure);
     skv_world_destroy(t->world);
     free(t);
     return good;

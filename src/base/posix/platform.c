@@ -13,7 +13,7 @@
 
 enum { MAX_CREW = 64 };
 
-struct skv_crew {
+struct skv_threads {
     pthread_t thread[MAX_CREW];
     struct job {
         void (*work)(void *argument);
@@ -80,14 +80,14 @@ void skv_platform_yield(void)
     sched_yield();
 }
 
-skv_crew *skv_crew_create(void)
+skv_threads *skv_threads_create(void)
 {
-    skv_crew *crew = skv_calloc(1, sizeof *crew);
-    if (crew) {
-        pthread_mutex_init(&crew->mutex, NULL);
-        pthread_cond_init(&crew->changed, NULL);
+    skv_threads *threads = skv_calloc(1, sizeof *threads);
+    if (threads) {
+        pthread_mutex_init(&threads->mutex, NULL);
+        pthread_cond_init(&threads->changed, NULL);
     }
-    return crew;
+    return threads;
 }
 
 static void *run_job(void *argument)
@@ -97,46 +97,46 @@ static void *run_job(void *argument)
     return NULL;
 }
 
-bool skv_crew_start(skv_crew *crew, void (*work)(void *argument), void *argument)
+bool skv_threads_start(skv_threads *threads, void (*work)(void *argument), void *argument)
 {
-    if (crew->count == MAX_CREW)
+    if (threads->count == MAX_CREW)
         return false;
-    struct job *job = &crew->job[crew->count];
+    struct job *job = &threads->job[threads->count];
     *job = (struct job){work, argument};
-    if (pthread_create(&crew->thread[crew->count], NULL, run_job, job))
+    if (pthread_create(&threads->thread[threads->count], NULL, run_job, job))
         return false;
-    crew->count++;
+    threads->count++;
     return true;
 }
 
-void skv_crew_join(skv_crew *crew)
+void skv_threads_join(skv_threads *threads)
 {
-    if (!crew)
+    if (!threads)
         return;
-    for (int i = 0; i < crew->count; i++)
-        pthread_join(crew->thread[i], NULL);
-    pthread_cond_destroy(&crew->changed);
-    pthread_mutex_destroy(&crew->mutex);
-    skv_free(crew);
+    for (int i = 0; i < threads->count; i++)
+        pthread_join(threads->thread[i], NULL);
+    pthread_cond_destroy(&threads->changed);
+    pthread_mutex_destroy(&threads->mutex);
+    skv_free(threads);
 }
 
 /* A sleeper counts itself before it looks again, and who wakes looks for sleepers after the counter
  * has changed: one of the two sees the other. */
-void skv_crew_sleep(skv_crew *crew, atomic_uint *counter, unsigned old)
+void skv_threads_sleep(skv_threads *threads, atomic_uint *counter, unsigned old)
 {
-    pthread_mutex_lock(&crew->mutex);
-    atomic_fetch_add(&crew->sleepers, 1);
+    pthread_mutex_lock(&threads->mutex);
+    atomic_fetch_add(&threads->sleepers, 1);
     while (atomic_load(counter) == old)
-        pthread_cond_wait(&crew->changed, &crew->mutex);
-    atomic_fetch_sub(&crew->sleepers, 1);
-    pthread_mutex_unlock(&crew->mutex);
+        pthread_cond_wait(&threads->changed, &threads->mutex);
+    atomic_fetch_sub(&threads->sleepers, 1);
+    pthread_mutex_unlock(&threads->mutex);
 }
 
-void skv_crew_wake(skv_crew *crew)
+void skv_threads_wake(skv_threads *threads)
 {
-    if (atomic_load(&crew->sleepers) == 0)
+    if (atomic_load(&threads->sleepers) == 0)
         return;
-    pthread_mutex_lock(&crew->mutex);
-    pthread_cond_broadcast(&crew->changed);
-    pthread_mutex_unlock(&crew->mutex);
+    pthread_mutex_lock(&threads->mutex);
+    pthread_cond_broadcast(&threads->changed);
+    pthread_mutex_unlock(&threads->mutex);
 }

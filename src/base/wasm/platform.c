@@ -129,40 +129,40 @@ void skv_platform_yield(void)
 {
 }
 
-struct skv_crew {
+struct skv_threads {
     int none;
 };
 
-/* There is one thread, so a crew is empty and nobody sleeps. */
-skv_crew *skv_crew_create(void)
+/* There is one thread, so the group is empty and nobody sleeps. */
+skv_threads *skv_threads_create(void)
 {
-    static skv_crew nobody;
+    static skv_threads nobody;
     return &nobody;
 }
 
-bool skv_crew_start(skv_crew *crew, void (*work)(void *argument), void *argument)
+bool skv_threads_start(skv_threads *threads, void (*work)(void *argument), void *argument)
 {
-    (void)crew;
+    (void)threads;
     (void)work;
     (void)argument;
     return false;
 }
 
-void skv_crew_join(skv_crew *crew)
+void skv_threads_join(skv_threads *threads)
 {
-    (void)crew;
+    (void)threads;
 }
 
-void skv_crew_sleep(skv_crew *crew, atomic_uint *counter, unsigned old)
+void skv_threads_sleep(skv_threads *threads, atomic_uint *counter, unsigned old)
 {
-    (void)crew;
+    (void)threads;
     (void)counter;
     (void)old;
 }
 
-void skv_crew_wake(skv_crew *crew)
+void skv_threads_wake(skv_threads *threads)
 {
-    (void)crew;
+    (void)threads;
 }
 
 /* <string.h>: the compiler calls the first four by itself. no_builtin, or it would turn the loops

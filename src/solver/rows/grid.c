@@ -164,7 +164,7 @@ static void move_particles(skv_rows *rows, skv_row_thread *own)
             to->y[place] = from->y[i];
             to->u[place] = from->u[i];
             to->v[place] = from->v[i];
-            to->clear[place] = from->clear[i];
+            to->clearance[place] = from->clearance[i];
             to->number[place] = from->number[i];
         }
     }
@@ -177,14 +177,14 @@ static void put_dummies(skv_rows *rows, int row)
 {
     const skv_row_particles *p = &rows->set[!rows->current];
     for (int i = rows->new_end[row]; i < skv_row_padded_end(rows->new_end[row]); i++) {
-        p->x[i] = p->y[i] = p->clear[i] = ROW_FAR;
+        p->x[i] = p->y[i] = p->clearance[i] = ROW_FAR;
         p->u[i] = p->v[i] = 0;
     }
 }
 
 /* Particles in exactly one place would stay together for ever: the pair has no direction. The later
  * one is put a thousandth of h aside, to whichever side leaves it in its cell. */
-void skv_rows_part_coincident(skv_rows *rows, int row)
+void skv_rows_separate_coincident(skv_rows *rows, int row)
 {
     const skv_row_particles *p = &rows->set[rows->current];
     const int *start = rows->cell_start + (size_t)row * (size_t)rows->stride;
@@ -194,11 +194,11 @@ void skv_rows_part_coincident(skv_rows *rows, int row)
             if (p->x[i] != p->x[j] || p->y[i] != p->y[j])
                 continue;
             float ux, uy;
-            skv_made_up_direction((uint32_t)p->number[i], (uint32_t)p->number[j], &ux, &uy);
+            skv_fallback_direction((uint32_t)p->number[i], (uint32_t)p->number[j], &ux, &uy);
             float moved = p->x[j] + 1e-3f * ux;
             p->x[j] = column_of(rows, moved) == cell ? moved : p->x[j] - 1e-3f * ux;
             p->y[j] += 1e-3f * uy;
-            p->clear[j] -= 1e-3f;
+            p->clearance[j] -= 1e-3f;
         }
     }
 }
@@ -220,7 +220,7 @@ void skv_rows_turn_over(skv_rows *rows)
     rows->sum[3] = old->v;
     rows->gradient[0] = rows->own[3];
     rows->gradient[1] = old->v;
-    rows->push = old->clear;
+    rows->push = old->clearance;
     rows->near_push = (float *)(void *)old->number;
     rows->current = !rows->current;
 }

@@ -21,12 +21,12 @@ static int sample_walls(const skv_rows *s, int row, bool gradient, const skv_row
     int before = thread->near_wall_count;
     bool all = true;
     for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
-        if (p->clear[i] >= 1)
+        if (p->clearance[i] >= 1)
             continue;
         skv_row_wall wall;
-        p->clear[i] = boundary->walls(boundary->context, p->x[i], p->y[i], &wall);
+        p->clearance[i] = boundary->walls(boundary->context, p->x[i], p->y[i], &wall);
         /* As add_wall_push will see it, if it has to sample again. */
-        if (p->clear[i] >= 1)
+        if (p->clearance[i] >= 1)
             continue;
         s->own[0][i] += wall.density;
         s->own[1][i] += wall.near_density;
@@ -122,7 +122,7 @@ static void move_carefully(const skv_rows *s, int i, float dx, float dy,
                            const skv_row_boundary *boundary)
 {
     const skv_row_particles *p = &s->set[s->current];
-    float made = boundary->move(boundary->context, &p->x[i], &p->y[i], dx, dy, &p->clear[i]);
+    float made = boundary->move(boundary->context, &p->x[i], &p->y[i], dx, dy, &p->clearance[i]);
     p->u[i] += made * dx;
     p->v[i] += made * dy;
 }
@@ -133,11 +133,11 @@ static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
 {
     const skv_row_particles *p = &s->set[s->current];
     for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
-        if (p->clear[i] >= c->contact_distance || p->number[i] & ROW_HELD)
+        if (p->clearance[i] >= c->contact_distance || p->number[i] & ROW_HELD)
             continue;
         float nx, ny;
         float depth =
-            boundary->contact(boundary->context, p->x[i], p->y[i], &nx, &ny, &p->clear[i]);
+            boundary->contact(boundary->context, p->x[i], p->y[i], &nx, &ny, &p->clearance[i]);
         if (!(depth > 0))
             continue;
         /* u, v already hold the whole displacement of the substep. */
@@ -168,7 +168,7 @@ static void add_wall_push(const skv_rows *s, int row, const skv_row_constants *c
         add_push(s, walls[w].particle, c, &walls[w].wall);
     for (int i = s->row_start[row]; count < 0 && i < s->row_end[row]; i++) {
         skv_row_wall wall;
-        if (p->clear[i] >= 1)
+        if (p->clearance[i] >= 1)
             continue;
         boundary->walls(boundary->context, p->x[i], p->y[i], &wall);
         add_push(s, i, c, &wall);
@@ -206,9 +206,9 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
 {
     const skv_row_particles *p = &s->set[s->current];
     v8 length = v8_sqrt(v8_add(v8_mul(dx, dx), v8_mul(dy, dy)));
-    v8 clear = v8_sub(v8_load(p->clear + i), v8_mul(v8_set(ROW_WALL_SLOPE), length));
+    v8 clear = v8_sub(v8_load(p->clearance + i), v8_mul(v8_set(ROW_WALL_SLOPE), length));
     if (!v8_any_below(clear, v8_set(c->wall_clearance))) {
-        v8_store(p->clear + i, clear);
+        v8_store(p->clearance + i, clear);
         v8_store(p->x + i, v8_add(v8_load(p->x + i), dx));
         v8_store(p->y + i, v8_add(v8_load(p->y + i), dy));
         if (speed) {
@@ -226,9 +226,9 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
         float made = 1;
         if (left[l] < c->wall_clearance) {
             made = boundary->move(boundary->context, &p->x[k], &p->y[k], move_x[l], move_y[l],
-                                  &p->clear[k]);
+                                  &p->clearance[k]);
         } else {
-            p->clear[k] = left[l];
+            p->clearance[k] = left[l];
             p->x[k] += move_x[l];
             p->y[k] += move_y[l];
         }

@@ -35,7 +35,7 @@ enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_G
 /* The four particles of a tile, each in all lanes. */
 typedef struct tile {
     v8 x[TILE], y[TILE], u[TILE], v[TILE], gx[TILE], gy[TILE];
-    bool tense;                     /* the gradient of one of them is not 0 */
+    bool has_gradient;              /* the gradient of one of them is not 0 */
     int place;                      /* of the first */
     const skv_row_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
 } tile;
@@ -62,12 +62,12 @@ V8_INLINE v8 over_tile(const v8 *a)
 }
 
 /* The boundary if a thin wall is near one of the particles of a tile, else null: most worlds have
- * none, and far from walls `clear` tells. */
+ * none, and far from walls `clearance` tells. */
 static const skv_row_boundary *find_thin_wall(const skv_row_particles *p, int i, int end,
                                               const skv_row_boundary *boundary)
 {
-    for (int k = i; boundary->parted && k < i + TILE && k < end; k++) {
-        if (p->clear[k] < 1 && boundary->near_thin(boundary->context, p->x[k], p->y[k]))
+    for (int k = i; boundary->occluded && k < i + TILE && k < end; k++) {
+        if (p->clearance[k] < 1 && boundary->near_thin(boundary->context, p->x[k], p->y[k]))
             return boundary;
     }
     return NULL;
@@ -80,14 +80,14 @@ static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int
                                                  const skv_row_boundary *boundary, float *q)
 {
     for (int k = 0; k < TILE; k++) {
-        float clear = p->clear[i + k];
+        float clear = p->clearance[i + k];
         if (clear >= 1)
             continue;
         for (int l = 0; l < ROW_LANES; l++) {
             float *at = &q[ROW_LANES * k + l];
-            if (*at > 0 && clear + p->clear[j + l] < ROW_WALL_SLOPE * (1 - *at) &&
-                boundary->parted(boundary->context, p->x[i + k], p->y[i + k], clear, p->x[j + l],
-                                 p->y[j + l], p->clear[j + l]))
+            if (*at > 0 && clear + p->clearance[j + l] < ROW_WALL_SLOPE * (1 - *at) &&
+                boundary->occluded(boundary->context, p->x[i + k], p->y[i + k], clear, p->x[j + l],
+                                   p->y[j + l], p->clearance[j + l]))
                 *at = 0;
         }
     }
@@ -287,7 +287,7 @@ typedef struct pushes {
 } pushes;
 
 /* Whether one of eight partners has a gradient. */
-V8_INLINE bool is_tense(const pushes *parts, int j)
+V8_INLINE bool has_gradient_at(const pushes *parts, int j)
 {
     v8 gx = v8_load(parts->gx + j), gy = v8_load(parts->gy + j);
     return v8_any_below(v8_set(0), v8_add(v8_mul(gx, gx), v8_mul(gy, gy)));
@@ -337,8 +337,8 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
         EACH(k) size[k] = v8_mul(v8_add(v8_add(t->u[k], push), size[k]), ratio[k]);
     }
     /* Inside the fluid there is none to be had. */
-    bool tense = with & WITH_GRADIENT && (t->tense || is_tense(parts, j));
-    if (tense) {
+    bool has_gradient = with & WITH_GRADIENT && (t->has_gradient || has_gradient_at(parts, j));
+    if (has_gradient) {
         tension(parts, j, t, dx, dy, q2, ratio, ex, ey, along);
         EACH(k) size[k] = v8_add(size[k], along[k]);
     }
@@ -346,7 +346,7 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
         /* Distance times force. */
         v8 virial[TILE];
         EACH(k) virial[k] = v8_mul(v8_mul(r[k], r[k]), size[k]);
-        if (tense) {
+        if (has_gradient) {
             EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ex[k], dx[k]));
             EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ey[k], dy[k]));
         }
@@ -355,7 +355,7 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
     }
     EACH(k) dx[k] = v8_mul(dx[k], size[k]);
     EACH(k) dy[k] = v8_mul(dy[k], size[k]);
-    if (tense) {
+    if (has_gradient) {
         EACH(k) dx[k] = v8_sub(dx[k], ex[k]);
         EACH(k) dy[k] = v8_sub(dy[k], ey[k]);
     }
@@ -392,8 +392,9 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
             t.v[k] = v8_set(s->near_push[i + k]);
             t.gx[k] = with & WITH_GRADIENT ? v8_set(s->gradient[0][i + k]) : zero;
             t.gy[k] = with & WITH_GRADIENT ? v8_set(s->gradient[1][i + k]) : zero;
-            t.tense = t.tense || (with & WITH_GRADIENT && i + k < end &&
-                                  (s->gradient[0][i + k] != 0 || s->gradient[1][i + k] != 0));
+            t.has_gradient =
+                t.has_gradient || (with & WITH_GRADIENT && i + k < end &&
+                                   (s->gradient[0][i + k] != 0 || s->gradient[1][i + k] != 0));
             sums.a[k] = sums.b[k] = sums.c[k] = sums.d[k] = zero;
         }
         int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;

@@ -174,10 +174,11 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     /* A row's dummies and the gap to the next multiple of eight are fewer than two blocks. */
     size_t slots = (size_t)capacity + (size_t)rows->row_count * 2 * ROW_LANES + 4 * ROW_LANES;
     float **floats[] = {
-        &rows->set[0].x, &rows->set[0].y, &rows->set[0].u, &rows->set[0].v,     &rows->set[0].clear,
-        &rows->set[1].x, &rows->set[1].y, &rows->set[1].u, &rows->set[1].v,     &rows->own[0],
-        &rows->own[1],   &rows->own[2],   &rows->own[3],   &rows->next[0],      &rows->next[1],
-        &rows->next[2],  &rows->next[3],  &rows->pressure, &rows->set[1].clear,
+        &rows->set[0].x,         &rows->set[0].y, &rows->set[0].u,         &rows->set[0].v,
+        &rows->set[0].clearance, &rows->set[1].x, &rows->set[1].y,         &rows->set[1].u,
+        &rows->set[1].v,         &rows->own[0],   &rows->own[1],           &rows->own[2],
+        &rows->own[3],           &rows->next[0],  &rows->next[1],          &rows->next[2],
+        &rows->next[3],          &rows->pressure, &rows->set[1].clearance,
     };
     enum { FLOATS = sizeof floats / sizeof *floats };
     size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
@@ -256,7 +257,7 @@ static int share_begin(const skv_rows *rows, const skv_row_frame *frame, int thr
 
 /* Takes a share of the particles in as one provisional row, in the order of their numbers; the sort
  * of the first substep, which is stable, puts them where they belong. */
-static void take_in(skv_rows *rows, int thread, const skv_row_frame *frame)
+static void load_particles(skv_rows *rows, int thread, const skv_row_frame *frame)
 {
     const skv_row_particles *p = &rows->set[rows->current];
     skv_row_thread *own = &rows->thread[thread];
@@ -273,12 +274,12 @@ static void take_in(skv_rows *rows, int thread, const skv_row_frame *frame)
         p->y[place] = frame->y[i] * frame->length;
         p->u[place] = frame->vx[i] * frame->speed;
         p->v[place] = frame->vy[i] * frame->speed;
-        p->clear[place] = frame->clear[i] * frame->length;
+        p->clearance[place] = frame->clearance[i] * frame->length;
         p->number[place] = member < 0 ? i | ROW_HELD : i;
     }
     rows->row_end[thread] = place;
     for (int k = place; k < skv_row_padded_end(place); k++) {
-        p->x[k] = p->y[k] = p->clear[k] = ROW_FAR;
+        p->x[k] = p->y[k] = p->clearance[k] = ROW_FAR;
         p->u[k] = p->v[k] = 0;
     }
     own->old_first = thread;
@@ -298,10 +299,10 @@ static void note_places(const skv_rows *rows, int thread)
 /* Each thread gives back what it has taken in and will take in again: were it the particles of its
  * rows, the threads would write to the same cache lines, and take them from each other for each
  * number.
- * Divides by what take_in has multiplied with: that gives back the same number but for rounding to
- * either side. The reciprocal is itself rounded, and a product with it would be off to the same
- * side in every frame: momentum would drift. */
-static void give_back(const skv_rows *rows, int thread, const skv_row_frame *frame)
+ * Divides by what load_particles has multiplied with: that gives back the same number but for
+ * rounding to either side. The reciprocal is itself rounded, and a product with it would be off to
+ * the same side in every frame: momentum would drift. */
+static void store_particles(const skv_rows *rows, int thread, const skv_row_frame *frame)
 {
     const skv_row_particles *p = &rows->set[rows->current];
     int end = share_begin(rows, frame, thread + 1);
@@ -314,73 +315,73 @@ static void give_back(const skv_rows *rows, int thread, const skv_row_frame *fra
         frame->y[i] = p->y[k] / frame->length;
         frame->vx[i] = p->u[k] / frame->speed;
         frame->vy[i] = p->v[k] / frame->speed;
-        frame->clear[i] = p->clear[k] / frame->length * SAFE_BOUND;
+        frame->clearance[i] = p->clearance[k] / frame->length * SAFE_BOUND;
         frame->pressure[i] = rows->pressure[k];
     }
 }
 
 /* The rows of one thread through one iteration; see the top of the file. */
-typedef struct lane {
+typedef struct worker {
     run *shared;
     skv_row_thread *own;
     int thread, iteration;
     int lower, upper; /* the threads that own the rows below and above, or -1 */
     unsigned turn;    /* iterations since the team began */
     bool later;
-} lane;
+} worker;
 
 /* What neighbours wait for, in the order in which a thread comes to it in each turn. */
 typedef enum milestone { LAST_SUMMED = 1, FIRST_PRESSED, LAST_DISPLACED, FIRST_UPDATED } milestone;
 enum { MILESTONES = FIRST_UPDATED };
 
-static void reach(const lane *l, milestone m)
+static void reach(const worker *w, milestone m)
 {
-    skv_pool_reach(l->shared->pool, &l->shared->progress[l->thread], l->turn * MILESTONES + m);
+    skv_pool_reach(w->shared->pool, &w->shared->progress[w->thread], w->turn * MILESTONES + m);
 }
 
-static void await(const lane *l, int neighbour, milestone m)
+static void await(const worker *w, int neighbour, milestone m)
 {
     if (neighbour >= 0)
-        skv_pool_await(l->shared->pool, &l->shared->progress[neighbour], l->turn * MILESTONES + m);
+        skv_pool_await(w->shared->pool, &w->shared->progress[neighbour], w->turn * MILESTONES + m);
 }
 
 /* Waits until a neighbour has finished the turn before. */
-static void await_last_turn(const lane *l, int neighbour)
+static void await_last_turn(const worker *w, int neighbour)
 {
     if (neighbour >= 0)
-        skv_pool_await(l->shared->pool, &l->shared->progress[neighbour], l->turn * MILESTONES);
+        skv_pool_await(w->shared->pool, &w->shared->progress[neighbour], w->turn * MILESTONES);
 }
 
-static void run_density(const lane *l, int row)
+static void run_density(const worker *w, int row)
 {
-    skv_rows *rows = l->shared->rows;
-    int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
-    if (!l->later)
+    skv_rows *rows = w->shared->rows;
+    int slot = row == w->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
+    if (!w->later)
         skv_rows_find_ranges(rows, row);
-    l->shared->kernels->density(rows, row, l->later, l->shared->constants, l->shared->boundary,
-                                &l->own->kept[slot]);
+    w->shared->kernels->density(rows, row, w->later, w->shared->constants, w->shared->boundary,
+                                &w->own->kept[slot]);
 }
 
-static void run_pressure(const lane *l, int row)
+static void run_pressure(const worker *w, int row)
 {
-    skv_rows *rows = l->shared->rows;
-    rows->wall_first[row] = l->own->near_wall_count;
-    rows->wall_count[row] = l->shared->kernels->pressure(rows, row, l->later, l->shared->constants,
-                                                         l->shared->boundary, l->own);
+    skv_rows *rows = w->shared->rows;
+    rows->wall_first[row] = w->own->near_wall_count;
+    rows->wall_count[row] = w->shared->kernels->pressure(rows, row, w->later, w->shared->constants,
+                                                         w->shared->boundary, w->own);
 }
 
-static void run_displacement(const lane *l, int row)
+static void run_displacement(const worker *w, int row)
 {
-    int slot = row == l->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
-    l->shared->kernels->displacement(l->shared->rows, row, l->later, l->shared->constants,
-                                     l->shared->boundary, &l->own->kept[slot]);
+    int slot = row == w->own->end - 1 ? ROW_SLOTS - 1 : row & 1;
+    w->shared->kernels->displacement(w->shared->rows, row, w->later, w->shared->constants,
+                                     w->shared->boundary, &w->own->kept[slot]);
 }
 
-static void run_update(const lane *l, int row)
+static void run_update(const worker *w, int row)
 {
-    skv_rows *rows = l->shared->rows;
-    l->shared->kernels->update(rows, row, l->iteration, l->shared->constants, l->shared->boundary,
-                               l->own->near_walls + rows->wall_first[row], rows->wall_count[row]);
+    skv_rows *rows = w->shared->rows;
+    w->shared->kernels->update(rows, row, w->iteration, w->shared->constants, w->shared->boundary,
+                               w->own->near_walls + rows->wall_first[row], rows->wall_count[row]);
 }
 
 /* The next thread with rows, upwards (step 1) or downwards (-1), or -1. */
@@ -403,38 +404,38 @@ static void clear_lowest(skv_rows *rows)
         memset(rows->viscous_next[a] + begin, 0, bytes);
 }
 
-static void relax_rows(const lane *l)
+static void relax_rows(const worker *w)
 {
-    int first = l->own->first, last = l->own->end - 1;
+    int first = w->own->first, last = w->own->end - 1;
     int free =
-        l->lower < 0 ? first : first + 1; /* the first row that the thread below leaves alone */
-    if (l->lower < 0)
-        clear_lowest(l->shared->rows);
-    l->own->near_wall_count = 0;
-    await_last_turn(l, l->upper);
-    run_density(l, last);
-    reach(l, LAST_SUMMED);
+        w->lower < 0 ? first : first + 1; /* the first row that the thread below leaves alone */
+    if (w->lower < 0)
+        clear_lowest(w->shared->rows);
+    w->own->near_wall_count = 0;
+    await_last_turn(w, w->upper);
+    run_density(w, last);
+    reach(w, LAST_SUMMED);
     for (int row = first; row <= last; row++) {
         if (row < last)
-            run_density(l, row);
+            run_density(w, row);
         if (row == first)
-            await(l, l->lower, LAST_SUMMED);
-        run_pressure(l, row);
+            await(w, w->lower, LAST_SUMMED);
+        run_pressure(w, row);
         if (row == first)
-            reach(l, FIRST_PRESSED);
+            reach(w, FIRST_PRESSED);
         else
-            run_displacement(l, row - 1);
+            run_displacement(w, row - 1);
         if (row > free)
-            run_update(l, row - 1);
+            run_update(w, row - 1);
     }
-    await(l, l->upper, FIRST_PRESSED);
-    run_displacement(l, last);
-    reach(l, LAST_DISPLACED);
+    await(w, w->upper, FIRST_PRESSED);
+    run_displacement(w, last);
+    reach(w, LAST_DISPLACED);
     if (last >= free)
-        run_update(l, last);
-    await(l, l->lower, LAST_DISPLACED);
+        run_update(w, last);
+    await(w, w->lower, LAST_DISPLACED);
     if (first < free)
-        run_update(l, first);
+        run_update(w, first);
 }
 
 /* Books the time since `*start` under a phase, on one thread only. */
@@ -454,45 +455,45 @@ static void begin_relaxation(void *context)
     shared->rows->gauged = --shared->to_take == 0;
 }
 
-static void sort(const lane *l, bool first)
+static void sort(const worker *w, bool first)
 {
-    run *shared = l->shared;
-    skv_rows_sort(shared->rows, l->thread, shared->pool);
+    run *shared = w->shared;
+    skv_rows_sort(shared->rows, w->thread, shared->pool);
     skv_pool_gather(shared->pool, begin_relaxation, shared);
     if (!first)
         return;
-    for (int row = l->own->first; row < l->own->end; row++)
-        skv_rows_part_coincident(shared->rows, row);
+    for (int row = w->own->first; row < w->own->end; row++)
+        skv_rows_separate_coincident(shared->rows, row);
     skv_pool_barrier(shared->pool);
 }
 
-static void relax(lane *l)
+static void relax(worker *w)
 {
-    const skv_rows *rows = l->shared->rows;
-    bool idle = l->own->first == l->own->end;
-    l->lower = neighbour(rows, l->thread, -1);
-    l->upper = neighbour(rows, l->thread, 1);
-    for (l->iteration = 0; l->iteration < l->shared->constants->iterations; l->iteration++) {
-        l->later = l->iteration > 0;
+    const skv_rows *rows = w->shared->rows;
+    bool idle = w->own->first == w->own->end;
+    w->lower = neighbour(rows, w->thread, -1);
+    w->upper = neighbour(rows, w->thread, 1);
+    for (w->iteration = 0; w->iteration < w->shared->constants->iterations; w->iteration++) {
+        w->later = w->iteration > 0;
         if (!idle)
-            relax_rows(l);
-        reach(l, FIRST_UPDATED);
-        l->turn++;
+            relax_rows(w);
+        reach(w, FIRST_UPDATED);
+        w->turn++;
     }
 }
 
-static void take_substep(lane *l, bool first)
+static void take_substep(worker *w, bool first)
 {
-    run *shared = l->shared;
+    run *shared = w->shared;
     skv_rows *rows = shared->rows;
     double start = skv_clock();
-    for (int row = l->own->old_first; row < l->own->old_end; row++)
+    for (int row = w->own->old_first; row < w->own->old_end; row++)
         shared->kernels->advance(rows, row, shared->constants, shared->boundary);
-    book(rows, l->thread, ROW_ADVANCE, &start);
-    sort(l, first);
-    book(rows, l->thread, ROW_SORT, &start);
-    relax(l);
-    book(rows, l->thread, ROW_RELAX, &start);
+    book(rows, w->thread, ROW_ADVANCE, &start);
+    sort(w, first);
+    book(rows, w->thread, ROW_SORT, &start);
+    relax(w);
+    book(rows, w->thread, ROW_RELAX, &start);
 }
 
 static void member(int thread, int threads, void *context)
@@ -501,17 +502,17 @@ static void member(int thread, int threads, void *context)
     if (thread == 0)
         shared->rows->threads = threads;
     skv_pool_barrier(shared->pool);
-    lane l = {.shared = shared, .own = &shared->rows->thread[thread], .thread = thread};
+    worker w = {.shared = shared, .own = &shared->rows->thread[thread], .thread = thread};
     double start = skv_clock();
-    take_in(shared->rows, thread, shared->frame);
+    load_particles(shared->rows, thread, shared->frame);
     book(shared->rows, thread, ROW_TRANSFER, &start);
     for (int s = 0; s < shared->substeps; s++)
-        take_substep(&l, s == 0);
+        take_substep(&w, s == 0);
     start = skv_clock();
     skv_pool_barrier(shared->pool);
     note_places(shared->rows, thread);
     skv_pool_barrier(shared->pool);
-    give_back(shared->rows, thread, shared->frame);
+    store_particles(shared->rows, thread, shared->frame);
     book(shared->rows, thread, ROW_TRANSFER, &start);
 }
 

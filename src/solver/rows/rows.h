@@ -27,7 +27,7 @@ typedef struct skv_row_wall {
     float density, near_density, f1x, f1y, f2x, f2y;
 } skv_row_wall;
 
-/* How the solver asks for walls, in its own units and axes. `clear` is a lower bound of the
+/* How the solver asks for walls, in its own units and axes. `clearance` is a lower bound of the
  * distance to the nearest wall; the functions are only called where it is small. Called from
  * several threads at once. */
 typedef struct skv_row_boundary {
@@ -42,10 +42,10 @@ typedef struct skv_row_boundary {
     float (*contact)(const void *context, float x, float y, float *nx, float *ny, float *distance);
     /* Thin walls; null if there are none. Whether one may be within the radius of (x, y), and
      * whether one parts two places within the radius of each other; the bounds are those of their
-     * distances from walls, as in `clear`. */
+     * distances from walls, as in `clearance`. */
     bool (*near_thin)(const void *context, float x, float y);
-    bool (*parted)(const void *context, float ax, float ay, float a_clear, float bx, float by,
-                   float b_clear);
+    bool (*occluded)(const void *context, float ax, float ay, float a_clearance, float bx, float by,
+                     float b_clearance);
 } skv_row_boundary;
 
 /* One finger, in h and substeps. */
@@ -87,7 +87,7 @@ typedef struct skv_row_frame {
         *members; /* their indices, ascending; null: all, 0..count-1. ~index for one that is
                      held: it takes part in the sums, but stays, and nothing of it is written */
     float *x, *y, *vx, *vy;
-    float *clear;        /* lower bound of the distance to the nearest wall */
+    float *clearance;    /* lower bound of the distance to the nearest wall */
     float *pressure;     /* written only */
     float length, speed; /* factors from the caller's units to h and h a substep */
 } skv_row_frame;

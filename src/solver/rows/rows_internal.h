@@ -32,7 +32,7 @@ enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
 /* A sorted particle's data. Two sets: a sort reads one and writes the other. */
 typedef struct skv_row_particles {
     float *x, *y, *u, *v;
-    float *clear;
+    float *clearance;
     int *number; /* index in the frame, and ROW_HELD */
 } skv_row_particles;
 
@@ -137,7 +137,7 @@ void skv_rows_sort(skv_rows *rows, int thread, skv_pool *pool);
 void skv_rows_turn_over(skv_rows *rows);
 
 /* Parts the coincident particles of a row. */
-void skv_rows_part_coincident(skv_rows *rows, int row);
+void skv_rows_separate_coincident(skv_rows *rows, int row);
 
 /* Finds the two ranges of partners of each tile of a row, and how many blocks of pairs they make:
  * in the own row up to a radius ahead, in the next row within a radius to both sides. Once a
