@@ -90,8 +90,8 @@ static skv_result warm_up(const bench *b, skv_world *world, skv_error *error)
     frames = frames < 1 ? 1 : frames > 30 ? 30 : frames;
     skv_result result = SKV_OK;
     for (int i = 0; i < frames && result == SKV_OK; i++)
-        result = skv_world_step(world, 1.0f / 60);
-    return result ? skv_fail(error, result, "%s: warming up failed", b->what.scene) : SKV_OK;
+        result = skv_world_step(world, 1.0f / 60, error);
+    return result;
 }
 
 /* Whole frames; several a round where they are short, as the first one finds cold caches. */
@@ -153,10 +153,9 @@ static skv_result time_step(runner *r, double *seconds, skv_error *error)
 {
     skv_world_profile(r->world, true);
     double start = seconds_now();
-    skv_result result = skv_world_step(r->world, r->dt);
+    skv_result result = skv_world_step(r->world, r->dt, error);
     *seconds = (seconds_now() - start) / r->substeps;
-    return result ? skv_fail(error, result, "bench: a step failed: %s", skv_result_text(result))
-                  : SKV_OK;
+    return result;
 }
 
 static void record(runner *r, double seconds)

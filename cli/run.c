@@ -154,11 +154,12 @@ static skv_result simulate(cli_run *run, skv_error *error)
     while (!result && !run->timeline.at_end) {
         float step = timeline_next(&run->timeline);
         double before = clock_seconds();
-        result = skv_world_step(run->world, step);
+        skv_error cause;
+        result = skv_world_step(run->world, step, &cause);
         run->step_seconds += clock_seconds() - before;
         if (result) {
             skv_fail(error, result, "%s: the step at %g s failed: %s", run->options->scene,
-                     run->timeline.time, skv_result_text(result));
+                     run->timeline.time, cause.text);
             break;
         }
         result = record(run, error);

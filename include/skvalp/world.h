@@ -122,11 +122,11 @@ SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, float x0, 
 SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx,
                                           float vy, skv_error *error);
 
-/* Advances the world by dt seconds, 1e-6..0.1, usually 1/60, in equal substeps no longer than
+/* Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60, in equal substeps no longer than
  * 1/(60 substeps). Fails with SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY, the
  * particles being those of the last complete substep. A warm world, whose number of particles has
  * not grown, allocates nothing. */
-SKV_API skv_result skv_world_step(skv_world *world, float dt);
+SKV_API skv_result skv_world_step(skv_world *world, float dt, skv_error *error);
 
 /* Where the time goes: seconds spent since the last call with `reset`, by phase (the fast solver's
  * phases or the reference's passes). Not part of the deterministic state. */

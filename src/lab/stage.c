@@ -160,9 +160,9 @@ skv_result skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y
 
 static skv_result step(stage *s, skv_error *error)
 {
-    skv_result result = skv_world_step(s->world, FRAME);
+    skv_result result = skv_world_step(s->world, FRAME, error);
     if (result != SKV_OK)
-        return skv_fail(error, result, "the step failed: %s", skv_result_text(result));
+        return result;
     s->done += (double)(FRAME);
     double share = fmin(1, s->done / s->total);
     if (s->options && s->options->progress && !s->options->progress(share, s->options->user))

@@ -142,7 +142,7 @@ static bool step_frame(skv_session *session)
     skv_hand hands[SKV_MAX_HANDS];
     int count = skv_session_hands(session, hands, SKV_MAX_HANDS);
     return skv_world_set_hands(session->world, hands, count, NULL) == SKV_OK &&
-           skv_world_step(session->world, (float)(1 / FRAME_RATE)) == SKV_OK;
+           skv_world_step(session->world, (float)(1 / FRAME_RATE), NULL) == SKV_OK;
 }
 
 /* Frames that real time asks for. Displays near 60 Hz count as exactly 60, so that each refresh

@@ -28,6 +28,10 @@
 #include <math.h>
 #include <string.h>
 
+/* s; of skv_world_step, as floats like its argument. */
+#define LEAST_STEP   1e-6f
+#define LONGEST_STEP 0.1f
+
 skv_pull skv_make_pull(const skv_hand *hand, float dt)
 {
     return (skv_pull){
@@ -87,21 +91,23 @@ static void remove_leavers(skv_world *world)
 }
 
 /* Memory for the next substeps: nothing to do once the world is warm. */
-static skv_result reserve(skv_world *world)
+static skv_result reserve(skv_world *world, skv_error *error)
 {
     if (world->solver == SKV_SOLVER_REFERENCE)
-        return skv_neighbours_reserve(&world->neighbours, world->state.count, NULL);
+        return skv_neighbours_reserve(&world->neighbours, world->state.count, error);
     const skv_constants *c = &world->constants;
     bool viscous = c->viscosity_linear > 0 || c->viscosity_quadratic > 0;
     return skv_rows_reserve(world->rows, world->state.count, skv_pool_threads(world->pool), viscous,
-                            NULL);
+                            error);
 }
 
-skv_result skv_world_step(skv_world *world, float dt)
+skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
 {
     SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
-    if (!skv_within((double)dt, 1e-6, 0.1))
-        return SKV_ERROR_VALUE;
+    if (!skv_within((double)dt, (double)LEAST_STEP, (double)LONGEST_STEP))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
+                        (double)LEAST_STEP, (double)LONGEST_STEP);
     /* A frame of 1/60 s in float is a hair longer than in theory. */
     int count = (int)ceil((double)dt * 60 * world->substeps - 1e-4);
     if (count < 1)
@@ -116,7 +122,7 @@ skv_result skv_world_step(skv_world *world, float dt)
     bool open = skv_terrain_open_sides(world->terrain) != 0;
     bool one_by_one = open || world->solver == SKV_SOLVER_REFERENCE;
     for (int done = 0; done < count; done += one_by_one ? 1 : count) {
-        skv_result result = reserve(world);
+        skv_result result = reserve(world, error);
         if (result != SKV_OK)
             return result;
         if (world->solver == SKV_SOLVER_REFERENCE) {

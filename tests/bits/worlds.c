@@ -212,7 +212,7 @@ uint64_t bits_hash(int number, int threads, int frames)
     for (int frame = 0; frame < frames; frame++) {
         if (kind->stirred)
             stir(world, frame);
-        fine = skv_world_step(world, 1.0f / 60) == SKV_OK && fine;
+        fine = skv_world_step(world, 1.0f / 60, NULL) == SKV_OK && fine;
     }
     skv_stats stats = skv_world_stats(world);
     uint64_t hash = hash_of(world);

@@ -30,7 +30,7 @@ static skv_world *make_world(const char *scene, int particles, int frames)
     assert_int_equal(skv_scene_create_world(loaded, 1, &world, NULL), SKV_OK);
     skv_scene_destroy(loaded);
     for (int i = 0; i < frames; i++)
-        assert_int_equal(skv_world_step(world, 1.0f / 60), SKV_OK);
+        assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_OK);
     return world;
 }
 

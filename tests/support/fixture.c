@@ -100,8 +100,8 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
         assert_int_equal(skv_world_add_particle(slow, p.x[i], p.y[i], p.vx[i], p.vy[i], NULL),
                          SKV_OK);
     float dt = 1.0f / 60 / (float)skv_world_substeps_per_frame(fast);
-    assert_int_equal(skv_world_step(fast, dt), SKV_OK);
-    assert_int_equal(skv_world_step(slow, dt), SKV_OK);
+    assert_int_equal(skv_world_step(fast, dt, NULL), SKV_OK);
+    assert_int_equal(skv_world_step(slow, dt, NULL), SKV_OK);
     p = skv_world_particles(fast);
     skv_particles q = skv_world_particles(slow);
     double most = 2e-5 * (double)skv_world_smoothing_radius(fast);
@@ -117,5 +117,5 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
 void fixture_run(skv_world *world, int frames)
 {
     for (int i = 0; i < frames; i++)
-        assert_int_equal(skv_world_step(world, 1.0f / 60), SKV_OK);
+        assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_OK);
 }

@@ -93,7 +93,7 @@ static void hostile_numbers_change_nothing(void **unused)
         assert_int_equal(skv_world_add_particle(world, 0.5f, 0.5f, 0, bad[b], &error),
                          SKV_ERROR_VALUE);
         assert_int_equal(skv_world_add_velocity(world, 0, 1, bad[b], 0, &error), SKV_ERROR_VALUE);
-        assert_int_equal(skv_world_step(world, bad[b]), SKV_ERROR_VALUE);
+        assert_int_equal(skv_world_step(world, bad[b], NULL), SKV_ERROR_VALUE);
         assert_int_equal(skv_world_fill(world, 0, 0, bad[b], 1, NULL, NULL, -1, NULL, &error),
                          SKV_ERROR_VALUE);
     }
@@ -101,8 +101,8 @@ static void hostile_numbers_change_nothing(void **unused)
     assert_int_equal(skv_world_set_hands(world, &hand, SKV_MAX_HANDS + 1, &error), SKV_ERROR_LIMIT);
     assert_int_equal(skv_world_add_velocity(world, 1 << 30, 5, 0, 0, &error), SKV_ERROR_VALUE);
     assert_int_equal(skv_world_add_velocity(world, 0, INT32_MAX, 0, 0, &error), SKV_ERROR_VALUE);
-    assert_int_equal(skv_world_step(world, 0), SKV_ERROR_VALUE);
-    assert_int_equal(skv_world_step(world, -1), SKV_ERROR_VALUE);
+    assert_int_equal(skv_world_step(world, 0, NULL), SKV_ERROR_VALUE);
+    assert_int_equal(skv_world_step(world, -1, NULL), SKV_ERROR_VALUE);
     assert_int_equal(skv_world_add_particle(world, -0.1f, 0.5f, 0, 0, &error), SKV_ERROR_VALUE);
     assert_non_null(strstr(error.text, "solid"));
     fixture_run(world, 5);
@@ -110,6 +110,22 @@ static void hostile_numbers_change_nothing(void **unused)
     assert_int_equal(skv_world_hash(world), skv_world_hash(twin));
     skv_world_destroy(world);
     skv_world_destroy(twin);
+}
+
+/* Both ends of the range that world.h names are inside it. */
+static void a_step_takes_the_times_it_names(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_dam(SKV_LAW_CALIBRATED, 0.05f, 1);
+    assert_int_equal(skv_world_step(world, 1e-6f, NULL), SKV_OK);
+    assert_int_equal(skv_world_step(world, 0.1f, NULL), SKV_OK);
+    const float outside[] = {nextafterf(1e-6f, 0), nextafterf(0.1f, 1)};
+    for (int i = 0; i < 2; i++) {
+        skv_error error = {0};
+        assert_int_equal(skv_world_step(world, outside[i], &error), SKV_ERROR_VALUE);
+        assert_non_null(strstr(error.text, "allowed is 1e-06..0.1 s"));
+    }
+    skv_world_destroy(world);
 }
 
 /* The strongest hands that are allowed and the steepest gravity: no NaN, nothing escapes. */
@@ -139,7 +155,7 @@ static void misuse_reaches_the_handler(void **unused)
     skv_set_assert_handler(count_misuse, NULL);
     misuses = 0;
     float gx = 0, gy = 0;
-    assert_int_equal(skv_world_step(NULL, 1), SKV_ERROR_VALUE);
+    assert_int_equal(skv_world_step(NULL, 1, NULL), SKV_ERROR_VALUE);
     assert_int_equal(skv_world_particle_count(NULL), 0);
     assert_int_equal(skv_world_particles(NULL).count, 0);
     assert_int_equal(skv_world_stats(NULL).particles, 0);
@@ -277,7 +293,7 @@ static void running_out_of_memory_is_clean(void **unused)
             if (result != SKV_OK)
                 assert_int_equal(skv_world_particle_count(world), 0);
             if (result == SKV_OK)
-                result = skv_world_step(world, 1.0f / 60);
+                result = skv_world_step(world, 1.0f / 60, NULL);
             complete = result == SKV_OK;
         }
         if (!complete)
@@ -295,6 +311,7 @@ int main(void)
         cmocka_unit_test(bad_definitions_are_refused),
         cmocka_unit_test(a_refused_world_leaves_the_terrain),
         cmocka_unit_test(hostile_numbers_change_nothing),
+        cmocka_unit_test(a_step_takes_the_times_it_names),
         cmocka_unit_test(allowed_violence_is_survived),
         cmocka_unit_test(misuse_reaches_the_handler),
         cmocka_unit_test(facts_are_right),

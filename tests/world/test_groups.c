@@ -170,7 +170,7 @@ static history watch(const group *g, skv_world *world)
     history seen = {.nearest = 1};
     int substeps = skv_world_substeps_per_frame(world);
     for (int s = 0; s < 30 * substeps; s++) {
-        assert_int_equal(skv_world_step(world, 1.0f / 60 / (float)substeps), SKV_OK);
+        assert_int_equal(skv_world_step(world, 1.0f / 60 / (float)substeps, NULL), SKV_OK);
         p = skv_world_particles(world);
         double now = energy_of_position(&e, &p) + energy_of_motion(&p);
         seen.gained = fmax(seen.gained, (now - start) / g->count);

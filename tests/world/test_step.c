@@ -100,7 +100,7 @@ static void check_substeps(skv_law law, skv_solver solver)
     for (int step = 0; step < 20; step++) {
         read_state(world, &o);
         oracle_substep(&o, solver);
-        assert_int_equal(skv_world_step(world, (float)o.dt), SKV_OK);
+        assert_int_equal(skv_world_step(world, (float)o.dt, NULL), SKV_OK);
         skv_particles p = skv_world_particles(world);
         double h = (double)skv_world_smoothing_radius(world);
         double modulus = o.fluid_density * (h / o.dt) * (h / o.dt);

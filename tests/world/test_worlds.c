@@ -189,7 +189,7 @@ static bool slosh(trial *t)
                 return false;
             next = frame + dice_int(&t->dice, 15, 30);
         }
-        if (skv_world_step(t->world, 1.0f / 60.0f) != SKV_OK)
+        if (skv_world_step(t->world, 1.0f / 60.0f, NULL) != SKV_OK)
             FAIL(t, "frame %d: the step failed", frame);
         if (frame % FRAMES_A_CHECK == 0 && !check(t, frame))
             return false;
