@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "skvalp/lab.h"
+#include "skvalp/experiments.h"
 
 void help_print(void)
 {

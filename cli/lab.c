@@ -15,7 +15,7 @@
 #include "json.h"
 #include "output_file.h"
 #include "progress.h"
-#include "skvalp/lab.h"
+#include "skvalp/experiments.h"
 
 enum { MAX_EXPERIMENTS = 64 };
 

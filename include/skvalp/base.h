@@ -57,6 +57,10 @@ typedef struct skv_error {
 SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Receives text piece by piece; returns false to stop, which the writing function reports as
+ * SKV_ERROR_FILE. */
+typedef bool skv_write(const char *text, size_t length, void *user);
+
 /* Memory hooks. `allocate` returns memory aligned to `alignment` (a power of two, at most 4096)
  * or null; `release` takes what allocate returned, never null. Both may be called from the thread
  * that calls a create, add, edit or destroy function, never from a worker thread and never from

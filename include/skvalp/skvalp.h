@@ -1,10 +1,11 @@
-/* The core library in one include: terrain, world, step, queries. No dependency beyond libc and
- * pthreads. Scenes and the front ends' parts have headers of their own: skvalp/scene.h,
- * skvalp/session.h, skvalp/render.h. */
+/* The core library in one include: terrain, world, step, queries, instruments. No dependency beyond
+ * libc and pthreads. What needs more has headers of its own: scenes skvalp/scene.h, experiments
+ * skvalp/experiments.h, and the front ends' parts skvalp/session.h and skvalp/render.h. */
 #ifndef SKVALP_SKVALP_H
 #define SKVALP_SKVALP_H
 
 #include "skvalp/base.h"
+#include "skvalp/measure.h"
 #include "skvalp/terrain.h"
 #include "skvalp/world.h"
 

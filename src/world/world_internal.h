@@ -1,4 +1,4 @@
-/* The world's inside, shared by the files of src/world; besides them only src/lab/wall_force.c,
+/* The world's inside, shared by the files of src/world; besides them only src/measure/wall_force.c,
  * which takes a substep on a copy, reads it. */
 #ifndef SKV_WORLD_INTERNAL_H
 #define SKV_WORLD_INTERNAL_H

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The layering rule: base <- solver, terrain <- world <- lab, scene <- session <- render <- faces.
-# A file includes only what stands left of it; the faces know public headers only; the core needs
-# nothing but the C library and threads. Arguments: build folder, source folder.
+# The layering rule: base <- solver, terrain <- world <- measure, scene <- session <- render <-
+# faces; experiments stand on measure and scene. A file includes only what stands left of it; the
+# faces know public headers only, the experiments besides their own only those of base; the core
+# needs nothing but the C library and threads. Arguments: build folder, source folder.
 set -euo pipefail
 cd "${2:?usage: test_layers.sh BUILD SOURCE}"
 
@@ -11,14 +12,15 @@ declare -A may=(
     [solver]="solver base"
     [terrain]="terrain base"
     [world]="world solver terrain base"
-    [lab]="lab world solver terrain base"
+    [measure]="measure world solver terrain base"
     [scene]="scene world solver terrain base"
-    [session]="session lab scene world solver terrain base"
-    [render]="render session lab scene world solver terrain base"
+    [experiments]="experiments measure scene world terrain base"
+    [session]="session measure scene world solver terrain base"
+    [render]="render session measure scene world solver terrain base"
 )
 # What the core may take from the system: what a compiler brings along, and so much of <math.h> and
-# <string.h> as src/base/wasm/include declares. The rest is behind src/base/platform.h. The lab may
-# take what C has.
+# <string.h> as src/base/wasm/include declares. The rest is behind src/base/platform.h.
+# Measuring may take what C has.
 core_system=' float limits math stdarg stdatomic stdbool stddef stdint string immintrin emmintrin
  arm_neon wasm_simd128 '
 declare -A system=(
@@ -26,7 +28,7 @@ declare -A system=(
     [solver]=$core_system
     [terrain]=$core_system
     [world]=$core_system
-    [lab]="$core_system assert ctype errno inttypes stdio stdlib "
+    [measure]="$core_system assert ctype errno inttypes stdio stdlib "
 )
 
 bad=0
@@ -44,7 +46,7 @@ includes() {
 layer_of() {
     local name=${2:1:-1}
     case $name in
-    skvalp/skvalp.h) printf 'world' ;;
+    skvalp/skvalp.h) printf 'measure' ;;
     skvalp/*.h) basename "$name" .h ;;
     */*.h) [[ -e src/$name ]] && printf '%s' "${name%%/*}" ;;
     # A neighbour in the same folder, which is src/LAYER or one below it.
@@ -59,6 +61,9 @@ check_library_file() {
         if [[ -n $of ]]; then
             [[ " ${may[$layer]} " == *" $of "* ]] ||
                 complain "$file" "layer $layer must not include $include of layer $of"
+            [[ $layer != experiments || " experiments base " == *" $of "* ||
+                $include == ?skvalp/* ]] ||
+                complain "$file" "an experiment must not include $include: it is not public"
         elif [[ $include == \"* ]]; then
             # Generated into the build folder; its name says so.
             [[ $include == *_generated.h* || $include == *.inc\" ]] ||
@@ -96,7 +101,7 @@ for layer in "${!may[@]}"; do
 done
 for file in include/skvalp/*.h; do
     layer=$(basename "$file" .h)
-    [[ $layer == skvalp ]] && layer=world
+    [[ $layer == skvalp ]] && layer=measure
     if [[ -z ${may[$layer]-} ]]; then
         complain "$file" "this public header belongs to no layer"
         continue

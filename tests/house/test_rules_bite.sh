@@ -57,6 +57,9 @@ mkdir -p "$work/copy/src/solver/deeper"
 printf 'struct skv_world;\n' >"$work/copy/src/solver/deeper/sin.c"
 bites test_layers.sh "the solver names the world" "the solver must not know the world"
 
+printf '#include "world/frame.h"\n' >"$work/copy/src/experiments/sin.c"
+bites test_layers.sh "an experiment includes a private header" "an experiment must not include"
+
 printf '#include "base/memory.h"\n' >"$work/copy/cli/sin.c"
 bites test_layers.sh "a face includes a private header" "it is not public"
 

@@ -119,3 +119,12 @@ void fixture_run(skv_world *world, int frames)
     for (int i = 0; i < frames; i++)
         assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_OK);
 }
+
+void fixture_assert_near(double actual, double expected, double tolerance, const char *file,
+                         int line)
+{
+    if (fabs(actual - expected) <= tolerance)
+        return;
+    print_error("%.9g is not %.9g +- %.3g\n", actual, expected, tolerance);
+    _fail(file, line);
+}

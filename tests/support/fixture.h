@@ -32,4 +32,10 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow);
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);
 
+/* Fails the test, naming the place, unless |actual - expected| <= tolerance. */
+#define assert_near(actual, expected, tolerance)                                                   \
+    fixture_assert_near(actual, expected, tolerance, __FILE__, __LINE__)
+void fixture_assert_near(double actual, double expected, double tolerance, const char *file,
+                         int line);
+
 #endif

@@ -1,6 +1,6 @@
 /* Walls of two and three pixels between unequal levels: they hold the water on its side, calmly,
  * without layers stacked on them, and neither side feels whether the other is there. */
-#include "skvalp/lab.h"
+#include "skvalp/measure.h"
 #include "support/fixture.h"
 
 #include <math.h>

@@ -1,0 +1,122 @@
+/* A droplet without gravity pulls itself round.
+ *
+ * It starts as an ellipse, overshoots and rings about its shape of rest, like a drop of any thin
+ * liquid. So what is read is the mean shape over one whole swing: of the second moments of the
+ * particles, from the first to the third time that the droplet is as wide as high; then the ratio
+ * of the shorter to the longer principal axis. A droplet that does not swing is read in the end.
+ * Particles farther from the centre than 1.3 radii of the circle have escaped.
+ */
+#include "experiments/experiment.h"
+
+#include <math.h>
+
+enum { LONGEST = 60, CROSSINGS = 3 };
+enum { C_TIME };
+
+typedef struct ellipse {
+    double x, y, a, b;
+} ellipse;
+
+static bool inside(float x, float y, void *user)
+{
+    const ellipse *e = user;
+    double dx = ((double)x - e->x) / e->a, dy = ((double)y - e->y) / e->b;
+    return dx * dx + dy * dy < 1;
+}
+
+/* Second moments about the centre. */
+typedef struct moments {
+    double xx, xy, yy;
+} moments;
+
+/* The moments, and how many particles are beyond `limit` from the centre. */
+static moments moments_of(const skv_particles *p, double limit, int *escaped)
+{
+    double x = 0, y = 0;
+    moments m = {0};
+    for (int i = 0; i < p->count; i++) {
+        x += (double)p->x[i] / p->count;
+        y += (double)p->y[i] / p->count;
+    }
+    *escaped = 0;
+    for (int i = 0; i < p->count; i++) {
+        double dx = (double)p->x[i] - x, dy = (double)p->y[i] - y;
+        m.xx += dx * dx / p->count;
+        m.xy += dx * dy / p->count;
+        m.yy += dy * dy / p->count;
+        *escaped += dx * dx + dy * dy > limit * limit;
+    }
+    return m;
+}
+
+/* Shorter over longer principal axis. */
+static double axes(moments m)
+{
+    double mean = (m.xx + m.yy) / 2, half = (m.xx - m.yy) / 2;
+    double root = sqrt(half * half + m.xy * m.xy);
+    return sqrt((mean - root) / (mean + root));
+}
+
+static skv_result watch(stage *s, findings *found, double limit, skv_error *error)
+{
+    moments now = {0}, before = {0}, sum = {0};
+    int escaped = 0, crossings = 0, counted = 0, frame = 0;
+    skv_result result = SKV_OK;
+    for (; frame <= LONGEST * 60 && crossings < CROSSINGS && result == SKV_OK; frame++) {
+        if (frame > 0)
+            result = skv_stage_wait(s, 1 / 60.0, error);
+        skv_particles p = skv_world_particles(s->world);
+        now = moments_of(&p, limit, &escaped);
+        crossings += frame > 0 && (now.xx > now.yy) != (before.xx > before.yy);
+        if (crossings > 0) {
+            sum = (moments){sum.xx + now.xx, sum.xy + now.xy, sum.yy + now.yy};
+            counted++;
+        }
+        before = now;
+        skv_plot_point(&found->plot, frame / 60.0, axes(now));
+    }
+    found->measured[0] = axes(counted ? sum : now);
+    found->measured[1] = escaped;
+    found->condition[C_TIME] = (frame - 1) / 60.0;
+    return result;
+}
+
+static skv_result measure(stage *s, findings *found, skv_error *error)
+{
+    double radius = skv_settings_length(s->settings, PARAM_DROPLET_RADIUS);
+    double aspect = s->settings->value[PARAM_DROPLET_ASPECT];
+    double room = 5 * radius * sqrt(aspect), pi = 3.14159265358979323846;
+    ellipse e = {room / 2, room / 2, radius * sqrt(aspect), radius / sqrt(aspect)};
+    skv_stage_choose_spacing(s, pi * radius * radius, 1);
+    stage_plan plan = {.width = room, .height = room, .depth = 2 * e.a};
+    s->total = LONGEST;
+    skv_result result = skv_stage_check_passage(s, "droplet.radius", e.b, error);
+    if (result == SKV_OK)
+        result = skv_stage_build(s, &plan, error);
+    if (result == SKV_OK)
+        result = skv_stage_fill(s, e.x - e.a, e.y - e.b, e.x + e.a, e.y + e.b, inside, &e, error);
+    skv_plot_begin(&found->plot, "measured", CURVE_LINE);
+    if (result == SKV_OK)
+        result = watch(s, found, 1.3 * radius, error);
+    return result;
+}
+
+static void expect(const double *condition, expectation *expected, skv_plot *plot)
+{
+    expected->theory[0] = 1;
+    expected->theory[1] = 0;
+    skv_plot_begin(plot, "theory: a circle", CURVE_THEORY);
+    skv_plot_point(plot, 0, 1);
+    skv_plot_point(plot, condition[C_TIME], 1);
+}
+
+const experiment skv_exp_droplet = {
+    .info = {"droplet", "Droplet without gravity", "An elongated droplet pulls itself round."},
+    .x_label = "time (s)",
+    .y_label = "shorter / longer axis",
+    .count = 2,
+    .quantities = {{"shorter / longer axis", "", 0.05, false, 0},
+                   {"particles escaped", "", 0, false, 0}},
+    .measure = measure,
+    .expect = expect,
+};

@@ -1,0 +1,86 @@
+/* Coming to rest: how long a filled pool takes to settle, and what is left of motion afterwards.
+ *
+ * The pool is filled with the lattice of particles and let go. Its rms speed is read every frame
+ * for 23 seconds; it has settled at the moment after which it never exceeds 0.02 m/s again.
+ */
+#include "experiments/experiment.h"
+
+#include <math.h>
+
+enum { SECONDS = 23 };
+
+#define SETTLED 0.02 /* m/s */
+
+/* Root of the mean square of the samples with from <= t < to. */
+static double rms_between(const double *t, const double *v, int count, double from, double to)
+{
+    double sum = 0;
+    int used = 0;
+    for (int i = 0; i < count; i++) {
+        if (t[i] >= from && t[i] < to) {
+            sum += v[i] * v[i];
+            used++;
+        }
+    }
+    return used ? sqrt(sum / used) : (double)NAN;
+}
+
+static skv_result measure(stage *s, findings *found, skv_error *error)
+{
+    double width = skv_settings_length(s->settings, PARAM_REST_WIDTH);
+    double depth = skv_settings_length(s->settings, PARAM_REST_DEPTH);
+    skv_stage_choose_spacing(s, width * depth, 1);
+    stage_plan plan = {.width = width,
+                       .height = 1.4 * depth,
+                       .depth = depth,
+                       .gravity_y = -s->settings->value[PARAM_GRAVITY]};
+    s->total = SECONDS;
+    skv_instrument energy;
+    skv_result result = skv_stage_check_passage(s, "rest.depth", depth, error);
+    if (result == SKV_OK)
+        result = skv_stage_build(s, &plan, error);
+    if (result == SKV_OK)
+        result = skv_stage_fill(s, 0, 0, width, depth, NULL, NULL, error);
+    if (result == SKV_OK)
+        result = skv_stage_add(s, SKV_INSTRUMENT_ENERGY, 0, 0, 0, 0, 0, &energy, error);
+    for (int i = 0; i < SECONDS * 60 && result == SKV_OK; i++)
+        result = skv_stage_frame(s, error);
+    if (result != SKV_OK)
+        return result;
+    double times[SECONDS * 60], speeds[SECONDS * 60];
+    int count = skv_lab_history(s->lab, energy, 2, times, speeds, SECONDS * 60);
+    double settled = 0;
+    skv_plot_begin(&found->plot, "rms speed", CURVE_LINE);
+    for (int i = 0; i < count; i++) {
+        if (speeds[i] >= SETTLED)
+            settled = times[i];
+        if (i % 3 == 0 && times[i] < 10)
+            skv_plot_point(&found->plot, times[i], speeds[i]);
+    }
+    found->measured[0] = settled;
+    found->measured[1] = rms_between(times, speeds, count, 6, 9);
+    found->measured[2] = rms_between(times, speeds, count, 20, 23);
+    return SKV_OK;
+}
+
+static void expect(const double *condition, expectation *expected, skv_plot *plot)
+{
+    (void)condition;
+    expected->theory[0] = expected->theory[1] = expected->theory[2] = 0;
+    skv_plot_begin(plot, "settled", CURVE_THEORY);
+    skv_plot_point(plot, 0, SETTLED);
+    skv_plot_point(plot, 10, SETTLED);
+}
+
+const experiment skv_exp_rest = {
+    .info = {"rest", "Coming to rest",
+             "A freshly filled pool: when it has settled, and how still it is then."},
+    .x_label = "time (s)",
+    .y_label = "rms speed (m/s)",
+    .count = 3,
+    .quantities = {{"time to settle below 0.02 m/s", "s", 2, false, 0},
+                   {"rms speed, 6-9 s", "m/s", 0.005, false, 0},
+                   {"rms speed, 20-23 s", "m/s", 0.001, false, 0}},
+    .measure = measure,
+    .expect = expect,
+};

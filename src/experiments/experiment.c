@@ -1,0 +1,162 @@
+/* Running an experiment and reporting on it.
+ *
+ * Invariant: a row is judged from what measure() and expect() have said, by this file alone; an
+ * experiment cannot pass itself.
+ */
+#include "experiments/experiment.h"
+
+#include "base/assert.h"
+#include "base/memory.h"
+
+#include <math.h>
+
+static const experiment *const experiments[] = {
+    &skv_exp_hydrostatics, &skv_exp_rest,      &skv_exp_u_tube,  &skv_exp_vessels,
+    &skv_exp_slosh,        &skv_exp_dam_break, &skv_exp_orifice, &skv_exp_channel,
+    &skv_exp_archimedes,   &skv_exp_momentum,  &skv_exp_droplet, &skv_exp_viscosity,
+};
+enum { EXPERIMENTS = (int)(sizeof experiments / sizeof *experiments) };
+
+struct skv_report {
+    const experiment *experiment;
+    findings found;
+    skv_lab_row rows[MAX_QUANTITIES];
+};
+
+const experiment *skv_experiment_at(int i)
+{
+    return i >= 0 && i < EXPERIMENTS ? experiments[i] : NULL;
+}
+
+const skv_experiment *skv_experiment_info(int i)
+{
+    const experiment *e = skv_experiment_at(i);
+    return e ? &e->info : NULL;
+}
+
+skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *options,
+                                  findings *found, skv_error *error)
+{
+    *found =
+        (findings){.plot = {.title = e->info.title, .x_label = e->x_label, .y_label = e->y_label}};
+    settings values;
+    skv_result result = skv_settings_make(&values, options, error);
+    if (result != SKV_OK)
+        return result;
+    stage set_up = {.settings = &values, .options = options, .fluid = skv_settings_fluid(&values)};
+    result = e->measure(&set_up, found, error);
+    if (result == SKV_OK) {
+        found->particles = skv_world_particle_count(set_up.world);
+        found->substeps = skv_world_substeps_per_frame(set_up.world);
+        found->spacing = set_up.spacing;
+        found->seconds = set_up.done;
+    }
+    skv_stage_close(&set_up);
+    return result;
+}
+
+void skv_findings_free(findings *found)
+{
+    skv_plot_free(&found->plot);
+}
+
+static double rms_deviation(const double *a, const double *b, int count)
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sqrt(sum / count);
+}
+
+void skv_experiment_judge(const experiment *e, const findings *found, const expectation *expected,
+                          skv_lab_row *rows)
+{
+    for (int i = 0; i < e->count; i++) {
+        const quantity *q = &e->quantities[i];
+        skv_lab_row *row = &rows[i];
+        *row = (skv_lab_row){
+            .experiment = e->info.name,
+            .quantity = q->name,
+            .unit = q->unit,
+            .measured = found->measured[i],
+            .theory = expected->theory[i],
+            .ratio = (double)NAN,
+            .tolerance = q->tolerance * (q->in_spacings ? found->spacing : 1),
+        };
+        if (q->points > 0) {
+            row->measured = rms_deviation(found->point, expected->point, q->points);
+            row->theory = 0;
+        }
+        double miss = row->measured;
+        if (row->theory != 0) {
+            row->ratio = row->measured / row->theory;
+            miss = row->ratio - 1;
+        }
+        /* A NaN does not pass. */
+        row->pass = fabs(miss) <= row->tolerance;
+    }
+}
+
+skv_result skv_experiment_run(int number, const skv_lab_options *options, skv_report **out,
+                              skv_error *error)
+{
+    SKV_ASSERT_OR(out, SKV_ERROR_VALUE);
+    *out = NULL;
+    const experiment *e = skv_experiment_at(number);
+    if (!e)
+        return skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);
+    skv_report *report = skv_calloc(1, sizeof *report);
+    if (!report)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a report");
+    report->experiment = e;
+    skv_result result = skv_experiment_measure(e, options, &report->found, error);
+    if (result == SKV_OK) {
+        expectation expected = {0};
+        e->expect(report->found.condition, &expected, &report->found.plot);
+        skv_experiment_judge(e, &report->found, &expected, report->rows);
+        if (report->found.plot.failed)
+            result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a plot");
+    }
+    if (result != SKV_OK) {
+        skv_report_destroy(report);
+        return result;
+    }
+    *out = report;
+    return SKV_OK;
+}
+
+void skv_report_destroy(skv_report *report)
+{
+    if (!report)
+        return;
+    skv_findings_free(&report->found);
+    skv_free(report);
+}
+
+const skv_lab_row *skv_report_row(const skv_report *report, int i)
+{
+    SKV_ASSERT_OR(report, NULL);
+    return i >= 0 && i < report->experiment->count ? &report->rows[i] : NULL;
+}
+
+void skv_report_facts(const skv_report *report, int *particles, double *spacing, int *substeps,
+                      double *seconds)
+{
+    SKV_ASSERT(report && particles && spacing && substeps && seconds);
+    *particles = report->found.particles;
+    *spacing = report->found.spacing;
+    *substeps = report->found.substeps;
+    *seconds = report->found.seconds;
+}
+
+skv_result skv_report_plot(const skv_report *report, skv_write *write, void *user, skv_error *error)
+{
+    SKV_ASSERT_OR(report && write, SKV_ERROR_VALUE);
+    return skv_plot_write_svg(&report->found.plot, write, user, error);
+}
+
+skv_result skv_report_csv(const skv_report *report, skv_write *write, void *user, skv_error *error)
+{
+    SKV_ASSERT_OR(report && write, SKV_ERROR_VALUE);
+    return skv_plot_write_csv(&report->found.plot, write, user, error);
+}

@@ -1,0 +1,64 @@
+/* An experiment: measuring, theory and judging kept apart.
+ *
+ * measure() runs the world and writes down what the instruments read, and beside it the conditions:
+ * what was set up, and where and when it was measured. expect() gets the conditions alone and says
+ * what the textbook predicts for them. judge() compares. Neither side sees the other's numbers.
+ */
+#ifndef SKV_EXPERIMENTS_EXPERIMENT_H
+#define SKV_EXPERIMENTS_EXPERIMENT_H
+
+#include "experiments/plot.h"
+#include "experiments/stage.h"
+
+enum { MAX_QUANTITIES = 8, MAX_CONDITIONS = 16, MAX_POINTS = 16 };
+
+/* One measured quantity. */
+typedef struct quantity {
+    const char *name, *unit;
+    double tolerance; /* of the ratio, or in `unit` where the theory is 0 */
+    bool in_spacings; /* the tolerance is so many spacings of the particles, in m */
+    int points; /* above 0: the quantity is the rms deviation of that many points of a curve */
+} quantity;
+
+typedef struct findings {
+    double measured[MAX_QUANTITIES];
+    double point[MAX_POINTS]; /* of a curve that is judged as a whole */
+    double condition[MAX_CONDITIONS];
+    skv_plot plot;
+    int particles, substeps;
+    double spacing, seconds;
+} findings;
+
+typedef struct expectation {
+    double theory[MAX_QUANTITIES];
+    double point[MAX_POINTS];
+} expectation;
+
+typedef struct experiment {
+    skv_experiment info;
+    const char *x_label, *y_label; /* of the plot */
+    int count;
+    quantity quantities[MAX_QUANTITIES];
+    skv_result (*measure)(stage *stage, findings *found, skv_error *error);
+    /* Says what theory predicts, and adds its curves to the plot. */
+    void (*expect)(const double *condition, expectation *expected, skv_plot *plot);
+} experiment;
+
+/* The experiments, each in a file exp_*.c. */
+extern const experiment skv_exp_hydrostatics, skv_exp_rest, skv_exp_u_tube, skv_exp_vessels,
+    skv_exp_slosh, skv_exp_dam_break, skv_exp_orifice, skv_exp_channel, skv_exp_archimedes,
+    skv_exp_momentum, skv_exp_droplet, skv_exp_viscosity;
+
+/* The i-th, null past the last. */
+const experiment *skv_experiment_at(int i);
+
+/* Runs measure() on a fresh stage. `found` needs skv_findings_free afterwards, also on failure. */
+skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *options,
+                                  findings *found, skv_error *error);
+void skv_findings_free(findings *found);
+
+/* Compares; writes e->count rows. */
+void skv_experiment_judge(const experiment *e, const findings *found, const expectation *expected,
+                          skv_lab_row *rows);
+
+#endif

@@ -1,0 +1,120 @@
+/* Every figure of the lab against the committed one: none may get worse.
+ *
+ * The table tests/experiments/committed.csv holds, for every quantity of every experiment at 1500
+ * particles, how far it is from theory (|ratio - 1|, or |measured| where the theory is 0) and what
+ * it must reach. A figure has got worse if it is farther off than committed by more than a tenth of
+ * what it must reach: less than that is the chance of one run. Set SKV_WRITE_COMMITTED=1 to write
+ * the table anew, and look at its difference before committing it.
+ */
+#include "skvalp/experiments.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define TABLE SKV_SOURCE_DIR "/tests/experiments/committed.csv"
+#define HEAD  "experiment,quantity,miss,tolerance\n"
+
+typedef struct line {
+    char experiment[32], quantity[64];
+    double miss, tolerance;
+} line;
+
+enum { MAX_LINES = 64 };
+
+static int measure_all(line *lines)
+{
+    const skv_lab_setting settings[] = {{"particles", "1500"}, {"orifice.slot", "0.16"}};
+    skv_lab_options options = skv_default_lab_options();
+    options.settings = settings;
+    options.setting_count = 2;
+    int count = 0;
+    for (int k = 0; skv_experiment_info(k); k++) {
+        skv_report *report;
+        skv_error error;
+        if (skv_experiment_run(k, &options, &report, &error) != SKV_OK)
+            fail_msg("%s: %s", skv_experiment_info(k)->name, error.text);
+        const skv_lab_row *row;
+        for (int i = 0; (row = skv_report_row(report, i)); i++) {
+            assert_true(count < MAX_LINES);
+            line *l = &lines[count++];
+            snprintf(l->experiment, sizeof l->experiment, "%s", row->experiment);
+            /* A comma would divide the table's columns. */
+            snprintf(l->quantity, sizeof l->quantity, "%s", row->quantity);
+            for (char *c = l->quantity; *c; c++)
+                *c = *c == ',' ? ';' : *c;
+            l->miss = fabs(row->theory == 0 ? row->measured : row->ratio - 1);
+            l->tolerance = row->tolerance;
+        }
+        skv_report_destroy(report);
+    }
+    return count;
+}
+
+static void write_table(const line *lines, int count)
+{
+    FILE *file = fopen(TABLE, "w");
+    assert_non_null(file);
+    fputs(HEAD, file);
+    for (int i = 0; i < count; i++)
+        fprintf(file, "%s,%s,%.4g,%.4g\n", lines[i].experiment, lines[i].quantity, lines[i].miss,
+                lines[i].tolerance);
+    assert_int_equal(fclose(file), 0);
+}
+
+static int read_table(line *lines)
+{
+    char text[256];
+    int count = 0;
+    FILE *file = fopen(TABLE, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(text, sizeof text, file));
+    assert_string_equal(text, HEAD);
+    while (count < MAX_LINES && fgets(text, sizeof text, file)) {
+        line *l = &lines[count++];
+        assert_int_equal(sscanf(text, "%31[^,],%63[^,],%lf,%lf", l->experiment, l->quantity,
+                                &l->miss, &l->tolerance),
+                         4);
+    }
+    fclose(file);
+    return count;
+}
+
+static void no_figure_gets_worse(void **unused)
+{
+    (void)unused;
+    line now[MAX_LINES], committed[MAX_LINES];
+    int count = measure_all(now);
+    if (getenv("SKV_WRITE_COMMITTED")) {
+        write_table(now, count);
+        return;
+    }
+    int known = read_table(committed), worse = 0;
+    assert_int_equal(count, known);
+    for (int i = 0; i < count; i++) {
+        assert_string_equal(now[i].experiment, committed[i].experiment);
+        assert_string_equal(now[i].quantity, committed[i].quantity);
+        /* What must be reached is not to be moved silently either; spacings differ a little. */
+        assert_true(now[i].tolerance <= 1.02 * committed[i].tolerance);
+        double limit = committed[i].miss + 0.1 * committed[i].tolerance;
+        if (!(now[i].miss <= limit)) {
+            print_error("%s, %s: %.4g off, committed %.4g\n", now[i].experiment, now[i].quantity,
+                        now[i].miss, committed[i].miss);
+            worse++;
+        }
+    }
+    assert_int_equal(worse, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(no_figure_gets_worse)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

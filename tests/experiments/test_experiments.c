@@ -1,0 +1,351 @@
+/* Experiments: what they refuse, how they judge, and what they write. The figures themselves are
+ * test_committed's business. */
+#include "experiments/experiment.h"
+#include "support/fixture.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static int number_of(const char *name)
+{
+    for (int i = 0; skv_experiment_info(i); i++) {
+        if (strcmp(skv_experiment_info(i)->name, name) == 0)
+            return i;
+    }
+    fail_msg("there is no experiment %s", name);
+    return -1;
+}
+
+static skv_report *run(const char *name, const skv_lab_setting *list, int count)
+{
+    skv_lab_options options = skv_default_lab_options();
+    options.settings = list;
+    options.setting_count = count;
+    options.threads = 1;
+    skv_report *report;
+    skv_error error;
+    if (skv_experiment_run(number_of(name), &options, &report, &error) != SKV_OK)
+        fail_msg("%s: %s", name, error.text);
+    return report;
+}
+
+static void every_experiment_says_what_it_is(void **unused)
+{
+    (void)unused;
+    int count = 0;
+    for (; skv_experiment_info(count); count++) {
+        const experiment *e = skv_experiment_at(count);
+        assert_ptr_equal(skv_experiment_info(count), &e->info);
+        assert_true(strlen(e->info.name) > 3 && strlen(e->info.description) > 20);
+        assert_in_range(e->count, 1, MAX_QUANTITIES);
+        for (int i = 0; i < e->count; i++)
+            assert_true(strlen(e->quantities[i].name) > 3 && e->quantities[i].unit);
+    }
+    assert_int_equal(count, 12);
+    assert_null(skv_experiment_info(-1));
+}
+
+static void every_parameter_has_a_default_in_its_range(void **unused)
+{
+    (void)unused;
+    int count;
+    const skv_lab_parameter *p = skv_lab_parameters(&count);
+    for (int i = 0; i < count; i++) {
+        assert_true(p[i].path && p[i].unit && strlen(p[i].help) > 5);
+        assert_true(p[i].value >= p[i].minimum && p[i].value <= p[i].maximum);
+        /* What is named after an experiment names one that exists. */
+        const char *dot = strchr(p[i].path, '.');
+        if (dot && strncmp(p[i].path, "fluid.", 6) != 0) {
+            char name[32] = "";
+            strncat(name, p[i].path, (size_t)(dot - p[i].path));
+            assert_true(number_of(name) >= 0);
+        }
+    }
+    settings s;
+    assert_int_equal(skv_settings_make(&s, NULL, NULL), SKV_OK);
+    skv_fluid_def fluid = skv_settings_fluid(&s), water = skv_default_fluid_def(SKV_LAW_CALIBRATED);
+    water.spacing = fluid.spacing;
+    assert_memory_equal(&fluid, &water, sizeof fluid);
+}
+
+static void expect_refused(const char *path, const char *value, const char *said)
+{
+    skv_lab_setting setting = {path, value};
+    skv_lab_options options = skv_default_lab_options();
+    options.settings = &setting;
+    options.setting_count = 1;
+    skv_error error = {0};
+    assert_int_equal(skv_lab_check(&options, &error), SKV_ERROR_VALUE);
+    if (!strstr(error.text, said))
+        fail_msg("\"%s\" does not say %s", error.text, said);
+}
+
+static void wrong_settings_are_refused(void **unused)
+{
+    (void)unused;
+    expect_refused("gravty", "3", "gravty");
+    expect_refused("gravity", "nan", "gravity");
+    expect_refused("gravity", "0x10", "0.5 to 100 m/s^2");
+    expect_refused("gravity", "1000", "0.5 to 100 m/s^2");
+    expect_refused("gravity", "", "gravity");
+    expect_refused("particles", "10.5", "whole");
+    expect_refused("fluid.law", "water", "calibrated|clavet");
+    expect_refused("fluid.law", "cal", "calibrated|clavet");
+    skv_lab_options options = {0};
+    assert_int_equal(skv_lab_check(&options, NULL), SKV_ERROR_VALUE);
+    options = skv_default_lab_options();
+    assert_int_equal(skv_lab_check(&options, NULL), SKV_OK);
+}
+
+static void impossible_set_ups_are_refused(void **unused)
+{
+    (void)unused;
+    const struct {
+        const char *experiment, *path, *value;
+    } bad[] = {{"u-tube", "particles", "200"},
+               {"u-tube", "u-tube.head", "1"},
+               {"vessels", "vessels.head", "1"},
+               {"slosh", "slosh.angle", "0.4"},
+               {"orifice", "orifice.slot", "0.4"},
+               {"channel", "particles", "200"},
+               {"hydrostatics", "fluid.radius_ratio", "1"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        skv_lab_setting setting = {bad[i].path, bad[i].value};
+        skv_lab_options options = skv_default_lab_options();
+        options.settings = &setting;
+        options.setting_count = 1;
+        skv_report *report;
+        skv_error error = {0};
+        skv_result result =
+            skv_experiment_run(number_of(bad[i].experiment), &options, &report, &error);
+        if (result != SKV_ERROR_VALUE)
+            fail_msg("%s with %s=%s: %d", bad[i].experiment, bad[i].path, bad[i].value, result);
+        assert_null(report);
+        assert_true(strlen(error.text) > 10);
+    }
+    skv_report *report;
+    assert_int_equal(skv_experiment_run(99, NULL, &report, NULL), SKV_ERROR_VALUE);
+}
+
+/* A finding that agrees with theory passes; one that is off by more than is allowed does not,
+ * whichever side is off. */
+static void the_judge_sees_either_side_move(void **unused)
+{
+    (void)unused;
+    for (int k = 0; skv_experiment_at(k); k++) {
+        const experiment *e = skv_experiment_at(k);
+        findings found = {.spacing = 0.01};
+        expectation expected = {{0}, {0}};
+        for (int i = 0; i < MAX_CONDITIONS; i++)
+            found.condition[i] = 0.3 + 0.1 * i;
+        e->expect(found.condition, &expected, &found.plot);
+        memcpy(found.measured, expected.theory, sizeof found.measured);
+        memcpy(found.point, expected.point, sizeof found.point);
+        skv_lab_row rows[MAX_QUANTITIES];
+        skv_experiment_judge(e, &found, &expected, rows);
+        for (int i = 0; i < e->count; i++)
+            assert_true(rows[i].pass);
+        for (int i = 0; i < e->count; i++) {
+            const quantity *q = &e->quantities[i];
+            double allowed = q->tolerance * (q->in_spacings ? 0.01 : 1);
+            for (int side = 0; side < 2; side++) {
+                findings moved = found;
+                expectation other = expected;
+                double *values = side ? other.theory : moved.measured;
+                double *points = side ? other.point : moved.point;
+                if (q->points) {
+                    for (int p = 0; p < q->points; p++)
+                        points[p] += 1.2 * allowed;
+                } else if (expected.theory[i] != 0) {
+                    values[i] *= 1 + 1.5 * allowed + 1e-9;
+                } else if (!side) {
+                    values[i] += 1.2 * allowed + 1e-9;
+                } else {
+                    continue; /* a theory of 0 is 0 */
+                }
+                skv_experiment_judge(e, &moved, &other, rows);
+                assert_false(rows[i].pass);
+            }
+            found.measured[i] = (double)NAN;
+            found.point[0] = (double)NAN;
+            skv_experiment_judge(e, &found, &expected, rows);
+            assert_false(rows[i].pass);
+            found.measured[i] = expected.theory[i];
+            found.point[0] = expected.point[0];
+        }
+        skv_findings_free(&found);
+    }
+}
+
+/* The same in a real run: with the true conditions the pool passes, with 10 % more gravity in the
+ * theory, or 10 % more pressure in the readings, it does not. */
+static void a_real_finding_fails_against_a_wrong_theory(void **unused)
+{
+    (void)unused;
+    const skv_lab_setting setting = {"particles", "1500"};
+    skv_lab_options options = skv_default_lab_options();
+    options.settings = &setting;
+    options.setting_count = 1;
+    const experiment *e = skv_experiment_at(number_of("hydrostatics"));
+    findings found;
+    assert_int_equal(skv_experiment_measure(e, &options, &found, NULL), SKV_OK);
+    enum { LAYER = 2 };
+    expectation expected = {{0}, {0}};
+    e->expect(found.condition, &expected, &found.plot);
+    skv_lab_row rows[MAX_QUANTITIES];
+    skv_experiment_judge(e, &found, &expected, rows);
+    assert_true(rows[LAYER].pass);
+    for (int i = 0; i < MAX_QUANTITIES; i++)
+        found.measured[i] *= 1.1;
+    skv_experiment_judge(e, &found, &expected, rows);
+    assert_false(rows[LAYER].pass);
+    for (int i = 0; i < MAX_QUANTITIES; i++) {
+        found.measured[i] /= 1.1;
+        expected.theory[i] *= 1.1;
+    }
+    skv_experiment_judge(e, &found, &expected, rows);
+    assert_false(rows[LAYER].pass);
+    skv_findings_free(&found);
+}
+
+/* Heavier gravity, another fluid: both sides change, the ratio hardly. */
+static void theory_follows_the_parameters(void **unused)
+{
+    (void)unused;
+    const skv_lab_setting plain[] = {{"particles", "800"}};
+    const skv_lab_setting other[] = {{"particles", "800"},
+                                     {"gravity", "19.62"},
+                                     {"fluid.density", "800"},
+                                     {"hydrostatics.depth", "0.4"},
+                                     {"fluid.near_stiffness", "39.24"},
+                                     {"fluid.cohesion", "156.96"}};
+    skv_report *a = run("hydrostatics", plain, 1), *b = run("hydrostatics", other, 6);
+    const skv_lab_row *p = skv_report_row(a, 3), *q = skv_report_row(b, 3);
+    assert_near(q->theory / p->theory, 2 * 0.8 * 0.8, 0.08);
+    assert_near(q->measured / p->measured, 2 * 0.8 * 0.8, 0.1);
+    int particles, substeps, more;
+    double spacing, seconds;
+    skv_report_facts(a, &particles, &spacing, &substeps, &seconds);
+    assert_in_range(particles, 700, 900);
+    assert_near(spacing, sqrt(0.5 / 800), 1e-6);
+    assert_near(seconds, 9, 0.1);
+    skv_report_facts(b, &particles, &spacing, &more, &seconds);
+    assert_true(more > substeps);
+    skv_report_destroy(a);
+    skv_report_destroy(b);
+    skv_report_destroy(NULL);
+}
+
+typedef struct text {
+    char *bytes;
+    size_t length, limit;
+} text;
+
+static bool keep(const char *piece, size_t length, void *user)
+{
+    text *t = user;
+    if (t->length + length + 1 > t->limit)
+        return false;
+    memcpy(t->bytes + t->length, piece, length);
+    t->length += length;
+    t->bytes[t->length] = '\0';
+    return true;
+}
+
+static void reports_are_drawn_and_written(void **unused)
+{
+    (void)unused;
+    const skv_lab_setting few = {"particles", "600"};
+    skv_report *report = run("droplet", &few, 1);
+    text t = {malloc(200000), 0, 200000};
+    assert_int_equal(skv_report_plot(report, keep, &t, NULL), SKV_OK);
+    assert_true(strncmp(t.bytes, "<svg xmlns='http://www.w3.org/2000/svg'", 39) == 0);
+    assert_string_equal(t.bytes + t.length - 7, "</svg>\n");
+    assert_non_null(strstr(t.bytes, "Droplet without gravity"));
+    assert_non_null(strstr(t.bytes, "time (s)"));
+    assert_non_null(strstr(t.bytes, "class='theory'"));
+    assert_non_null(strstr(t.bytes, "class='line'"));
+    assert_null(strstr(t.bytes, "nan"));
+    assert_null(strstr(t.bytes, "inf"));
+    t.length = 0;
+    assert_int_equal(skv_report_csv(report, keep, &t, NULL), SKV_OK);
+    assert_true(strncmp(t.bytes, "series,time (s),shorter / longer axis\nmeasured,0,0.", 50) == 0);
+    assert_non_null(strstr(t.bytes, "\ntheory: a circle,0,1\n"));
+    t.limit = 100;
+    t.length = 0;
+    assert_int_equal(skv_report_plot(report, keep, &t, NULL), SKV_ERROR_FILE);
+    free(t.bytes);
+    assert_null(skv_report_row(report, 2));
+    assert_null(skv_report_row(report, -1));
+    skv_report_destroy(report);
+}
+
+static void odd_curves_are_drawn(void **unused)
+{
+    (void)unused;
+    skv_plot picture = {.title = "A & B < C", .x_label = "x", .y_label = "y"};
+    text t = {malloc(20000), 0, 20000};
+    assert_int_equal(skv_plot_write_svg(&picture, keep, &t, NULL), SKV_OK);
+    assert_non_null(strstr(t.bytes, "A &amp; B &lt; C"));
+    skv_plot_point(&picture, 1, 1); /* belongs to no curve */
+    skv_plot_begin(&picture, "one point", CURVE_DOTS);
+    skv_plot_point(&picture, 1, -3);
+    skv_plot_point(&picture, (double)NAN, 2);
+    skv_plot_point(&picture, 2, (double)INFINITY);
+    assert_int_equal(picture.curves[0].count, 1);
+    t.length = 0;
+    assert_int_equal(skv_plot_write_svg(&picture, keep, &t, NULL), SKV_OK);
+    assert_null(strstr(t.bytes, "nan"));
+    for (int i = 0; i < MAX_CURVES; i++)
+        skv_plot_begin(&picture, "more", CURVE_LINE);
+    assert_true(picture.failed);
+    skv_plot_free(&picture);
+    free(t.bytes);
+}
+
+static bool stop_at_half(double share, void *user)
+{
+    *(double *)user = share;
+    return share < 0.5;
+}
+
+static void an_experiment_can_be_stopped(void **unused)
+{
+    (void)unused;
+    const skv_lab_setting few = {"particles", "300"};
+    double reached = 0;
+    skv_lab_options options = skv_default_lab_options();
+    options.settings = &few;
+    options.setting_count = 1;
+    options.progress = stop_at_half;
+    options.user = &reached;
+    skv_report *report;
+    assert_int_equal(skv_experiment_run(number_of("rest"), &options, &report, NULL),
+                     SKV_ERROR_LIMIT);
+    assert_null(report);
+    assert_near(reached, 0.5, 0.01);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_experiment_says_what_it_is),
+        cmocka_unit_test(every_parameter_has_a_default_in_its_range),
+        cmocka_unit_test(wrong_settings_are_refused),
+        cmocka_unit_test(impossible_set_ups_are_refused),
+        cmocka_unit_test(the_judge_sees_either_side_move),
+        cmocka_unit_test(a_real_finding_fails_against_a_wrong_theory),
+        cmocka_unit_test(theory_follows_the_parameters),
+        cmocka_unit_test(reports_are_drawn_and_written),
+        cmocka_unit_test(odd_curves_are_drawn),
+        cmocka_unit_test(an_experiment_can_be_stopped),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
