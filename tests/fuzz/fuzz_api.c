@@ -1,0 +1,181 @@
+/* A host that calls the library in any order with any values: each byte of the input is a call.
+ *
+ * Whatever is called, every particle stays finite and none escapes, the facts agree with each
+ * other, and what is refused changes nothing.
+ */
+#include "fuzz.h"
+
+#include <skvalp/world.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { MOST_PARTICLES = 400, MOST_CALLS = 60 };
+
+typedef struct host {
+    fuzz_input in;
+    skv_world *world;
+    float width, height;
+} host;
+
+static skv_terrain *make_terrain(fuzz_input *in)
+{
+    skv_terrain_def def = skv_default_terrain_def();
+    def.width = 16 + fuzz_below(in, 24);
+    def.height = 16 + fuzz_below(in, 24);
+    def.pixel_size = 0.01f;
+    def.open_sides = fuzz_byte(in) % 16;
+    uint8_t *coverage = calloc((size_t)def.width, (size_t)def.height);
+    int boxes = fuzz_byte(in) % 5;
+    for (int b = 0; b < boxes; b++) {
+        int x0 = fuzz_below(in, def.width), y0 = fuzz_below(in, def.height);
+        int w = 1 + fuzz_below(in, 8), h = 1 + fuzz_below(in, 8);
+        uint8_t grey = fuzz_byte(in);
+        for (int y = y0; y < y0 + h && y < def.height; y++)
+            for (int x = x0; x < x0 + w && x < def.width; x++)
+                coverage[y * def.width + x] = grey;
+    }
+    def.coverage = coverage;
+    skv_terrain *terrain = NULL;
+    fuzz_expect(skv_terrain_create(&def, &terrain, NULL) == SKV_OK, "a small terrain is made");
+    free(coverage);
+    return terrain;
+}
+
+static skv_world *make_world(fuzz_input *in)
+{
+    skv_world_def def = skv_default_world_def();
+    def.fluid = skv_default_fluid_def(fuzz_byte(in) % 3 ? SKV_LAW_CALIBRATED : SKV_LAW_CLAVET);
+    def.fluid.spacing = fuzz_float(in, 0.01f, 0.03f);
+    def.fluid.viscosity = fuzz_byte(in) % 4 ? 0 : fuzz_float(in, 0, 0.05f);
+    def.fluid.cohesion = fuzz_float(in, 0, 500);
+    def.gravity_x = fuzz_float(in, -20, 20);
+    def.gravity_y = fuzz_float(in, -20, 20);
+    def.substeps = fuzz_below(in, 12);
+    def.threads = 1;
+    def.sleep = fuzz_byte(in) % 2;
+    def.solver = fuzz_byte(in) % 4 ? SKV_SOLVER_FAST : SKV_SOLVER_REFERENCE;
+    def.terrain = make_terrain(in);
+    skv_world *world = NULL;
+    skv_error error = {0};
+    skv_result result = skv_world_create(&def, &world, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect((result == SKV_OK) == (world != NULL), "a world exactly if SKV_OK");
+    if (world == NULL)
+        skv_terrain_destroy(def.terrain);
+    return world;
+}
+
+static void add_particle(host *h)
+{
+    float x = fuzz_float(&h->in, -0.1f, h->width + 0.1f);
+    float y = fuzz_float(&h->in, -0.1f, h->height + 0.1f);
+    float vx = fuzz_float(&h->in, -5, 5), vy = fuzz_float(&h->in, -5, 5);
+    int before = skv_world_particle_count(h->world);
+    skv_error error = {0};
+    skv_result result = skv_world_add_particle(h->world, x, y, vx, vy, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(skv_world_particle_count(h->world) == before + (result == SKV_OK),
+                "one particle more exactly if SKV_OK");
+}
+
+static void fill(host *h)
+{
+    float x0 = fuzz_float(&h->in, 0, h->width), y0 = fuzz_float(&h->in, 0, h->height);
+    float x1 = fuzz_float(&h->in, x0, h->width), y1 = fuzz_float(&h->in, y0, h->height);
+    int before = skv_world_particle_count(h->world), added = 0;
+    skv_error error = {0};
+    skv_result result =
+        skv_world_fill(h->world, x0, y0, x1, y1, NULL, NULL, MOST_PARTICLES / 2, &added, &error);
+    fuzz_expect_answer(result, &error);
+    if (result == SKV_OK)
+        fuzz_expect(skv_world_particle_count(h->world) == before + added, "added is counted");
+    else
+        fuzz_expect(skv_world_particle_count(h->world) == before, "all or nothing");
+}
+
+static void step(host *h)
+{
+    static const float frames[] = {1.0f / 60, 1.0f / 60, 1.0f / 30, 1e-6f, 0.1f};
+    float dt = frames[fuzz_below(&h->in, 5)];
+    if (fuzz_byte(&h->in) % 8 == 7)
+        dt = fuzz_any_float(&h->in);
+    double before = skv_world_time(h->world);
+    skv_result result = skv_world_step(h->world, dt);
+    fuzz_expect(result == SKV_OK || skv_world_time(h->world) == before, "a refused step is none");
+}
+
+static void hold(host *h)
+{
+    skv_hand hands[3];
+    int count = fuzz_byte(&h->in) % 4;
+    for (int i = 0; i < count; i++) {
+        hands[i] = skv_default_hand();
+        hands[i].x = fuzz_float(&h->in, 0, h->width);
+        hands[i].y = fuzz_float(&h->in, 0, h->height);
+        hands[i].vx = fuzz_float(&h->in, -5, 5);
+        hands[i].vy = fuzz_float(&h->in, -5, 5);
+        hands[i].radius = fuzz_float(&h->in, 0, 0.5f);
+        hands[i].attraction = fuzz_float(&h->in, -100, 1000);
+    }
+    skv_error error = {0};
+    fuzz_expect_answer(skv_world_set_hands(h->world, hands, count, &error), &error);
+}
+
+static void push(host *h)
+{
+    skv_error error = {0};
+    int first = fuzz_below(&h->in, 200) - 2, count = fuzz_below(&h->in, 200) - 2;
+    float vx = fuzz_float(&h->in, -10, 10), vy = fuzz_float(&h->in, -10, 10);
+    fuzz_expect_answer(skv_world_add_velocity(h->world, first, count, vx, vy, &error), &error);
+}
+
+static void turn_gravity(host *h)
+{
+    skv_error error = {0};
+    float gx = fuzz_float(&h->in, -30, 30), gy = fuzz_float(&h->in, -30, 30);
+    fuzz_expect_answer(skv_world_set_gravity(h->world, gx, gy, &error), &error);
+}
+
+static void look(host *h)
+{
+    int indices[16], total;
+    float x = fuzz_float(&h->in, 0, h->width), y = fuzz_float(&h->in, 0, h->height);
+    total = skv_world_query_circle(h->world, x, y, fuzz_float(&h->in, 0, 1), indices, 16);
+    fuzz_expect(total >= 0 && total <= skv_world_particle_count(h->world), "at most all are found");
+    for (int i = 1; i < total && i < 16; i++)
+        fuzz_expect(indices[i] > indices[i - 1], "indices ascend");
+}
+
+static void judge(const host *h)
+{
+    skv_particles p = skv_world_particles(h->world);
+    fuzz_expect(p.count == skv_world_particle_count(h->world), "one number of particles");
+    fuzz_expect(skv_world_awake_count(h->world) <= p.count, "no more awake than there are");
+    for (int i = 1; i < p.count; i++)
+        fuzz_expect(p.id[i] > p.id[i - 1], "ids ascend");
+    skv_stats stats = skv_world_stats(h->world);
+    fuzz_expect(stats.not_finite == 0, "every position and velocity is finite");
+    fuzz_expect(stats.escaped == 0, "no particle escapes");
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static void (*const calls[])(host *) = {step, step, step,         add_particle, fill,
+                                            hold, push, turn_gravity, look};
+    host h = {.in = {data, size}};
+    h.world = make_world(&h.in);
+    if (h.world == NULL)
+        return 0;
+    h.width = skv_terrain_width(skv_world_terrain(h.world));
+    h.height = skv_terrain_height(skv_world_terrain(h.world));
+    for (int i = 0; i < MOST_CALLS && h.in.size > 0; i++) {
+        int call = fuzz_byte(&h.in) % (int)(sizeof calls / sizeof *calls);
+        if (skv_world_particle_count(h.world) > MOST_PARTICLES && (call == 3 || call == 4))
+            call = 0;
+        calls[call](&h);
+        judge(&h);
+    }
+    skv_world_destroy(h.world);
+    return 0;
+}
