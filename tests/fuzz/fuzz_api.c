@@ -101,7 +101,9 @@ static void step(host *h)
     if (fuzz_byte(&h->in) % 8 == 7)
         dt = fuzz_any_float(&h->in);
     double before = skv_world_time(h->world);
-    skv_result result = skv_world_step(h->world, dt);
+    skv_error error = {0};
+    skv_result result = skv_world_step(h->world, dt, &error);
+    fuzz_expect_answer(result, &error);
     fuzz_expect(result == SKV_OK || skv_world_time(h->world) == before, "a refused step is none");
 }
 

@@ -35,7 +35,7 @@ static void try_world(const skv_scene *scene)
     fuzz_expect(skv_world_particle_count(world) == skv_scene_particles(scene),
                 "the world has the particles that the scene tells");
     if (is_small(world)) {
-        fuzz_expect_answer(skv_world_step(world, 1.0f / 60), &error);
+        fuzz_expect_answer(skv_world_step(world, 1.0f / 60, &error), &error);
         skv_stats stats = skv_world_stats(world);
         fuzz_expect(stats.not_finite == 0, "every position and velocity is finite");
     }
