@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "skvalp/base.h"
+
 enum { TABLE_ROWS = 64, TABLE_COLUMNS = 14, TABLE_CELL = 80 };
 
 typedef struct table {
@@ -19,7 +21,7 @@ typedef struct table {
  * to the right. The list ends with null. */
 void table_begin(table *t, FILE *out, bool markdown, const char *title, const char *const *heads);
 void table_row(table *t);
-void table_cell(table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void table_cell(table *t, const char *format, ...) SKV_PRINTF(2, 3);
 /* A number with its digits after the point, or significant ones if `digits` is negative; "-" if
  * there is none. */
 void table_number(table *t, double value, int digits);

@@ -16,10 +16,24 @@
 extern "C" {
 #endif
 
-#if defined(_WIN32)
+/* Marks what the library offers. A Windows program that links the library as a DLL defines
+ * SKVALP_DLL; building that DLL defines SKVALP_BUILDING_DLL. */
+#if defined(_WIN32) && defined(SKVALP_BUILDING_DLL)
+#define SKV_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(SKVALP_DLL)
+#define SKV_API __declspec(dllimport)
+#elif defined(_WIN32)
 #define SKV_API
 #else
 #define SKV_API __attribute__((visibility("default")))
+#endif
+
+/* Lets the compiler compare a printf-style format, argument number `format_at`, with the arguments
+ * from number `first` on. */
+#if defined(__GNUC__)
+#define SKV_PRINTF(format_at, first) __attribute__((format(printf, format_at, first)))
+#else
+#define SKV_PRINTF(format_at, first)
 #endif
 
 #define SKV_VERSION_MAJOR 0
@@ -55,7 +69,7 @@ typedef struct skv_error {
  * failing function can end with `return skv_fail(error, SKV_ERROR_VALUE, "...");`. The text is
  * cut to fit; control characters, which may stem from a hostile file, are replaced by '?'. */
 SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+    SKV_PRINTF(3, 4);
 
 /* Receives text piece by piece; returns false to stop, which the writing function reports as
  * SKV_ERROR_FILE. */

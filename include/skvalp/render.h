@@ -9,7 +9,7 @@
 #define SKVALP_RENDER_H
 
 #include "skvalp/base.h"
-#include "skvalp/session.h"
+#include "skvalp/camera.h"
 #include "skvalp/world.h"
 
 #ifdef __cplusplus

@@ -8,6 +8,7 @@
 #define SKVALP_SESSION_H
 
 #include "skvalp/base.h"
+#include "skvalp/camera.h"
 #include "skvalp/scene.h"
 #include "skvalp/world.h"
 
@@ -54,16 +55,7 @@ SKV_API void skv_session_gravity_direction(const skv_session *session, double *x
 
 /* The view: its size in pixels. The whole world is shown, centred, as large as fits. */
 SKV_API void skv_session_set_view(skv_session *session, int width, int height);
-/* Where the world is in the view: pixels per metre and the view pixel of the world's origin (the
- * lower left corner of the terrain), y down. */
-typedef struct skv_camera {
-    double scale;              /* view pixels a metre */
-    double origin_x, origin_y; /* view pixels */
-    int width, height;         /* of the view, pixels */
-} skv_camera;
 SKV_API skv_camera skv_session_camera(const skv_session *session);
-SKV_API void skv_camera_to_world(const skv_camera *camera, double px, double py, double *x,
-                                 double *y);
 
 /* Pointers: any number-coded finger or mouse button up to SKV_MAX_HANDS at once; more are ignored.
  * Each one holds fluid from down to up. `time` in seconds from any origin: the pointer's velocity

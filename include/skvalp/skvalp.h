@@ -5,6 +5,7 @@
 #define SKVALP_SKVALP_H
 
 #include "skvalp/base.h"
+#include "skvalp/camera.h"
 #include "skvalp/measure.h"
 #include "skvalp/terrain.h"
 #include "skvalp/world.h"

@@ -5,7 +5,7 @@
 #include <GLES3/gl3.h>
 
 #include "skvalp/base.h"
-#include "skvalp/session.h"
+#include "skvalp/camera.h"
 
 /* Compiles and links a program; `name` is for the message. */
 skv_result skv_gl_program(const char *name, const char *vertex, const char *fragment,

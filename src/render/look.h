@@ -2,7 +2,7 @@
 #ifndef SKV_RENDER_LOOK_H
 #define SKV_RENDER_LOOK_H
 
-#include "skvalp/session.h"
+#include "skvalp/camera.h"
 
 /* Radius of a splat in spacings. Wide enough that the lattice of a pool at rest leaves no ripple
  * on its surface, narrow enough that thin streams stay thin. */

@@ -7,7 +7,6 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "render/gl.h"
-#include "session/camera.h"
 #include "skvalp/render.h"
 
 #define LARGEST_SIDE 16384

@@ -48,6 +48,6 @@ skv_result skv_builder_options(skv_builder *builder, const skv_scene_options *op
 /* Fails with "FILE:LINE: PATH: message", or "--set PATH: message", as the origin asks for. */
 skv_result skv_builder_fail(const skv_builder *builder, skv_origin origin, const char *path,
                             skv_error *error, skv_result code, const char *format, ...)
-    __attribute__((format(printf, 6, 7)));
+    SKV_PRINTF(6, 7);
 
 #endif

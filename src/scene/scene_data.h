@@ -38,7 +38,6 @@ skv_result skv_scene_compose(const skv_builder *builder, const uint8_t *picture,
                              skv_error *error);
 
 /* Says something without failing; cut to fit. */
-void skv_scene_note(skv_scene *scene, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+void skv_scene_note(skv_scene *scene, const char *format, ...) SKV_PRINTF(2, 3);
 
 #endif

@@ -6,7 +6,6 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
-#include "session/camera.h"
 #include "session/pointers.h"
 
 #define FRAME_RATE           60.0

@@ -119,9 +119,9 @@ skv_result skv_distance_transform(const skv_coverage *coverage, float pixel_size
         for (int y = coverage->rows - 2; y >= 0; y--)
             sweep_row(&t, y, y + 1);
     } else {
-        int far = coverage->columns + coverage->rows - 4 * SKV_TERRAIN_RIM;
+        int unreached = coverage->columns + coverage->rows - 4 * SKV_TERRAIN_RIM;
         for (size_t i = 0; i < pixels; i++)
-            field[i] = (float)far;
+            field[i] = (float)unreached;
     }
     for (size_t i = 0; i < pixels; i++)
         field[i] *= skv_is_solid(coverage->bytes[i]) ? -pixel_size : pixel_size;

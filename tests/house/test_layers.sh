@@ -1,22 +1,24 @@
 #!/usr/bin/env bash
-# The layering rule: base <- solver, terrain <- world <- measure, scene <- session <- render <-
-# faces; experiments stand on measure and scene. A file includes only what stands left of it; the
-# faces know public headers only, the experiments besides their own only those of base; the core
-# needs nothing but the C library and threads. Arguments: build folder, source folder.
+# The layering rule: base <- solver, terrain, camera <- world <- measure, scene, render; experiments
+# and session stand on measure and scene, the faces on all of them. A file includes only what stands
+# left of it; the faces know public headers only, the experiments besides their own only those of
+# base; the core needs nothing but the C library and threads. Arguments: build folder, source folder.
 set -euo pipefail
 cd "${2:?usage: test_layers.sh BUILD SOURCE}"
 
-# What each layer may include, itself first.
+# What each layer may include, itself first; skvalp.h is the core's headers in one.
 declare -A may=(
     [base]="base"
     [solver]="solver base"
     [terrain]="terrain base"
+    [camera]="camera base"
     [world]="world solver terrain base"
     [measure]="measure world solver terrain base"
+    [skvalp]="base camera terrain world measure"
     [scene]="scene world solver terrain base"
+    [render]="render camera world solver terrain base"
     [experiments]="experiments measure scene world terrain base"
-    [session]="session measure scene world solver terrain base"
-    [render]="render session measure scene world solver terrain base"
+    [session]="session measure scene camera world solver terrain base"
 )
 # What the core may take from the system: what a compiler brings along, and so much of <math.h> and
 # <string.h> as src/base/wasm/include declares. The rest is behind src/base/platform.h.
@@ -27,6 +29,7 @@ declare -A system=(
     [base]=$core_system
     [solver]=$core_system
     [terrain]=$core_system
+    [camera]=$core_system
     [world]=$core_system
     [measure]="$core_system assert ctype errno inttypes stdio stdlib "
 )
@@ -46,7 +49,6 @@ includes() {
 layer_of() {
     local name=${2:1:-1}
     case $name in
-    skvalp/skvalp.h) printf 'measure' ;;
     skvalp/*.h) basename "$name" .h ;;
     */*.h) [[ -e src/$name ]] && printf '%s' "${name%%/*}" ;;
     # A neighbour in the same folder, which is src/LAYER or one below it.
@@ -101,7 +103,6 @@ for layer in "${!may[@]}"; do
 done
 for file in include/skvalp/*.h; do
     layer=$(basename "$file" .h)
-    [[ $layer == skvalp ]] && layer=measure
     if [[ -z ${may[$layer]-} ]]; then
         complain "$file" "this public header belongs to no layer"
         continue

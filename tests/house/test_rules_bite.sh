@@ -60,6 +60,9 @@ bites test_layers.sh "the solver names the world" "the solver must not know the 
 printf '#include "world/frame.h"\n' >"$work/copy/src/experiments/sin.c"
 bites test_layers.sh "an experiment includes a private header" "an experiment must not include"
 
+printf '#include <skvalp/scene.h>\n' >"$work/copy/src/render/sin.c"
+bites test_layers.sh "the renderer includes scenes" "layer render must not include"
+
 printf '#include "base/memory.h"\n' >"$work/copy/cli/sin.c"
 bites test_layers.sh "a face includes a private header" "it is not public"
 

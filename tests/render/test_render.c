@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include <skvalp/render.h>
+#include <skvalp/scene.h>
 
 #include "render/renderer.h"
 

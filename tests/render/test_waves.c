@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include <skvalp/render.h>
+#include <skvalp/scene.h>
 
 enum { WIDTH = 640 };
 

@@ -69,13 +69,13 @@ static void pressure_calibrated(const skv_rows *s, int row, const skv_row_consta
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
-        v8 near = v8_mul(near_push, crowded);
+        v8 close = v8_mul(near_push, crowded);
         v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
         v8 response = v8_max(v8_mul(answer, density), floor);
         v8 size = v8_sub(v8_mul(push, excess), v8_mul(pull, v8_mul(held, missing)));
-        size = v8_sub(size, v8_mul(balance, near));
+        size = v8_sub(size, v8_mul(balance, close));
         v8_store(s->push + i, v8_div(size, response));
-        v8_store(s->near_push + i, v8_div(near, response));
+        v8_store(s->near_push + i, v8_div(close, response));
     }
 }
 

@@ -1,11 +1,13 @@
 /* Camera: between view pixels (y down) and metres (y up). Invariant: a camera's scale is positive,
  * so that every pixel has a point in the world. */
-#include "session/camera.h"
+#include "skvalp/camera.h"
 
 #include "base/assert.h"
 
 skv_camera skv_camera_fit(int width, int height, double world_width, double world_height)
 {
+    SKV_ASSERT_OR(world_width > 0 && world_height > 0,
+                  (skv_camera){.scale = 1, .width = 1, .height = 1});
     skv_camera camera = {.width = width < 1 ? 1 : width, .height = height < 1 ? 1 : height};
     double scale_x = camera.width / world_width;
     double scale_y = camera.height / world_height;
