@@ -1,5 +1,5 @@
 /* Actions: one small function each. Invariant: an action's state mirrors the session, whoever
- * changed it; play_actions_update sees to that. */
+ * changed it: they are brought in line whenever the view or the window says that it has changed. */
 #include "actions.h"
 
 #include <skvalp/render.h>
@@ -31,15 +31,9 @@ static void on_reset(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant
         play_window_complain(window, error.text);
 }
 
-static void set_speed(PlayWindow *window, double speed)
-{
-    play_view_set_speed(play_window_view(window), speed);
-    play_actions_update(window);
-}
-
 static void on_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
 {
-    set_speed(window, g_variant_get_double(state));
+    play_view_set_speed(play_window_view(window), g_variant_get_double(state));
 }
 
 static const double speeds[] = {0.1, 0.25, 0.5, 1, 2};
@@ -50,8 +44,8 @@ static void on_change_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *steps
     int at = 0, last = G_N_ELEMENTS(speeds) - 1;
     while (at < last && speeds[at] < skv_session_speed(session_of(window)))
         at++;
-    double speed = speeds[CLAMP(at + g_variant_get_int32(steps), 0, last)];
-    set_speed(window, speed);
+    at = CLAMP(at + g_variant_get_int32(steps), 0, last);
+    play_view_set_speed(play_window_view(window), speeds[at]);
 }
 
 static void on_weightless(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
@@ -164,24 +158,28 @@ static const GActionEntry entries[] = {
     {.name = "about", .activate = on_about},
 };
 
-void play_actions_add(PlayWindow *window)
-{
-    g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
-}
-
 static void set_state(PlayWindow *window, const char *name, GVariant *state)
 {
     GAction *action = g_action_map_lookup_action(G_ACTION_MAP(window), name);
     g_simple_action_set_state(G_SIMPLE_ACTION(action), state);
 }
 
-void play_actions_update(PlayWindow *window)
+static void update_states(PlayWindow *window)
 {
     const skv_session *session = session_of(window);
     set_state(window, "pause", g_variant_new_boolean(skv_session_paused(session)));
     set_state(window, "speed", g_variant_new_double(skv_session_speed(session)));
     set_state(window, "fullscreen",
               g_variant_new_boolean(gtk_window_is_fullscreen(GTK_WINDOW(window))));
+}
+
+void play_actions_add(PlayWindow *window)
+{
+    g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
+    g_signal_connect_object(play_window_view(window), "changed", G_CALLBACK(update_states), window,
+                            G_CONNECT_SWAPPED);
+    g_signal_connect(window, "notify::fullscreened", G_CALLBACK(update_states), NULL);
+    update_states(window);
 }
 
 void play_actions_set_keys(GtkApplication *application)

@@ -4,13 +4,10 @@
 
 #include "window.h"
 
-/* Adds the "win." actions to a window. */
+/* Adds the "win." actions to a window, whose states follow the session from then on. */
 void play_actions_add(PlayWindow *window);
 
 /* Gives the application the keys of the shortcuts window (arrows are the view's own). */
 void play_actions_set_keys(GtkApplication *application);
-
-/* Brings the actions' states in line with the session. */
-void play_actions_update(PlayWindow *window);
 
 #endif

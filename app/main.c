@@ -24,7 +24,9 @@ static void on_startup(GtkApplication *application)
 
 static void on_activate(GtkApplication *application, const char *scene)
 {
-    gtk_window_present(play_window_new(application, scene));
+    PlayWindow *window = play_window_new(application, scene);
+    play_actions_add(window);
+    gtk_window_present(GTK_WINDOW(window));
 }
 
 int main(int argc, char **argv)

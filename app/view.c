@@ -5,8 +5,6 @@
 
 #include <skvalp/render.h>
 
-#include "input.h"
-
 /* A frame may take this long to step; a scene that needs more runs slower than real time instead
  * of making the window sluggish. */
 #define STEP_BUDGET   0.030
@@ -244,5 +242,4 @@ static void play_view_init(PlayView *view)
     gtk_widget_set_focusable(GTK_WIDGET(view), TRUE);
     gtk_widget_set_hexpand(GTK_WIDGET(view), TRUE);
     gtk_widget_set_vexpand(GTK_WIDGET(view), TRUE);
-    play_input_attach(view);
 }

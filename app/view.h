@@ -1,5 +1,4 @@
-/* The view: a GL area that shows a session's world live and turns mouse, fingers and arrow keys
- * into the session's pointers and gravity.
+/* The view: a GL area that lets a session's world play and shows it live.
  *
  * Emits "changed" when what the window says about the view may have changed: a few times a second
  * while it plays, and after every call below.

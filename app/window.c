@@ -2,7 +2,7 @@
  * that failed stays until it is closed or something else was opened. */
 #include "window.h"
 
-#include "actions.h"
+#include "input.h"
 
 #define DEFAULT_SCENE "dam-break"
 
@@ -136,7 +136,6 @@ static void on_view_changed(PlayWindow *window)
                                                               : "media-playback-pause-symbolic");
     gtk_widget_set_tooltip_text(window->play, paused ? "Play (Space)" : "Pause (Space)");
     show_status(window);
-    play_actions_update(window);
 }
 
 static void on_dark_changed(PlayWindow *window)
@@ -148,7 +147,6 @@ static void on_dark_changed(PlayWindow *window)
 static void on_fullscreen_changed(PlayWindow *window)
 {
     gtk_widget_set_visible(window->header, !gtk_window_is_fullscreen(GTK_WINDOW(window)));
-    play_actions_update(window);
 }
 
 static GMenuModel *scenes_menu(void)
@@ -184,7 +182,7 @@ static void play_window_class_init(PlayWindowClass *class)
 static void play_window_init(PlayWindow *window)
 {
     gtk_widget_init_template(GTK_WIDGET(window));
-    play_actions_add(window);
+    play_input_attach(window->view);
 
     GMenuModel *menu = scenes_menu();
     gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(window->scenes), menu);
@@ -203,7 +201,7 @@ static void play_window_init(PlayWindow *window)
     gtk_widget_grab_focus(GTK_WIDGET(window->view));
 }
 
-GtkWindow *play_window_new(GtkApplication *application, const char *scene)
+PlayWindow *play_window_new(GtkApplication *application, const char *scene)
 {
     PlayWindow *window = g_object_new(PLAY_TYPE_WINDOW, "application", application, NULL);
     play_window_open(window, scene ? scene : DEFAULT_SCENE);
@@ -214,5 +212,5 @@ GtkWindow *play_window_new(GtkApplication *application, const char *scene)
         play_window_complain(window, reason);
         g_free(reason);
     }
-    return GTK_WINDOW(window);
+    return window;
 }

@@ -13,7 +13,7 @@ G_DECLARE_FINAL_TYPE(PlayWindow, play_window, PLAY, WINDOW, AdwApplicationWindow
 
 /* Opens a window on a scene: a built-in name or a path. If it cannot be opened, the window says
  * why and shows the default scene. Null: the default scene. */
-GtkWindow *play_window_new(GtkApplication *application, const char *scene);
+PlayWindow *play_window_new(GtkApplication *application, const char *scene);
 
 PlayView *play_window_view(PlayWindow *window);
 

@@ -1,7 +1,7 @@
 /* What the core asks of the system it runs on, and all of it.
  *
  * Besides, the core needs no more of a C library than <math.h>'s sqrt, fabs, ceil, floor and
- * isfinite and <string.h>'s mem... and strcmp: it is freestanding. posix/platform.c implements
+ * isfinite and <string.h>'s mem... and strcmp: it is freestanding. What is in posix/ implements
  * this for Linux and its kin, wasm/platform.c for WebAssembly without any library.
  */
 #ifndef SKV_BASE_PLATFORM_H
