@@ -97,26 +97,57 @@ SKV_API skv_result skv_world_create(const skv_world_def *def, skv_world **world,
 /* Frees a world and its terrain; null is allowed. */
 SKV_API void skv_world_destroy(skv_world *world);
 
-/* Adds one particle at rest or in motion. Positions inside solid or outside an enclosed side are
- * refused with SKV_ERROR_VALUE, as is anything that is not finite. */
+/* Adds one particle, position in m and velocity in m/s, whether or not others are near. A place in
+ * solid or outside the world (through an open side, more than a smoothing radius) is refused with
+ * SKV_ERROR_VALUE, as is anything that is not finite. */
 SKV_API skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, float vy,
                                           skv_error *error);
 
-/* Tells whether a point belongs to the fluid that is to be added. */
+/* Tells whether a point (m) belongs to the fluid that is to be added. */
 typedef bool skv_inside(float x, float y, void *user);
 
-/* Adds particles on the rest lattice (hexagonal, one per spacing^2) inside the box [x0,x1]x[y0,y1],
- * where they keep a third of a spacing from walls and where `inside` (null: everywhere) says yes.
- * At most `limit` particles (negative: no limit) are added, from the bottom up. Writes the number
- * of particles added to *added (null is allowed). All or nothing on failure. */
-SKV_API skv_result skv_world_fill(skv_world *world, float x0, float y0, float x1, float y1,
-                                  skv_inside *inside, void *user, int limit, int *added,
+/* A fill: the rest lattice (hexagonal, one particle per spacing^2) inside a box. Initialise with
+ * skv_default_fill_def. */
+typedef struct skv_fill_def {
+    /* The box, m, each -100..100; what lies outside the terrain does not count. Default: all of the
+     * terrain. */
+    float x0, y0, x1, y1;
+    skv_inside *inside; /* asked once for every place, from the bottom up; null: everywhere */
+    void *user;         /* handed to `inside` */
+    int limit;          /* at most so many particles are added; negative, the default: no limit */
+    float vx, vy;       /* their velocity, m/s, each -1000..1000; default 0 */
+    int cookie;
+} skv_fill_def;
+
+SKV_API skv_fill_def skv_default_fill_def(void);
+
+/* A particle's name: the number at which it was added to its world, from 0. It stays when others
+ * are removed, and is never given to another. */
+typedef uint32_t skv_particle_id;
+
+/* The id of no particle. */
+#define SKV_NO_PARTICLE UINT32_MAX
+
+/* What became of the places at which particles were to be added. */
+typedef struct skv_placed {
+    int added;
+    int occupied; /* skipped: closer than 0.7 spacings to another particle, earlier or new */
+    int blocked;  /* skipped: in solid or outside the world; for a fill, closer than a third of a
+                     spacing to a wall */
+    skv_particle_id
+        first; /* of those added; the others' follow one by one. SKV_NO_PARTICLE: none */
+} skv_placed;
+
+/* Adds particles on the rest lattice, from the bottom up, where they keep a third of a spacing from
+ * walls and 0.7 spacings from other particles. Writes what became of the lattice's places to
+ * *placed (null is allowed). All or nothing on failure: SKV_ERROR_VALUE (box or velocity out of
+ * range), SKV_ERROR_LIMIT (more than SKV_MAX_PARTICLES) or SKV_ERROR_MEMORY. */
+SKV_API skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed *placed,
                                   skv_error *error);
 
-/* How many particles skv_world_fill would add for a given spacing in this terrain, without a
- * world: for choosing the spacing that gives a wanted number. */
-SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, float x0, float y0, float x1,
-                           float y1, skv_inside *inside, void *user);
+/* How many particles the fill would add to an empty world of a given spacing (m) in this terrain:
+ * for choosing the spacing that gives a wanted number. */
+SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_fill_def *def);
 
 /* Adds (vx, vy) m/s to every particle whose number is in [first, first+count). */
 SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx,
@@ -190,8 +221,7 @@ typedef struct skv_particles {
     const float *vx, *vy;  /* m/s */
     const float *pressure; /* Pa m (force per length of the sheet), 0 at the free surface; from the
                               last substep; 0 before the first */
-    const uint32_t *id;    /* number at which the particle was added, from 0; kept when others are
-                              removed */
+    const skv_particle_id *id; /* ascending */
 } skv_particles;
 SKV_API skv_particles skv_world_particles(const skv_world *world);
 

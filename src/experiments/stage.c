@@ -141,8 +141,14 @@ void skv_stage_close(stage *s)
 skv_result skv_stage_fill(stage *s, double x0, double y0, double x1, double y1, skv_inside *inside,
                           void *user, skv_error *error)
 {
-    return skv_world_fill(s->world, (float)x0, (float)y0, (float)x1, (float)y1, inside, user, -1,
-                          NULL, error);
+    skv_fill_def def = skv_default_fill_def();
+    def.x0 = (float)x0;
+    def.y0 = (float)y0;
+    def.x1 = (float)x1;
+    def.y1 = (float)y1;
+    def.inside = inside;
+    def.user = user;
+    return skv_world_fill(s->world, &def, NULL, error);
 }
 
 skv_result skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,

@@ -63,8 +63,9 @@ static skv_result add_speeds(const skv_scene *scene, skv_world *world, skv_error
 static skv_result fill(const skv_scene *scene, skv_world *world, skv_error *error)
 {
     skv_water water = scene->water; /* the callback's user pointer is not constant */
-    skv_result result = skv_world_fill(world, water.x0, water.y0, water.x1, water.y1,
-                                       skv_water_inside, &water, scene->particles, NULL, error);
+    skv_fill_def def = skv_water_fill_def(&water);
+    def.limit = scene->particles;
+    skv_result result = skv_world_fill(world, &def, NULL, error);
     return result == SKV_OK ? add_speeds(scene, world, error) : result;
 }
 

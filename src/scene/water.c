@@ -100,11 +100,23 @@ void skv_water_set_bounds(skv_water *water)
 
 /* ---- Spacing --------------------------------------------------------------------------------- */
 
+skv_fill_def skv_water_fill_def(skv_water *water)
+{
+    skv_fill_def def = skv_default_fill_def();
+    def.x0 = water->x0;
+    def.y0 = water->y0;
+    def.x1 = water->x1;
+    def.y1 = water->y1;
+    def.inside = skv_water_inside;
+    def.user = water;
+    return def;
+}
+
 int skv_water_count(const skv_water *water, const skv_terrain *terrain, float spacing)
 {
     skv_water copy = *water; /* the callback's user pointer is not constant */
-    return skv_fill_count(terrain, spacing, water->x0, water->y0, water->x1, water->y1,
-                          skv_water_inside, &copy);
+    skv_fill_def def = skv_water_fill_def(&copy);
+    return skv_fill_count(terrain, spacing, &def);
 }
 
 /* Finds a spacing at or above `least` that holds at least `wanted`, starting from `spacing`, which

@@ -33,6 +33,9 @@ const skv_shape *skv_water_shape_at(const skv_water *water, float x, float y);
 skv_result skv_water_choose_spacing(skv_water *water, const skv_terrain *terrain, int wanted,
                                     float least, float *spacing, int *count);
 
+/* The fill that asks this water, which must outlive it. */
+skv_fill_def skv_water_fill_def(skv_water *water);
+
 /* skv_fill_count over the water. */
 int skv_water_count(const skv_water *water, const skv_terrain *terrain, float spacing);
 

@@ -1,25 +1,66 @@
-/* Putting particles into a world: single ones, and lattices that fill a region.
+/* Filling a region with particles on the rest lattice.
  *
  * Invariant: a lattice is a function of the box, the spacing and the terrain alone, and it is
- * walked from the bottom up, so that counting and filling agree.
+ * walked once, from the bottom up; the places found are kept and only then become particles, so a
+ * fill succeeds as a whole or changes nothing, whatever `inside` answers.
  */
 #include "base/assert.h"
 #include "base/exact.h"
-#include "world/world_internal.h"
+#include "base/memory.h"
+#include "world/add.h"
+#include "world/frame.h"
+#include "world/occupancy.h"
 
 #include <math.h>
+#include <string.h>
+
+enum { FILL_COOKIE = 0x66696c31 };
 
 /* Particles of a fresh lattice are this far from walls, in spacings. */
 #define WALL_GAP 0.3f
 /* Shift of each particle, in spacings: a perfect lattice would stand like a crystal. */
 #define JITTER 0.02f
 
-typedef struct lattice {
+skv_fill_def skv_default_fill_def(void)
+{
+    return (skv_fill_def){.x1 = 100, .y1 = 100, .limit = -1, .cookie = FILL_COOKIE};
+}
+
+static bool is_sane(const skv_fill_def *def)
+{
+    const float corners[4] = {def->x0, def->y0, def->x1, def->y1};
+    for (int i = 0; i < 4; i++)
+        if (!skv_within((double)corners[i], -100, 100))
+            return false;
+    return true;
+}
+
+/* A walk over the lattice. */
+typedef struct walk {
+    const skv_fill_def *def;
     const skv_terrain *terrain;
-    float spacing, x0, y0, x1, y1;
-    skv_inside *inside;
-    void *user;
-} lattice;
+    float spacing, x0, y0, x1, y1; /* the part of the box that the terrain covers */
+    const skv_occupancy *others;   /* null: there are none */
+    uint32_t next_id;
+    int limit; /* walk no farther than so many places */
+    skv_placed placed;
+    bool keep;    /* the places found, not only their number */
+    float *x;     /* capacity places' x, followed by as many y */
+    int capacity; /* of x */
+    bool out_of_memory;
+} walk;
+
+static walk make_walk(const skv_terrain *terrain, float spacing, const skv_fill_def *def, int limit)
+{
+    return (walk){.def = def,
+                  .terrain = terrain,
+                  .spacing = spacing,
+                  .x0 = skv_maxf(def->x0, 0),
+                  .y0 = skv_maxf(def->y0, 0),
+                  .x1 = skv_minf(def->x1, skv_terrain_width(terrain)),
+                  .y1 = skv_minf(def->y1, skv_terrain_height(terrain)),
+                  .limit = def->limit >= 0 && def->limit < limit ? def->limit : limit};
+}
 
 static float jitter(uint32_t number)
 {
@@ -30,118 +71,123 @@ static float jitter(uint32_t number)
     return ((float)(number & 0xffff) / 65536.0f - 0.5f) * JITTER;
 }
 
-/* Walks the lattice; adds to `world` if there is one. Returns the number of points. */
-static int walk(const lattice *l, int limit, skv_world *world)
+static bool grow(walk *w)
 {
-    double a = (double)l->spacing * sqrt(2 / sqrt(3.0)), b = a * sqrt(3.0) / 2;
-    int rows = (int)ceil(((double)(l->y1 - l->y0)) / b);
-    int columns = (int)ceil(((double)(l->x1 - l->x0)) / a) + 1;
-    int found = 0;
+    int capacity = w->capacity ? 2 * w->capacity : 1024;
+    float *x = skv_calloc(2 * (size_t)capacity, sizeof *x);
+    if (!x)
+        return false;
+    if (w->capacity) {
+        size_t bytes = (size_t)w->capacity * sizeof *x;
+        memcpy(x, w->x, bytes);
+        memcpy(x + capacity, w->x + w->capacity, bytes);
+    }
+    skv_free(w->x);
+    w->x = x;
+    w->capacity = capacity;
+    return true;
+}
+
+/* Judges one place of the lattice. */
+static void visit(walk *w, float x, float y)
+{
+    if (w->def->inside && !w->def->inside(x, y, w->def->user))
+        return;
+    if (skv_terrain_distance(w->terrain, x, y) < WALL_GAP * w->spacing) {
+        w->placed.blocked++;
+        return;
+    }
+    if (w->keep) {
+        uint32_t id = w->next_id + (uint32_t)w->placed.added;
+        x += w->spacing * jitter(2 * id);
+        y += w->spacing * jitter(2 * id + 1);
+        if (w->others && skv_is_occupied(w->others, x, y)) {
+            w->placed.occupied++;
+            return;
+        }
+        if (w->placed.added == w->capacity && !grow(w)) {
+            w->out_of_memory = true;
+            return;
+        }
+        w->x[w->placed.added] = x;
+        w->x[w->capacity + w->placed.added] = y;
+    }
+    w->placed.added++;
+}
+
+static void take_walk(walk *w)
+{
+    double a = (double)w->spacing * sqrt(2 / sqrt(3.0)), b = a * sqrt(3.0) / 2;
+    int rows = (int)ceil(((double)(w->y1 - w->y0)) / b);
+    int columns = (int)ceil(((double)(w->x1 - w->x0)) / a) + 1;
     for (int row = 0; row < rows; row++) {
-        float y = (float)((double)l->y0 + (row + 0.5) * b);
-        if (y > l->y1)
-            break;
+        float y = (float)((double)w->y0 + (row + 0.5) * b);
+        if (y > w->y1)
+            return;
         for (int column = 0; column < columns; column++) {
-            float x = (float)((double)l->x0 + (column + (row % 2 ? 0.75 : 0.25)) * a);
-            if (x > l->x1 || (limit >= 0 && found >= limit))
+            float x = (float)((double)w->x0 + (column + (row % 2 ? 0.75 : 0.25)) * a);
+            if (x > w->x1)
                 break;
-            if (l->inside && !l->inside(x, y, l->user))
-                continue;
-            if (skv_terrain_distance(l->terrain, x, y) < WALL_GAP * l->spacing)
-                continue;
-            if (world)
-                skv_world_append(world, x + l->spacing * jitter(2 * world->next_id),
-                                 y + l->spacing * jitter(2 * world->next_id + 1), 0, 0);
-            found++;
+            if (w->placed.added >= w->limit || w->out_of_memory)
+                return;
+            visit(w, x, y);
         }
     }
-    return found;
 }
 
-static bool box_is_sane(float x0, float y0, float x1, float y1)
+int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_fill_def *def)
 {
-    return skv_within((double)x0, -100, 100) && skv_within((double)y0, -100, 100) &&
-           skv_within((double)x1, -100, 100) && skv_within((double)y1, -100, 100);
-}
-
-/* The part of the box that the terrain covers. */
-static lattice make_lattice(const skv_terrain *terrain, float spacing, float x0, float y0, float x1,
-                            float y1, skv_inside *inside, void *user)
-{
-    return (lattice){terrain,
-                     spacing,
-                     skv_maxf(x0, 0),
-                     skv_maxf(y0, 0),
-                     skv_minf(x1, skv_terrain_width(terrain)),
-                     skv_minf(y1, skv_terrain_height(terrain)),
-                     inside,
-                     user};
-}
-
-int skv_fill_count(const skv_terrain *terrain, float spacing, float x0, float y0, float x1,
-                   float y1, skv_inside *inside, void *user)
-{
-    SKV_ASSERT_OR(terrain, 0);
-    if (!box_is_sane(x0, y0, x1, y1) || !skv_within((double)spacing, 1e-4, 100))
+    SKV_ASSERT_OR(terrain && def && def->cookie == FILL_COOKIE, 0);
+    if (!is_sane(def) || !skv_within((double)spacing, 1e-4, 100))
         return 0;
-    lattice l = make_lattice(terrain, spacing, x0, y0, x1, y1, inside, user);
-    return walk(&l, -1, NULL);
+    walk w = make_walk(terrain, spacing, def, INT32_MAX);
+    take_walk(&w);
+    return w.placed.added;
 }
 
-skv_result skv_world_fill(skv_world *world, float x0, float y0, float x1, float y1,
-                          skv_inside *inside, void *user, int limit, int *added, skv_error *error)
+/* Turns the places found into particles. */
+static skv_result settle(skv_world *world, const walk *w, skv_error *error)
 {
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
-    if (!box_is_sane(x0, y0, x1, y1))
-        return skv_fail(error, SKV_ERROR_VALUE, "fill: the box is not finite");
-    lattice l = make_lattice(world->terrain, world->fluid.spacing, x0, y0, x1, y1, inside, user);
-    int count = walk(&l, limit, NULL);
-    int64_t total = (int64_t)world->state.count + count;
-    if (total > SKV_MAX_PARTICLES)
-        return skv_fail(error, SKV_ERROR_LIMIT,
-                        "fill: %lld particles are too many; at most %d are allowed",
-                        (long long)total, SKV_MAX_PARTICLES);
-    skv_result result = skv_world_reserve(world, (int)total, error);
-    if (result != SKV_OK)
-        return result;
-    walk(&l, limit, world);
-    if (added)
-        *added = count;
-    return SKV_OK;
-}
-
-skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, float vy,
-                                  skv_error *error)
-{
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
-    if (!skv_within((double)x, -100, 100) || !skv_within((double)y, -100, 100) ||
-        !skv_within((double)vx, -1000, 1000) || !skv_within((double)vy, -1000, 1000))
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "particle: position or velocity is not finite or beyond 100 m, 1000 m/s");
-    if (skv_terrain_distance(world->terrain, x, y) <= 0)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "particle: (%g, %g) is inside solid; choose a free place", (double)x,
-                        (double)y);
-    skv_result result = skv_world_reserve(world, world->state.count + 1, error);
-    if (result == SKV_OK)
-        skv_world_append(world, x, y, vx, vy);
+    if (w->out_of_memory)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a fill");
+    skv_result result = skv_world_make_room(world, w->placed.added, error);
+    for (int i = 0; i < w->placed.added && result == SKV_OK; i++)
+        skv_world_append(world, w->x[i], w->x[w->capacity + i], w->def->vx, w->def->vy);
     return result;
 }
 
-skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx, float vy,
-                                  skv_error *error)
+skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed *placed,
+                          skv_error *error)
 {
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
-    if (!skv_within((double)vx, -1000, 1000) || !skv_within((double)vy, -1000, 1000))
-        return skv_fail(error, SKV_ERROR_VALUE, "velocity: not finite or beyond 1000 m/s");
-    if (first < 0 || count < 0 || first > world->state.count - count)
+    SKV_ASSERT_OR(world && def && def->cookie == FILL_COOKIE, SKV_ERROR_VALUE);
+    if (!is_sane(def))
+        return skv_fail(error, SKV_ERROR_VALUE, "fill: the box is not finite or beyond 100 m");
+    if (!skv_within((double)def->vx, -1000, 1000) || !skv_within((double)def->vy, -1000, 1000))
         return skv_fail(error, SKV_ERROR_VALUE,
-                        "velocity: particles %d.. do not exist; there are %d", first,
-                        world->state.count);
-    for (int i = first; i < first + count; i++) {
-        world->state.vx[i] += vx;
-        world->state.vy[i] += vy;
-        skv_sleep_wake(world, i);
+                        "fill: the velocity is not finite or beyond 1000 m/s");
+    /* One more than there can be, so that too many are noticed. */
+    walk w = make_walk(world->terrain, world->fluid.spacing, def, SKV_MAX_PARTICLES + 1);
+    w.keep = true;
+    w.next_id = world->next_id;
+    skv_occupancy others = {0};
+    skv_result result = SKV_OK;
+    if (world->state.count > 0) {
+        result = skv_occupancy_create(&others, &world->state, 0,
+                                      SKV_LEAST_SPACING * world->fluid.spacing, error);
+        if (skv_wall_map_has_thin(world->walls)) {
+            others.occluded = skv_wall_between;
+            others.occluded_context = world;
+        }
+        w.others = &others;
     }
-    return SKV_OK;
+    if (result == SKV_OK) {
+        take_walk(&w);
+        w.placed.first = w.placed.added ? world->next_id : SKV_NO_PARTICLE;
+        result = settle(world, &w, error);
+    }
+    skv_occupancy_destroy(&others);
+    skv_free(w.x);
+    if (result == SKV_OK && placed)
+        *placed = w.placed;
+    return result;
 }

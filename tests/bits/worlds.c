@@ -154,8 +154,11 @@ static skv_world *make_world(const world_kind *kind, int threads)
         skv_terrain_destroy(def.terrain);
         return NULL;
     }
-    int added = 0;
-    skv_world_fill(world, 0, 0, kind->fill_x1, kind->fill_y1, NULL, NULL, -1, &added, NULL);
+    skv_fill_def fill = skv_default_fill_def();
+    fill.x1 = kind->fill_x1;
+    fill.y1 = kind->fill_y1;
+    skv_world_fill(world, &fill, NULL, NULL);
+    int added = skv_world_particle_count(world);
     /* A part in motion, and a pair in one place. */
     skv_world_add_velocity(world, added / 2, added / 4, 1.5f, 0.75f, NULL);
     skv_world_add_particle(world, 0.125f, 0.3125f, 0, 0, NULL);

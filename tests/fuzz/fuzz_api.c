@@ -81,15 +81,20 @@ static void add_particle(host *h)
 
 static void fill(host *h)
 {
-    float x0 = fuzz_float(&h->in, 0, h->width), y0 = fuzz_float(&h->in, 0, h->height);
-    float x1 = fuzz_float(&h->in, x0, h->width), y1 = fuzz_float(&h->in, y0, h->height);
-    int before = skv_world_particle_count(h->world), added = 0;
+    skv_fill_def def = skv_default_fill_def();
+    def.x0 = fuzz_float(&h->in, 0, h->width);
+    def.y0 = fuzz_float(&h->in, 0, h->height);
+    def.x1 = fuzz_float(&h->in, def.x0, h->width);
+    def.y1 = fuzz_float(&h->in, def.y0, h->height);
+    def.limit = MOST_PARTICLES / 2;
+    int before = skv_world_particle_count(h->world);
+    skv_placed placed = {0};
     skv_error error = {0};
-    skv_result result =
-        skv_world_fill(h->world, x0, y0, x1, y1, NULL, NULL, MOST_PARTICLES / 2, &added, &error);
+    skv_result result = skv_world_fill(h->world, &def, &placed, &error);
     fuzz_expect_answer(result, &error);
     if (result == SKV_OK)
-        fuzz_expect(skv_world_particle_count(h->world) == before + added, "added is counted");
+        fuzz_expect(skv_world_particle_count(h->world) == before + placed.added,
+                    "added is counted");
     else
         fuzz_expect(skv_world_particle_count(h->world) == before, "all or nothing");
 }

@@ -14,11 +14,9 @@
 skv_world *rest_pool(float spacing, float depth)
 {
     skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, spacing, 1);
-    int added;
     /* A little off the wall: no row begins with a particle that is too close to it. */
     float x0 = 0.07f * spacing;
-    assert_int_equal(skv_world_fill(world, x0, 0, 1.6f, depth, NULL, NULL, -1, &added, NULL), 0);
-    assert_true(added > 500);
+    assert_true(fixture_fill(world, x0, 0, 1.6f, depth) > 500);
     return world;
 }
 

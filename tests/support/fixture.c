@@ -31,13 +31,18 @@ static skv_world *make(const skv_world_def *def)
     return world;
 }
 
-static void fill(skv_world *world, float x0, float y0, float x1, float y1)
+int fixture_fill(skv_world *world, float x0, float y0, float x1, float y1)
 {
+    skv_fill_def def = skv_default_fill_def();
+    def.x0 = x0;
+    def.y0 = y0;
+    def.x1 = x1;
+    def.y1 = y1;
+    skv_placed placed;
     skv_error error;
-    int added;
-    if (skv_world_fill(world, x0, y0, x1, y1, NULL, NULL, -1, &added, &error) != SKV_OK)
+    if (skv_world_fill(world, &def, &placed, &error) != SKV_OK)
         fail_msg("%s", error.text);
-    assert_true(added > 0);
+    return placed.added;
 }
 
 skv_world *fixture_tank(skv_law law, float spacing, int threads)
@@ -55,7 +60,7 @@ skv_world *fixture_tank_with(skv_law law, skv_solver solver, float spacing)
 skv_world *fixture_dam_of(const skv_world_def *def)
 {
     skv_world *world = make(def);
-    fill(world, 0, 0, 0.4f, 0.7f);
+    fixture_fill(world, 0, 0, 0.4f, 0.7f);
     return world;
 }
 
@@ -70,7 +75,7 @@ skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity)
     skv_world_def def = fixture_def(law, solver, viscosity, 0.012f, 1);
     def.gravity_y = 0;
     skv_world *world = make(&def);
-    fill(world, 0.7f, 0.35f, 0.9f, 0.55f);
+    fixture_fill(world, 0.7f, 0.35f, 0.9f, 0.55f);
     return world;
 }
 

@@ -8,6 +8,9 @@
 skv_world_def fixture_def(skv_law law, skv_solver solver, float viscosity, float spacing,
                           int threads);
 
+/* Fills a box and returns how many particles were added; fails the test on any error. */
+int fixture_fill(skv_world *world, float x0, float y0, float x1, float y1);
+
 /* A closed tank of 1.6 x 0.9 m without particles; fails the test on any error. */
 skv_world *fixture_tank(skv_law law, float spacing, int threads);
 

@@ -94,8 +94,12 @@ static void hostile_numbers_change_nothing(void **unused)
                          SKV_ERROR_VALUE);
         assert_int_equal(skv_world_add_velocity(world, 0, 1, bad[b], 0, &error), SKV_ERROR_VALUE);
         assert_int_equal(skv_world_step(world, bad[b], NULL), SKV_ERROR_VALUE);
-        assert_int_equal(skv_world_fill(world, 0, 0, bad[b], 1, NULL, NULL, -1, NULL, &error),
-                         SKV_ERROR_VALUE);
+        for (int f = 0; f < 6; f++) {
+            skv_fill_def fill = skv_default_fill_def();
+            float *numbers[] = {&fill.x0, &fill.y0, &fill.x1, &fill.y1, &fill.vx, &fill.vy};
+            *numbers[f] = bad[b];
+            assert_int_equal(skv_world_fill(world, &fill, NULL, &error), SKV_ERROR_VALUE);
+        }
     }
     skv_hand hand = skv_default_hand();
     assert_int_equal(skv_world_set_hands(world, &hand, SKV_MAX_HANDS + 1, &error), SKV_ERROR_LIMIT);
@@ -219,17 +223,27 @@ static void filling_respects_shape_limit_and_count(void **unused)
     skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.01f, 1);
     const skv_terrain *terrain = skv_world_terrain(world);
     float disc[] = {0.8f, 0.45f, 0.2f};
-    int expected = skv_fill_count(terrain, 0.01f, 0, 0, 1.6f, 0.9f, inside_disc, disc), added = 0;
+    skv_fill_def fill = skv_default_fill_def();
+    fill.inside = inside_disc;
+    fill.user = disc;
+    fill.vx = 0.5f;
+    int expected = skv_fill_count(terrain, 0.01f, &fill);
     /* One particle per spacing^2. */
     assert_true(fabs(expected * 1e-4 / (acos(-1) * 0.04) - 1) < 0.02);
-    assert_int_equal(skv_world_fill(world, 0, 0, 1.6f, 0.9f, inside_disc, disc, -1, &added, NULL),
-                     SKV_OK);
-    assert_int_equal(added, expected);
-    assert_int_equal(skv_world_fill(world, 0, 0, 0.3f, 0.3f, NULL, NULL, 17, &added, NULL), SKV_OK);
-    assert_int_equal(added, 17);
+    skv_placed placed;
+    assert_int_equal(skv_world_fill(world, &fill, &placed, NULL), SKV_OK);
+    assert_int_equal(placed.added, expected);
+    assert_int_equal(placed.first, 0);
+    fill = skv_default_fill_def();
+    fill.x1 = fill.y1 = 0.3f;
+    fill.limit = 17;
+    assert_int_equal(skv_fill_count(terrain, 0.01f, &fill), 17);
+    assert_int_equal(skv_world_fill(world, &fill, &placed, NULL), SKV_OK);
+    assert_int_equal(placed.added, 17);
+    assert_int_equal(placed.first, expected);
     skv_particles p = skv_world_particles(world);
     for (int i = 0; i < expected; i++)
-        assert_true(hypotf(p.x[i] - 0.8f, p.y[i] - 0.45f) < 0.2005f);
+        assert_true(hypotf(p.x[i] - 0.8f, p.y[i] - 0.45f) < 0.2005f && p.vx[i] == 0.5f);
     assert_int_equal(skv_world_stats(world).escaped, 0);
     skv_world_destroy(world);
 }
@@ -245,7 +259,7 @@ static void an_open_side_drains(void **unused)
     assert_int_equal(skv_terrain_create(&tank, &def.terrain, NULL), SKV_OK);
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
-    assert_int_equal(skv_world_fill(world, 0, 0, 1.6f, 0.4f, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 1.6f, 0.4f);
     int before = skv_world_particle_count(world);
     fixture_run(world, 180);
     skv_particles p = skv_world_particles(world);
@@ -289,7 +303,9 @@ static void running_out_of_memory_is_clean(void **unused)
         skv_world *world = NULL;
         skv_result result = skv_world_create(&def, &world, NULL);
         if (result == SKV_OK) {
-            result = skv_world_fill(world, 0, 0, 1.6f, 0.4f, NULL, NULL, -1, NULL, NULL);
+            skv_fill_def fill = skv_default_fill_def();
+            fill.y1 = 0.4f;
+            result = skv_world_fill(world, &fill, NULL, NULL);
             if (result != SKV_OK)
                 assert_int_equal(skv_world_particle_count(world), 0);
             if (result == SKV_OK)

@@ -23,7 +23,7 @@ static skv_world *make_world(float x1, float y1, bool sleep, int threads)
     skv_error error;
     if (skv_world_create(&def, &world, &error) != SKV_OK)
         fail_msg("%s", error.text);
-    assert_int_equal(skv_world_fill(world, 0, 0, x1, y1, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, x1, y1);
     return world;
 }
 
@@ -117,8 +117,7 @@ static void a_falling_drop_is_not_held_and_wakes_the_pool(void **unused)
     skv_world *world = sleeping_pool(1);
     int drop = skv_world_particle_count(world);
     const float height = 0.8f;
-    assert_int_equal(skv_world_fill(world, 0.75f, 0.72f, 0.85f, height, NULL, NULL, -1, NULL, NULL),
-                     SKV_OK);
+    fixture_fill(world, 0.75f, 0.72f, 0.85f, height);
     fixture_run(world, 1);
     assert_int_equal(skv_world_awake_count(world), skv_world_particle_count(world) - drop);
     fixture_run(world, 11); /* 0.2 s: a way of 0.196 m */

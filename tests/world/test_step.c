@@ -184,7 +184,7 @@ static void a_pool_comes_to_rest(void **unused)
 {
     (void)unused;
     skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.0155f, 2);
-    assert_int_equal(skv_world_fill(world, 0, 0, 1.6f, 0.45f, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 1.6f, 0.45f);
     fixture_run(world, 5 * 60);
     skv_stats stats = skv_world_stats(world);
     assert_true(stats.rms_speed < 0.02);
@@ -232,7 +232,7 @@ static void a_hand_carries_fluid(void **unused)
 {
     (void)unused;
     skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.0155f, 2);
-    assert_int_equal(skv_world_fill(world, 0, 0, 1.6f, 0.3f, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 1.6f, 0.3f);
     fixture_run(world, 60);
     int found[3000];
     assert_int_equal(skv_world_query_circle(world, 0.8f, 0.6f, 0.1f, found, 3000), 0);

@@ -83,11 +83,15 @@ static skv_world *make_world(const wall *w, skv_solver solver, bool filled)
 {
     skv_world *world = make_empty(w, solver);
     wall copy = *w;
-    assert_int_equal(skv_world_fill(world, 0, 0, 0.8f, LEFT, is_left, &copy, -1, NULL, NULL),
-                     SKV_OK);
+    skv_fill_def fill = skv_default_fill_def();
+    fill.user = &copy;
+    fill.inside = is_left;
+    fill.y1 = LEFT;
+    assert_int_equal(skv_world_fill(world, &fill, NULL, NULL), SKV_OK);
+    fill.inside = is_right;
+    fill.y1 = RIGHT;
     if (filled)
-        assert_int_equal(skv_world_fill(world, 0, 0, 0.8f, RIGHT, is_right, &copy, -1, NULL, NULL),
-                         SKV_OK);
+        assert_int_equal(skv_world_fill(world, &fill, NULL, NULL), SKV_OK);
     return world;
 }
 

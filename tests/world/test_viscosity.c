@@ -30,7 +30,7 @@ static skv_world *make_box(float spacing, float viscosity)
     skv_world *world;
     assert_int_equal(skv_terrain_create(&box, &def.terrain, NULL), SKV_OK);
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
-    assert_int_equal(skv_world_fill(world, 0, 0, 1, 1, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 1, 1);
     return world;
 }
 

@@ -63,7 +63,7 @@ static skv_world *pool_on(floor_at *floor, double parameter, bool smooth, float 
     skv_world *world;
     assert_int_equal(skv_terrain_create(&picture, &def.terrain, NULL), SKV_OK);
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
-    assert_int_equal(skv_world_fill(world, 0, 0, 1.6f, level, NULL, NULL, -1, NULL, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 1.6f, level);
     free(coverage);
     return world;
 }

@@ -58,14 +58,22 @@ static bool inside_stripes(float x, float y, void *user)
     return along - floorf(along) < 0.6f;
 }
 
+static skv_fill_def fill_stripes(stripes *s)
+{
+    skv_fill_def fill = skv_default_fill_def();
+    fill.inside = inside_stripes;
+    fill.user = s;
+    return fill;
+}
+
 /* The spacing, by bisection, at which the fill gives a few hundred particles. */
 static float choose_spacing(const skv_terrain *terrain, stripes *s, int wanted)
 {
-    float width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
+    skv_fill_def fill = fill_stripes(s);
     float low = 0.004f, high = 0.1f;
     for (int i = 0; i < 12; i++) {
         float middle = 0.5f * (low + high);
-        if (skv_fill_count(terrain, middle, 0.0f, 0.0f, width, height, inside_stripes, s) > wanted)
+        if (skv_fill_count(terrain, middle, &fill) > wanted)
             low = middle;
         else
             high = middle;
@@ -105,14 +113,16 @@ static bool set_up(trial *t)
     /* And some take steps that are far too long: ugly, but it must hold. */
     if (dice_int(&t->dice, 0, 7) == 0)
         def.substeps = dice_int(&t->dice, 1, 2);
-    float width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
     if (skv_world_create(&def, &t->world, &error) != SKV_OK) {
         skv_terrain_destroy(terrain);
         FAIL(t, "world: %s", error.text);
     }
-    if (skv_world_fill(t->world, 0.0f, 0.0f, width, height, inside_stripes, &s, MAX_PARTICLES,
-                       &t->particles, &error) != SKV_OK)
+    skv_fill_def fill = fill_stripes(&s);
+    fill.limit = MAX_PARTICLES;
+    skv_placed placed;
+    if (skv_world_fill(t->world, &fill, &placed, &error) != SKV_OK)
         FAIL(t, "fill: %s", error.text);
+    t->particles = placed.added;
     if (t->particles == 0)
         FAIL(t, "the fill found no room");
     skv_particles p = skv_world_particles(t->world);

@@ -1,0 +1,27 @@
+/* Which places of a world are taken: particles by hashed cells. */
+#ifndef SKV_WORLD_OCCUPANCY_H
+#define SKV_WORLD_OCCUPANCY_H
+
+#include "solver/neighbours.h"
+
+typedef struct skv_occupancy {
+    float reach;          /* closer than this is occupied, m; also the size of a cell */
+    unsigned mask;        /* of the table's slots, a power of two less one */
+    int *head;            /* by slot: number of the last place put there, from 1; 0: none */
+    struct place *places; /* in the order in which they were taken */
+    int count, capacity;
+    skv_occluded *occluded; /* places that it parts do not occupy each other; null: none */
+    const void *occluded_context;
+} skv_occupancy;
+
+/* Takes the places of all particles, with room for `more`. */
+skv_result skv_occupancy_create(skv_occupancy *occupancy, const skv_state *state, int more,
+                                float reach, skv_error *error);
+void skv_occupancy_destroy(skv_occupancy *occupancy);
+
+bool skv_is_occupied(const skv_occupancy *occupancy, float x, float y);
+
+/* Takes one place more; there is room for it. */
+void skv_occupy(skv_occupancy *occupancy, float x, float y);
+
+#endif
