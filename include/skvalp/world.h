@@ -76,8 +76,9 @@ typedef struct skv_world_def {
     skv_terrain *terrain;
     skv_fluid_def fluid;
     float gravity_x, gravity_y; /* m/s^2, each -1000..1000; default 0, -9.81 */
-    float depth;  /* m: the deepest fluid to expect, for the substep rule; 0: the free height */
-    int substeps; /* a 1/60 s frame; 0: by the rule of docs/model.md; at most 1000 */
+    float depth;  /* m: the deepest fluid to expect along this gravity, for the substep rule; 0: all
+                     the free height. Along another gravity as much of the way counts as filled. */
+    int substeps; /* a 1/60 s frame, at most 1000; 0: by the rule of docs/model.md */
     int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
     skv_task_system tasks; /* a host's threads instead, if tasks.run is set; `threads` is ignored */
     skv_solver solver;     /* default SKV_SOLVER_FAST */
@@ -153,10 +154,12 @@ SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_
 SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx,
                                           float vy, skv_error *error);
 
-/* Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60, in equal substeps no longer than
- * 1/(60 substeps). Fails with SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY, the
- * particles being those of the last complete substep. A warm world, whose number of particles has
- * not grown, allocates nothing. */
+/* Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60. A substep is 1/(60 substeps) long,
+ * whatever dt is: as many are taken as the time owed holds, none perhaps, and the rest stays owed
+ * to the next call. So frames may have any length; 1/60 s is a frame exactly. Fails with
+ * SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY, the particles being those of the
+ * last complete substep. A warm world, whose number of particles has not grown, allocates nothing.
+ */
 SKV_API skv_result skv_world_step(skv_world *world, float dt, skv_error *error);
 
 /* Where the time goes: seconds spent since the last call with `reset`, by phase (the fast solver's
@@ -195,17 +198,18 @@ SKV_API skv_hand skv_default_hand(void);
 SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count,
                                        skv_error *error);
 
-/* Sets gravity, m/s^2, each component -1000..1000. The substep rule keeps using the gravity of the
- * definition or 9.81, whichever is larger. */
+/* Sets gravity, m/s^2, each component -1000..1000, from the next substep on. Unless the definition
+ * gave their number, the substeps follow it by the rule: up at once, down when a third of them can
+ * be spared. */
 SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error);
 
 /* Plain facts. Reading functions may run on several threads at once, never beside a step. */
 SKV_API int skv_world_particle_count(const skv_world *world);
 /* Particles that do not sleep: those that the last step moved, and those added since. */
 SKV_API int skv_world_awake_count(const skv_world *world);
-SKV_API int skv_world_substeps_per_frame(const skv_world *world); /* a 1/60 s frame */
+SKV_API int skv_world_substeps_per_frame(const skv_world *world); /* of 1/60 s, at present */
 SKV_API int skv_world_threads(const skv_world *world);
-SKV_API double skv_world_time(const skv_world *world);            /* s, simulated */
+SKV_API double skv_world_time(const skv_world *world);            /* s, of the substeps taken */
 SKV_API int64_t skv_world_substep_count(const skv_world *world);  /* substeps taken */
 SKV_API float skv_world_spacing(const skv_world *world);          /* s, m */
 SKV_API float skv_world_smoothing_radius(const skv_world *world); /* h, m */

@@ -31,6 +31,7 @@
 /* s; of skv_world_step, as floats like its argument. */
 #define LEAST_STEP   1e-6f
 #define LONGEST_STEP 0.1f
+#define DT_ROUNDING  1e-6 /* how far off, relatively, a sum of float dt may be */
 
 skv_pull skv_make_pull(const skv_hand *hand, float dt)
 {
@@ -101,6 +102,20 @@ static skv_result reserve(skv_world *world, skv_error *error)
                             error);
 }
 
+/* Adds dt to the time that is owed and takes the whole substeps out of it. What is whole but for
+ * the rounding of a float dt is whole, so 1/60 s is a frame, always. */
+static int take_due(skv_world *world, double dt)
+{
+    double due = world->due + dt * 60 * world->substeps;
+    double whole = floor(due + 0.5);
+    if (fabs(due - whole) > DT_ROUNDING * whole)
+        whole = floor(due);
+    else
+        due = whole;
+    world->due = due - whole;
+    return (int)whole;
+}
+
 skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
 {
     SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
@@ -108,34 +123,31 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
                         (double)LEAST_STEP, (double)LONGEST_STEP);
-    /* A frame of 1/60 s in float is a hair longer than in theory. */
-    int count = (int)ceil((double)dt * 60 * world->substeps - 1e-4);
-    if (count < 1)
-        count = 1;
-    float part = dt / (float)count;
+    int count = take_due(world, (double)dt);
+    float part = 1.0f / 60 / (float)world->substeps;
     if (part != world->constants_dt) {
         world->constants = skv_make_constants(&world->fluid, part);
         world->constants_dt = part;
     }
-    world->time += (double)dt;
     /* Who leaves through an open side is taken out after every substep, else after all of them. */
     bool open = skv_terrain_open_sides(world->terrain) != 0;
-    bool one_by_one = open || world->solver == SKV_SOLVER_REFERENCE;
-    for (int done = 0; done < count; done += one_by_one ? 1 : count) {
+    int at_once = open || world->solver == SKV_SOLVER_REFERENCE ? 1 : count;
+    for (int done = 0; done < count; done += at_once) {
         skv_result result = reserve(world, error);
         if (result != SKV_OK)
             return result;
+        double time = at_once / (60.0 * world->substeps);
         if (world->solver == SKV_SOLVER_REFERENCE) {
             skv_reference_substep(world);
             world->sleep.stepped = world->state.count;
         } else {
-            float time = one_by_one ? part : dt;
-            skv_rows_substeps(world, one_by_one ? 1 : count, time);
+            skv_rows_substeps(world, at_once, (float)time);
         }
         if (open)
             remove_leavers(world);
+        world->time += time;
+        world->steps += at_once;
     }
-    world->steps += count;
     return SKV_OK;
 }
 

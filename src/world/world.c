@@ -11,6 +11,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Substeps are given back when less than this share of them is needed. */
+#define SPARE_SUBSTEPS (2.0f / 3)
+
 /* Addresses of the state's float arrays, for allocating and moving them alike. */
 enum { FLOAT_ARRAYS = 26 };
 
@@ -140,6 +143,38 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     return result;
 }
 
+/* How far the free region goes along gravity, m. */
+static float extent_along_gravity(const skv_world *world)
+{
+    float gx = world->gravity_x, gy = world->gravity_y, lowest, highest;
+    float size = sqrtf(gx * gx + gy * gy);
+    skv_terrain_free_range(world->terrain, &lowest, &highest);
+    if (!(size > 0))
+        return highest - lowest;
+    return (fabsf(gx) * skv_terrain_width(world->terrain) + fabsf(gy) * (highest - lowest)) / size;
+}
+
+static int substeps_needed(const skv_world *world)
+{
+    float gx = world->gravity_x, gy = world->gravity_y;
+    return skv_substep_rule(&world->fluid, sqrtf(gx * gx + gy * gy),
+                            world->filled * extent_along_gravity(world));
+}
+
+/* Follows the gravity that has been set. The pressure of a fluid at rest is its excess of density
+ * over dt^2: where g dt^2 stays, so does the fluid. Fewer substeps only if a good part can be
+ * spared, so that a gravity that trembles does not change them to and fro. */
+static void adapt_substeps(skv_world *world)
+{
+    if (world->substeps_fixed)
+        return;
+    int needed = substeps_needed(world);
+    if (needed <= world->substeps && (float)needed > SPARE_SUBSTEPS * (float)world->substeps)
+        return;
+    world->due *= (double)needed / world->substeps;
+    world->substeps = needed;
+}
+
 skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error *error)
 {
     SKV_ASSERT_OR(def && out, SKV_ERROR_VALUE);
@@ -163,12 +198,12 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->h = def->fluid.spacing * def->fluid.radius_ratio;
         float pixel = skv_terrain_pixel_size(world->terrain);
         world->wall_clearance = skv_minf(0.1f * def->fluid.spacing, 0.5f * pixel);
-        float lowest, highest;
-        skv_terrain_free_range(world->terrain, &lowest, &highest);
-        float depth = def->depth > 0 ? def->depth : highest - lowest;
-        float gravity = sqrtf(def->gravity_x * def->gravity_x + def->gravity_y * def->gravity_y);
-        world->substeps =
-            def->substeps ? def->substeps : skv_substep_rule(&def->fluid, gravity, depth);
+        float extent = extent_along_gravity(world);
+        world->filled = def->depth > 0 ? def->depth / extent : 1;
+        world->substeps = def->substeps;
+        world->substeps_fixed = def->substeps > 0;
+        if (!world->substeps_fixed)
+            world->substeps = substeps_needed(world);
         result = build(world, def, error);
     }
     if (result != SKV_OK) {
@@ -237,6 +272,7 @@ skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error
         skv_sleep_wake_all(world);
     world->gravity_x = gx;
     world->gravity_y = gy;
+    adapt_substeps(world);
     return SKV_OK;
 }
 

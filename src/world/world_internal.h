@@ -34,7 +34,10 @@ struct skv_world {
     float gravity_x, gravity_y;
     float h;              /* smoothing radius, m */
     float wall_clearance; /* how close a move may come to a wall, m */
-    int substeps;         /* a 1/60 s frame */
+    int substeps;         /* a 1/60 s frame, at present */
+    bool substeps_fixed;  /* the definition gave them */
+    float filled;         /* expected depth over the free extent, both along gravity */
+    double due;           /* time owed to the next step, in substeps: below 1 */
     skv_hand hands[SKV_MAX_HANDS];
     int hand_count;
 
