@@ -30,14 +30,14 @@ install_build() {
     export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
 }
 
-# expect_output: what consumer.c prints with the library as it was built.
+# expect_output: what hello.c prints with the library as it was built.
 expect_output() {
-    "$compiler" -Iinclude tests/install/consumer.c "$build/src/libskvalp.a" -lm -pthread \
-        -o "$work/consumer"
-    expected=$("$work/consumer")
+    "$compiler" -Iinclude examples/hello.c "$build/src/libskvalp.a" -lm -pthread \
+        -o "$work/hello"
+    expected=$("$work/hello")
 }
 
-# prints WHAT COMMAND...: the command is a consumer and must print the same.
+# prints WHAT COMMAND...: the command is hello.c and must print the same.
 prints() {
     local what=$1 said
     shift
@@ -56,21 +56,21 @@ quietly() {
     return 1
 }
 
-# project NAME [CMAKE-LINE...] [-- CMAKE-LINE...]: a fresh project of consumer.c, with these lines
+# project NAME [CMAKE-LINE...] [-- CMAKE-LINE...]: a fresh project of examples/hello.c, with these lines
 # before its program and after it.
 project() {
     local folder=$work/$1
     shift
     mkdir "$folder"
-    cp tests/install/consumer.c "$folder/"
+    cp examples/hello.c "$folder/"
     {
         printf 'cmake_minimum_required(VERSION 3.25)\nproject(fresh C)\n'
         while (($#)) && [[ $1 != -- ]]; do
             printf '%s\n' "$1"
             shift
         done
-        printf 'add_executable(consumer consumer.c)\n'
-        printf 'target_link_libraries(consumer PRIVATE skvalp::skvalp)\n'
+        printf 'add_executable(hello hello.c)\n'
+        printf 'target_link_libraries(hello PRIVATE skvalp::skvalp)\n'
         printf '%s\n' "${@:2}"
     } >"$folder/CMakeLists.txt"
 }

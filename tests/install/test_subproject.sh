@@ -14,20 +14,20 @@ alone=(-DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON -DCMAKE_DISABLE_FIND_PACKAGE_PN
 project subdirectory "add_subdirectory($source_folder skvalp)"
 project fetched 'set(BUILD_SHARED_LIBS ON)' 'include(FetchContent)' \
     "FetchContent_Declare(skvalp SOURCE_DIR $source_folder)" 'FetchContent_MakeAvailable(skvalp)' \
-    -- 'install(TARGETS consumer)'
+    -- 'install(TARGETS hello)'
 for name in subdirectory fetched; do
     builds "$name" "${alone[@]}" || continue
-    prints "$name" "$work/$name/build/consumer"
+    prints "$name" "$work/$name/build/hello"
     found=$(find "$work/$name/build" -type f -executable -not -path '*/CMakeFiles/*' \
         -printf '%f\n' | sort | tr '\n' ' ')
-    [[ $found =~ ^consumer\ (libskvalp\.so\.[0-9.]+\ )?$ ]] ||
+    [[ $found =~ ^hello\ (libskvalp\.so\.[0-9.]+\ )?$ ]] ||
         complain "$name: builds more than the core: $found"
 done
-needs "$work/fetched/build/consumer" libskvalp || complain "BUILD_SHARED_LIBS is not heeded"
-! needs "$work/subdirectory/build/consumer" libskvalp || complain "not static by default"
+needs "$work/fetched/build/hello" libskvalp || complain "BUILD_SHARED_LIBS is not heeded"
+! needs "$work/subdirectory/build/hello" libskvalp || complain "not static by default"
 if quietly "installing the host" \
     cmake --install "$work/fetched/build" --prefix "$work/installed"; then
     found=$(find "$work/installed" -type f -printf '%f ')
-    [[ $found == 'consumer ' ]] || complain "the host installs more than itself: $found"
+    [[ $found == 'hello ' ]] || complain "the host installs more than itself: $found"
 fi
 verdict "taken in by add_subdirectory and FetchContent, the core alone"
