@@ -189,5 +189,5 @@ const char *skv_instruction_set(void)
 size_t skv_world_solver_bytes(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
-    return world->rows ? skv_rows_bytes(world->rows) : 0;
+    return world->rows ? skv_rows_bytes(world->rows).particles : 0;
 }

@@ -134,7 +134,9 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
         world->rows_swapped = width > height;
         float along = world->rows_swapped ? height : width;
         float across = world->rows_swapped ? width : height;
-        result = skv_rows_create(along / world->h, across / world->h, &world->rows, error);
+        float per_square = world->fluid.radius_ratio * world->fluid.radius_ratio;
+        result =
+            skv_rows_create(along / world->h, across / world->h, per_square, &world->rows, error);
     }
     if (result == SKV_OK)
         result = skv_sleep_create(world, def->sleep && world->solver == SKV_SOLVER_FAST, error);

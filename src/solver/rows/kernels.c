@@ -7,19 +7,29 @@
  */
 #include "solver/rows/pair_passes.h"
 
-/* own + next + sum: what a row's particles have collected. */
-V8_INLINE v8 collected(const skv_rows *s, int a, int i)
+/* own + next + tile: what a row's particles have collected. */
+V8_INLINE v8 collected(const float *own, const float *next, const float *in_tile, int i)
 {
-    return v8_add(v8_add(v8_load(s->own[a] + i), v8_load(s->next[a] + i)), v8_load(s->sum[a] + i));
+    return v8_add(v8_add(v8_load(own + i), v8_load(next + i)), v8_load(in_tile + i));
+}
+
+V8_INLINE v8 collected_density(const skv_rows *s, int i)
+{
+    return collected(s->own.density, s->next.density, s->tile.density, i);
+}
+
+V8_INLINE v8 collected_near_density(const skv_rows *s, int i)
+{
+    return collected(s->own.near_density, s->next.near_density, s->tile.near_density, i);
 }
 
 /* Adds the walls' share to particles near one, and keeps the samples for the update. */
-static int sample_walls(const skv_rows *s, int row, bool gradient, const skv_row_boundary *boundary,
-                        skv_row_thread *thread)
+static void sample_walls(const skv_rows *s, int row, bool gradient,
+                         const skv_row_boundary *boundary, skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
-    int before = thread->near_wall_count;
-    bool all = true;
+    const skv_row_sums *own = &s->own;
+    int used = 0;
     for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
         if (p->clearance[i] >= 1)
             continue;
@@ -28,17 +38,17 @@ static int sample_walls(const skv_rows *s, int row, bool gradient, const skv_row
         /* As add_wall_push will see it, if it has to sample again. */
         if (p->clearance[i] >= 1)
             continue;
-        s->own[0][i] += wall.density;
-        s->own[1][i] += wall.near_density;
+        own->density[i] += wall.density;
+        own->near_density[i] += wall.near_density;
         if (gradient) {
-            s->own[2][i] -= wall.f1x;
-            s->own[3][i] -= wall.f1y;
+            own->gradient_x[i] -= wall.f1x;
+            own->gradient_y[i] -= wall.f1y;
         }
-        all = all && thread->near_wall_count < thread->near_wall_room;
-        if (all)
-            thread->near_walls[thread->near_wall_count++] = (skv_near_wall){i, wall};
+        if (used < samples->room)
+            samples->sample[used] = (skv_near_wall){i, wall};
+        used++;
     }
-    return all ? thread->near_wall_count - before : -1;
+    samples->used = used <= samples->room ? used : -1;
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
@@ -47,12 +57,14 @@ static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c
 {
     const v8 zero = v8_set(0), scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
     const v8 tiny = v8_set(TINY_SQUARED);
+    const skv_row_sums *own = &s->own, *next = &s->next, *in_tile = &s->tile;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 gx = collected(s, 2, i), gy = collected(s, 3, i);
+        v8 gx = collected(own->gradient_x, next->gradient_x, in_tile->gradient_x, i);
+        v8 gy = collected(own->gradient_y, next->gradient_y, in_tile->gradient_y, i);
         v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
         v8 share = v8_div(v8_mul(scale, v8_max(v8_sub(size, bulk), zero)), size);
-        v8_store(s->gradient[0] + i, v8_mul(share, gx));
-        v8_store(s->gradient[1] + i, v8_mul(share, gy));
+        v8_store(s->gradient_x + i, v8_mul(share, gx));
+        v8_store(s->gradient_y + i, v8_mul(share, gy));
     }
 }
 
@@ -65,7 +77,7 @@ static void pressure_calibrated(const skv_rows *s, int row, const skv_row_consta
     const v8 push = v8_set(c->push_scale), near_push = v8_set(c->near_push_scale);
     const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(4 * c->near_share);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 density = collected(s, 0, i), near_density = collected(s, 1, i);
+        v8 density = collected_density(s, i), near_density = collected_near_density(s, i);
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
@@ -85,8 +97,8 @@ static void pressure_clavet(const skv_rows *s, int row, const skv_row_constants 
     const v8 push = v8_set(c->push_scale), near_push = v8_set(c->near_push_scale);
     const v8 tiny = v8_set(1e-30f);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 density = collected(s, 0, i);
-        v8 n = v8_mul(near_push, collected(s, 1, i));
+        v8 density = collected_density(s, i);
+        v8 n = v8_mul(near_push, collected_near_density(s, i));
         v8 strength = v8_max(v8_mul(density, n), tiny);
         v8 scale = v8_min(v8_div(limit, strength), one);
         v8_store(s->push + i, v8_mul(scale, v8_mul(push, v8_sub(density, rest))));
@@ -94,26 +106,28 @@ static void pressure_clavet(const skv_rows *s, int row, const skv_row_constants 
     }
 }
 
-static int pressure(const skv_rows *s, int row, bool later, const skv_row_constants *c,
-                    const skv_row_boundary *boundary, skv_row_thread *thread)
+static void pressure(const skv_rows *s, int row, bool later, const skv_row_constants *c,
+                     const skv_row_boundary *boundary, skv_row_samples *samples)
 {
-    int walls = sample_walls(s, row, !later && !c->clavet, boundary, thread);
+    bool gradient = !later && !c->clavet;
+    sample_walls(s, row, gradient, boundary, samples);
     if (c->clavet)
         pressure_clavet(s, row, c);
     else
         pressure_calibrated(s, row, c);
-    if (!c->clavet && !later)
+    if (gradient)
         keep_gradient(s, row, c);
-    return walls;
 }
 
 /* Gauge pressure from the virial of the pairs and the walls, summed over the iterations. */
 static void gauge(const skv_rows *s, int row, int iteration, const skv_row_constants *c)
 {
     const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
+    const float *own = s->own_move.virial, *next = s->next_move.virial,
+                *in_tile = s->tile_move.virial;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 before = iteration ? v8_load(s->pressure + i) : zero;
-        v8_store(s->pressure + i, v8_add(before, v8_mul(scale, collected(s, 2, i))));
+        v8_store(s->pressure + i, v8_add(before, v8_mul(scale, collected(own, next, in_tile, i))));
     }
 }
 
@@ -150,23 +164,23 @@ static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
 V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
                         const skv_row_wall *wall)
 {
-    s->own[0][i] += s->push[i] * wall->f1x + s->near_push[i] * wall->f2x;
-    s->own[1][i] += s->push[i] * wall->f1y + s->near_push[i] * wall->f2y;
+    s->own_move.x[i] += s->push[i] * wall->f1x + s->near_push[i] * wall->f2x;
+    s->own_move.y[i] += s->push[i] * wall->f1y + s->near_push[i] * wall->f2y;
     /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
     if (s->gauged)
-        s->own[2][i] += c->wall_virial * s->push[i] * wall->density +
-                        2.0f / 3 * s->near_push[i] * wall->near_density;
+        s->own_move.virial[i] += c->wall_virial * s->push[i] * wall->density +
+                                 2.0f / 3 * s->near_push[i] * wall->near_density;
 }
 
 /* Adds the walls' push to a row's displacement, from the samples of the pressure pass; where those
- * found no place (count -1) they are taken again. */
+ * found no place they are taken again. */
 static void add_wall_push(const skv_rows *s, int row, const skv_row_constants *c,
-                          const skv_row_boundary *boundary, const skv_near_wall *walls, int count)
+                          const skv_row_boundary *boundary, const skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
-    for (int w = 0; w < count; w++)
-        add_push(s, walls[w].particle, c, &walls[w].wall);
-    for (int i = s->row_start[row]; count < 0 && i < s->row_end[row]; i++) {
+    for (int w = 0; w < samples->used; w++)
+        add_push(s, samples->sample[w].particle, c, &samples->sample[w].wall);
+    for (int i = s->row_start[row]; samples->used < 0 && i < s->row_end[row]; i++) {
         skv_row_wall wall;
         if (p->clearance[i] >= 1)
             continue;
@@ -178,15 +192,12 @@ static void add_wall_push(const skv_rows *s, int row, const skv_row_constants *c
 /* The displacement that a row's eight particles at i have collected. */
 V8_INLINE void collected_move(const skv_rows *s, int i, bool viscous, v8 *dx, v8 *dy)
 {
-    *dx = collected(s, 0, i);
-    *dy = collected(s, 1, i);
+    *dx = collected(s->own_move.x, s->next_move.x, s->tile_move.x, i);
+    *dy = collected(s->own_move.y, s->next_move.y, s->tile_move.y, i);
     if (viscous) {
-        *dx = v8_add(*dx,
-                     v8_add(v8_add(v8_load(s->viscous_own[0] + i), v8_load(s->viscous_next[0] + i)),
-                            v8_load(s->viscous_sum[0] + i)));
-        *dy = v8_add(*dy,
-                     v8_add(v8_add(v8_load(s->viscous_own[1] + i), v8_load(s->viscous_next[1] + i)),
-                            v8_load(s->viscous_sum[1] + i)));
+        const skv_row_sums *own = &s->own, *next = &s->next, *in_tile = &s->tile;
+        *dx = v8_add(*dx, collected(own->viscous_u, next->viscous_u, in_tile->viscous_u, i));
+        *dy = v8_add(*dy, collected(own->viscous_v, next->viscous_v, in_tile->viscous_v, i));
     }
 }
 
@@ -241,10 +252,10 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
 }
 
 static void update(const skv_rows *s, int row, int iteration, const skv_row_constants *c,
-                   const skv_row_boundary *boundary, const skv_near_wall *walls, int wall_count)
+                   const skv_row_boundary *boundary, const skv_row_samples *samples)
 {
-    if (wall_count)
-        add_wall_push(s, row, c, boundary, walls, wall_count);
+    if (samples->used)
+        add_wall_push(s, row, c, boundary, samples);
     if (s->gauged)
         gauge(s, row, iteration, c);
     bool viscous = s->viscous && iteration == 0;

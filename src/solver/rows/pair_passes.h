@@ -32,23 +32,29 @@
  * virial as well. */
 enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_GAUGE = 16 };
 
-/* The four particles of a tile, each in all lanes. */
+/* Where the four particles of a tile are, each in all lanes. */
 typedef struct tile {
-    v8 x[TILE], y[TILE], u[TILE], v[TILE], gx[TILE], gy[TILE];
-    bool has_gradient;              /* the gradient of one of them is not 0 */
+    v8 x[TILE], y[TILE];
     int place;                      /* of the first */
     const skv_row_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
 } tile;
 
-/* Sums for the tile's own particles. */
-typedef struct tile_sums {
-    v8 a[TILE], b[TILE], c[TILE], d[TILE], u[TILE], v[TILE];
-} tile_sums;
+/* What the density and the displacement need of them besides. */
+typedef struct velocities {
+    v8 u[TILE], v[TILE];
+} velocities;
+typedef struct pushes {
+    v8 push[TILE], near_push[TILE], gradient_x[TILE], gradient_y[TILE];
+    bool has_gradient; /* that of one of them is not 0 */
+} pushes;
 
-/* Where sums for the partners go: `own` arrays or `next` arrays. */
-typedef struct targets {
-    float *a, *b, *c, *d, *u, *v;
-} targets;
+/* The sums for the tile's own particles. */
+typedef struct density_sums {
+    v8 density[TILE], near_density[TILE], gradient_x[TILE], gradient_y[TILE], u[TILE], v[TILE];
+} density_sums;
+typedef struct move_sums {
+    v8 x[TILE], y[TILE], virial[TILE];
+} move_sums;
 
 V8_INLINE void add_at(float *p, v8 a)
 {
@@ -119,9 +125,9 @@ VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *
 }
 
 /* The impulse of pairs that approach each other; dx, dy from i to j, in displacement units. */
-VARIANT void viscosity(const skv_row_particles *p, int j, const tile *t, const v8 *dx, const v8 *dy,
-                       const v8 *inverse, const v8 *q, v8 sigma, v8 beta, tile_sums *sums,
-                       const targets *to)
+VARIANT void viscosity(const skv_row_particles *p, int j, const velocities *t, const v8 *dx,
+                       const v8 *dy, const v8 *inverse, const v8 *q, v8 sigma, v8 beta,
+                       density_sums *sums, const skv_row_sums *to)
 {
     const v8 zero = v8_set(0), one = v8_set(1), half = v8_set(0.5f);
     v8 uj = v8_load(p->u + j), vj = v8_load(p->v + j), w[TILE], share[TILE], ix[TILE], iy[TILE];
@@ -133,14 +139,14 @@ VARIANT void viscosity(const skv_row_particles *p, int j, const tile *t, const v
     EACH(k) iy[k] = v8_mul(w[k], dy[k]);
     EACH(k) sums->u[k] = v8_sub(sums->u[k], ix[k]);
     EACH(k) sums->v[k] = v8_sub(sums->v[k], iy[k]);
-    add_at(to->u + j, over_tile(ix));
-    add_at(to->v + j, over_tile(iy));
+    add_at(to->viscous_u + j, over_tile(ix));
+    add_at(to->viscous_v + j, over_tile(iy));
 }
 
 /* Pass A for a tile and eight partners. */
 VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
-                           const tile *t, v8 sigma, v8 beta, tile_sums *sums, const targets *to,
-                           float *keep)
+                           const tile *t, const velocities *moving, v8 sigma, v8 beta,
+                           density_sums *sums, const skv_row_sums *to, float *keep)
 {
     v8 dx[TILE], dy[TILE], r[TILE], q[TILE], q2[TILE], q3[TILE], w[TILE];
     measure(p, j, first, t, dx, dy, r, q);
@@ -155,24 +161,24 @@ VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsign
     } else {
         EACH(k) w[k] = q2[k];
     }
-    EACH(k) sums->a[k] = v8_add(sums->a[k], w[k]);
-    EACH(k) sums->b[k] = v8_add(sums->b[k], q3[k]);
-    add_at(to->a + j, over_tile(w));
-    add_at(to->b + j, over_tile(q3));
+    EACH(k) sums->density[k] = v8_add(sums->density[k], w[k]);
+    EACH(k) sums->near_density[k] = v8_add(sums->near_density[k], q3[k]);
+    add_at(to->density + j, over_tile(w));
+    add_at(to->near_density + j, over_tile(q3));
     if (with & WITH_VISCOSITY) {
         const v8 one = v8_set(1);
         v8 inverse[TILE];
         EACH(k) inverse[k] = v8_div(one, r[k]);
-        viscosity(p, j, t, dx, dy, inverse, q, sigma, beta, sums, to);
+        viscosity(p, j, moving, dx, dy, inverse, q, sigma, beta, sums, to);
     }
     if (with & WITH_GRADIENT) {
         EACH(k) dx[k] = v8_mul(dx[k], q2[k]);
         EACH(k) dy[k] = v8_mul(dy[k], q2[k]);
-        EACH(k) sums->c[k] = v8_add(sums->c[k], dx[k]);
-        EACH(k) sums->d[k] = v8_add(sums->d[k], dy[k]);
-        float *c = to->c + j, *d = to->d + j;
-        v8_store(c, v8_sub(v8_load(c), over_tile(dx)));
-        v8_store(d, v8_sub(v8_load(d), over_tile(dy)));
+        EACH(k) sums->gradient_x[k] = v8_add(sums->gradient_x[k], dx[k]);
+        EACH(k) sums->gradient_y[k] = v8_add(sums->gradient_y[k], dy[k]);
+        float *gx = to->gradient_x + j, *gy = to->gradient_y + j;
+        v8_store(gx, v8_sub(v8_load(gx), over_tile(dx)));
+        v8_store(gy, v8_sub(v8_load(gy), over_tile(dy)));
     }
 }
 
@@ -182,39 +188,42 @@ static void zero_row(const skv_rows *s, float *array, int row)
     memset(array + begin, 0, (size_t)(end - begin) * sizeof *array);
 }
 
-static void zero_targets(const skv_rows *s, int row, unsigned with)
+static void zero_sums(const skv_rows *s, const skv_row_sums *sums, int row, unsigned with)
 {
-    int sums = with & WITH_GRADIENT ? 4 : 2;
-    for (int a = 0; a < sums; a++) {
-        zero_row(s, s->own[a], row);
-        zero_row(s, s->next[a], row + 1);
+    zero_row(s, sums->density, row);
+    zero_row(s, sums->near_density, row);
+    if (with & WITH_GRADIENT) {
+        zero_row(s, sums->gradient_x, row);
+        zero_row(s, sums->gradient_y, row);
     }
-    for (int a = 0; with & WITH_VISCOSITY && a < 2; a++) {
-        zero_row(s, s->viscous_own[a], row);
-        zero_row(s, s->viscous_next[a], row + 1);
+    if (with & WITH_VISCOSITY) {
+        zero_row(s, sums->viscous_u, row);
+        zero_row(s, sums->viscous_v, row);
     }
 }
 
-VARIANT void store_sums(const skv_rows *s, int i, unsigned with, const tile_sums *sums)
+/* Stores the sums of the tile at i. */
+VARIANT void store_densities(const skv_row_sums *to, int i, unsigned with, const density_sums *sums)
 {
     const v8 zero = v8_set(0);
     EACH(k)
     {
         float out[4];
-        if (with & (WITH_GRADIENT | WITH_GAUGE))
-            v8_sum4(sums->a[k], sums->b[k], sums->c[k], sums->d[k], out);
-        else
-            v8_sum4(sums->a[k], sums->b[k], zero, zero, out);
-        s->sum[0][i + k] = out[0];
-        s->sum[1][i + k] = out[1];
-        if (with & (WITH_GRADIENT | WITH_GAUGE))
-            s->sum[2][i + k] = out[2];
         if (with & WITH_GRADIENT)
-            s->sum[3][i + k] = out[3];
+            v8_sum4(sums->density[k], sums->near_density[k], sums->gradient_x[k],
+                    sums->gradient_y[k], out);
+        else
+            v8_sum4(sums->density[k], sums->near_density[k], zero, zero, out);
+        to->density[i + k] = out[0];
+        to->near_density[i + k] = out[1];
+        if (with & WITH_GRADIENT) {
+            to->gradient_x[i + k] = out[2];
+            to->gradient_y[i + k] = out[3];
+        }
         if (with & WITH_VISCOSITY) {
             v8_sum4(sums->u[k], sums->v[k], zero, zero, out);
-            s->viscous_sum[0][i + k] = out[0];
-            s->viscous_sum[1][i + k] = out[1];
+            to->viscous_u[i + k] = out[0];
+            to->viscous_v[i + k] = out[1];
         }
     }
 }
@@ -222,86 +231,92 @@ VARIANT void store_sums(const skv_rows *s, int i, unsigned with, const tile_sums
 VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
                          const skv_row_boundary *boundary, float *keep)
 {
-    /* A copy: the compiler need not fear that a store changes it. */
+    /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
+    const skv_row_sums own = s->own, next = s->next, in_tile = s->tile;
     const v8 sigma = v8_set(c->viscosity_linear), beta = v8_set(c->viscosity_quadratic);
     const int step = TILE * ROW_LANES;
-    const targets own = {s->own[0], s->own[1],         s->own[2],
-                         s->own[3], s->viscous_own[0], s->viscous_own[1]};
-    const targets next = {s->next[0], s->next[1],         s->next[2],
-                          s->next[3], s->viscous_next[0], s->viscous_next[1]};
-    zero_targets(s, row, with);
+    zero_sums(s, &own, row, with);
+    zero_sums(s, &next, row + 1, with);
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += TILE) {
         tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
-        tile_sums sums;
-        const v8 zero = v8_set(0);
+        velocities moving;
+        density_sums sums;
         EACH(k)
         {
             t.x[k] = v8_set(p->x[i + k]);
             t.y[k] = v8_set(p->y[i + k]);
-            t.u[k] = v8_set(p->u[i + k]);
-            t.v[k] = v8_set(p->v[i + k]);
-            sums.a[k] = sums.b[k] = sums.c[k] = sums.d[k] = sums.u[k] = sums.v[k] = zero;
+            moving.u[k] = v8_set(p->u[i + k]);
+            moving.v[k] = v8_set(p->v[i + k]);
+            sums.density[k] = sums.near_density[k] = sums.gradient_x[k] = sums.gradient_y[k] =
+                sums.u[k] = sums.v[k] = v8_set(0);
         }
         int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;
-        density_block(p, j, true, with, &t, sigma, beta, &sums, &own, keep);
+        density_block(p, j, true, with, &t, &moving, sigma, beta, &sums, &own, keep);
         keep += with & KEEP_PAIRS ? step : 0;
         for (j += ROW_LANES; j < own_end; j += ROW_LANES) {
-            density_block(p, j, false, with, &t, sigma, beta, &sums, &own, keep);
+            density_block(p, j, false, with, &t, &moving, sigma, beta, &sums, &own, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
         for (j = s->next_begin[i / TILE]; j < next_end; j += ROW_LANES) {
-            density_block(p, j, false, with, &t, sigma, beta, &sums, &next, keep);
+            density_block(p, j, false, with, &t, &moving, sigma, beta, &sums, &next, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
-        store_sums(s, i, with, &sums);
+        store_densities(&in_tile, i, with, &sums);
     }
 }
 
-/* The variants in use, with and without room for the pairs. */
-#define DENSITY_ROW(with)                                                                          \
-    (keep ? density_row(s, row, (with) | KEEP_PAIRS, c, b, kept->pairs)                            \
-          : density_row(s, row, with, c, b, NULL))
+/* One of the variants in use, with or without room for the pairs. */
+VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
+                             const skv_row_boundary *b, const skv_row_kept *kept)
+{
+    if (kept->used >= 0)
+        density_row(s, row, with | KEEP_PAIRS, c, b, kept->pairs);
+    else
+        density_row(s, row, with, c, b, NULL);
+}
 
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
                     const skv_row_boundary *b, skv_row_kept *kept)
 {
     int blocks = s->row_blocks[row];
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
-    bool keep = blocks <= kept->room;
-    kept->used = keep ? blocks : -1;
+    kept->used = blocks <= kept->room ? blocks : -1;
     bool viscous = s->viscous && !later;
-    if (c->clavet)
-        viscous ? DENSITY_ROW(WITH_VISCOSITY) : DENSITY_ROW(0);
+    if (c->clavet && viscous)
+        density_variant(s, row, WITH_VISCOSITY, c, b, kept);
+    else if (c->clavet)
+        density_variant(s, row, 0, c, b, kept);
     else if (later)
-        DENSITY_ROW(SMOOTH);
+        density_variant(s, row, SMOOTH, c, b, kept);
+    else if (viscous)
+        density_variant(s, row, SMOOTH | WITH_GRADIENT | WITH_VISCOSITY, c, b, kept);
     else
-        viscous ? DENSITY_ROW(SMOOTH | WITH_GRADIENT | WITH_VISCOSITY)
-                : DENSITY_ROW(SMOOTH | WITH_GRADIENT);
+        density_variant(s, row, SMOOTH | WITH_GRADIENT, c, b, kept);
 }
 
-/* What pass B reads of the partners: P, N and the gradient. */
-typedef struct pushes {
-    const float *push, *near_push, *gx, *gy;
-} pushes;
+/* What the displacement reads of the partners. */
+typedef struct partners {
+    const float *push, *near_push, *gradient_x, *gradient_y;
+} partners;
 
 /* Whether one of eight partners has a gradient. */
-V8_INLINE bool has_gradient_at(const pushes *parts, int j)
+V8_INLINE bool has_gradient_at(const partners *others, int j)
 {
-    v8 gx = v8_load(parts->gx + j), gy = v8_load(parts->gy + j);
+    v8 gx = v8_load(others->gradient_x + j), gy = v8_load(others->gradient_y + j);
     return v8_any_below(v8_set(0), v8_add(v8_mul(gx, gx), v8_mul(gy, gy)));
 }
 
 /* The tension of a pair: e being the difference of the gradients, d that of the places, q^2 e less
  * 2 (q/r)(e d) d. Leaves the first part in ex, ey and the factor of d in `along`. */
-VARIANT void tension(const pushes *parts, int j, const tile *t, const v8 *dx, const v8 *dy,
+VARIANT void tension(const partners *others, int j, const pushes *t, const v8 *dx, const v8 *dy,
                      const v8 *q2, const v8 *ratio, v8 *ex, v8 *ey, v8 *along)
 {
     const v8 two = v8_set(2);
-    v8 gx = v8_load(parts->gx + j), gy = v8_load(parts->gy + j);
-    EACH(k) ex[k] = v8_sub(t->gx[k], gx);
-    EACH(k) ey[k] = v8_sub(t->gy[k], gy);
+    v8 gx = v8_load(others->gradient_x + j), gy = v8_load(others->gradient_y + j);
+    EACH(k) ex[k] = v8_sub(t->gradient_x[k], gx);
+    EACH(k) ey[k] = v8_sub(t->gradient_y[k], gy);
     EACH(k) along[k] = v8_add(v8_mul(ex[k], dx[k]), v8_mul(ey[k], dy[k]));
     EACH(k) along[k] = v8_mul(v8_mul(two, ratio[k]), along[k]);
     EACH(k) ex[k] = v8_mul(ex[k], q2[k]);
@@ -309,9 +324,9 @@ VARIANT void tension(const pushes *parts, int j, const tile *t, const v8 *dx, co
 }
 
 /* Pass B for a tile and eight partners. Where q is kept, r is 1 - q. */
-VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts, int j, bool first,
-                                unsigned with, const tile *t, tile_sums *sums, const targets *to,
-                                const float *keep)
+VARIANT void displacement_block(const skv_row_particles *p, const partners *others, int j,
+                                bool first, unsigned with, const tile *t, const pushes *pressed,
+                                move_sums *sums, const skv_row_moves *to, const float *keep)
 {
     const v8 one = v8_set(1);
     v8 dx[TILE], dy[TILE], r[TILE], q[TILE], ratio[TILE], size[TILE];
@@ -325,21 +340,21 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
     }
     EACH(k) r[k] = v8_sub(one, q[k]);
     EACH(k) ratio[k] = v8_div(q[k], r[k]);
-    v8 push = v8_load(parts->push + j), near_push = v8_load(parts->near_push + j);
-    /* The tile's u and v hold the P and N of its particles here. */
-    EACH(k) size[k] = v8_mul(v8_add(t->v[k], near_push), q[k]);
+    v8 push = v8_load(others->push + j), near_push = v8_load(others->near_push + j);
+    EACH(k) size[k] = v8_mul(v8_add(pressed->near_push[k], near_push), q[k]);
     v8 q2[TILE], ex[TILE], ey[TILE], along[TILE];
     EACH(k) q2[k] = v8_mul(q[k], q[k]);
     if (with & SMOOTH) {
         EACH(k) size[k] = v8_mul(size[k], ratio[k]);
-        EACH(k) size[k] = v8_add(v8_mul(v8_add(t->u[k], push), q2[k]), size[k]);
+        EACH(k) size[k] = v8_add(v8_mul(v8_add(pressed->push[k], push), q2[k]), size[k]);
     } else {
-        EACH(k) size[k] = v8_mul(v8_add(v8_add(t->u[k], push), size[k]), ratio[k]);
+        EACH(k) size[k] = v8_mul(v8_add(v8_add(pressed->push[k], push), size[k]), ratio[k]);
     }
     /* Inside the fluid there is none to be had. */
-    bool has_gradient = with & WITH_GRADIENT && (t->has_gradient || has_gradient_at(parts, j));
+    bool has_gradient =
+        with & WITH_GRADIENT && (pressed->has_gradient || has_gradient_at(others, j));
     if (has_gradient) {
-        tension(parts, j, t, dx, dy, q2, ratio, ex, ey, along);
+        tension(others, j, pressed, dx, dy, q2, ratio, ex, ey, along);
         EACH(k) size[k] = v8_add(size[k], along[k]);
     }
     if (with & WITH_GAUGE) {
@@ -350,8 +365,8 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
             EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ex[k], dx[k]));
             EACH(k) virial[k] = v8_sub(virial[k], v8_mul(ey[k], dy[k]));
         }
-        EACH(k) sums->c[k] = v8_add(sums->c[k], virial[k]);
-        add_at(to->c + j, over_tile(virial));
+        EACH(k) sums->virial[k] = v8_add(sums->virial[k], virial[k]);
+        add_at(to->virial + j, over_tile(virial));
     }
     EACH(k) dx[k] = v8_mul(dx[k], size[k]);
     EACH(k) dy[k] = v8_mul(dy[k], size[k]);
@@ -359,74 +374,103 @@ VARIANT void displacement_block(const skv_row_particles *p, const pushes *parts,
         EACH(k) dx[k] = v8_sub(dx[k], ex[k]);
         EACH(k) dy[k] = v8_sub(dy[k], ey[k]);
     }
-    EACH(k) sums->a[k] = v8_sub(sums->a[k], dx[k]);
-    EACH(k) sums->b[k] = v8_sub(sums->b[k], dy[k]);
-    add_at(to->a + j, over_tile(dx));
-    add_at(to->b + j, over_tile(dy));
+    EACH(k) sums->x[k] = v8_sub(sums->x[k], dx[k]);
+    EACH(k) sums->y[k] = v8_sub(sums->y[k], dy[k]);
+    add_at(to->x + j, over_tile(dx));
+    add_at(to->y + j, over_tile(dy));
+}
+
+static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, unsigned with)
+{
+    zero_row(s, moves->x, row);
+    zero_row(s, moves->y, row);
+    if (with & WITH_GAUGE)
+        zero_row(s, moves->virial, row);
+}
+
+VARIANT void store_moves(const skv_row_moves *to, int i, unsigned with, const move_sums *sums)
+{
+    const v8 zero = v8_set(0);
+    EACH(k)
+    {
+        float out[4];
+        v8_sum4(sums->x[k], sums->y[k], with & WITH_GAUGE ? sums->virial[k] : zero, zero, out);
+        to->x[i + k] = out[0];
+        to->y[i + k] = out[1];
+        if (with & WITH_GAUGE)
+            to->virial[i + k] = out[2];
+    }
 }
 
 VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
                               const skv_row_boundary *boundary, const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
-    const pushes parts = {s->push, s->near_push, s->gradient[0], s->gradient[1]};
-    const targets own = {s->own[0], s->own[1], s->own[2], NULL, NULL, NULL};
-    const targets next = {s->next[0], s->next[1], s->next[2], NULL, NULL, NULL};
+    const partners others = {s->push, s->near_push, s->gradient_x, s->gradient_y};
+    const skv_row_moves own = s->own_move, next = s->next_move, in_tile = s->tile_move;
     const int step = TILE * ROW_LANES;
-    for (int a = 0; a < (with & WITH_GAUGE ? 3 : 2); a++) {
-        zero_row(s, s->own[a], row);
-        zero_row(s, s->next[a], row + 1);
-    }
+    zero_moves(s, &own, row, with);
+    zero_moves(s, &next, row + 1, with);
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += TILE) {
         tile t = {.place = i};
         if (!(with & KEEP_PAIRS))
             t.beside = find_thin_wall(p, i, end, boundary);
-        tile_sums sums;
+        pushes pressed = {.has_gradient = false};
+        move_sums sums;
         const v8 zero = v8_set(0);
         EACH(k)
         {
             t.x[k] = v8_set(p->x[i + k]);
             t.y[k] = v8_set(p->y[i + k]);
-            t.u[k] = v8_set(s->push[i + k]);
-            t.v[k] = v8_set(s->near_push[i + k]);
-            t.gx[k] = with & WITH_GRADIENT ? v8_set(s->gradient[0][i + k]) : zero;
-            t.gy[k] = with & WITH_GRADIENT ? v8_set(s->gradient[1][i + k]) : zero;
-            t.has_gradient =
-                t.has_gradient || (with & WITH_GRADIENT && i + k < end &&
-                                   (s->gradient[0][i + k] != 0 || s->gradient[1][i + k] != 0));
-            sums.a[k] = sums.b[k] = sums.c[k] = sums.d[k] = zero;
+            pressed.push[k] = v8_set(others.push[i + k]);
+            pressed.near_push[k] = v8_set(others.near_push[i + k]);
+            float gx = with & WITH_GRADIENT ? others.gradient_x[i + k] : 0;
+            float gy = with & WITH_GRADIENT ? others.gradient_y[i + k] : 0;
+            pressed.gradient_x[k] = v8_set(gx);
+            pressed.gradient_y[k] = v8_set(gy);
+            pressed.has_gradient = pressed.has_gradient || (i + k < end && (gx != 0 || gy != 0));
+            sums.x[k] = sums.y[k] = sums.virial[k] = zero;
         }
         int own_end = s->own_end[i / TILE], next_end = s->next_end[i / TILE], j = i + 1;
-        displacement_block(p, &parts, j, true, with, &t, &sums, &own, keep);
+        displacement_block(p, &others, j, true, with, &t, &pressed, &sums, &own, keep);
         keep += with & KEEP_PAIRS ? step : 0;
         for (j += ROW_LANES; j < own_end; j += ROW_LANES) {
-            displacement_block(p, &parts, j, false, with, &t, &sums, &own, keep);
+            displacement_block(p, &others, j, false, with, &t, &pressed, &sums, &own, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
         for (j = s->next_begin[i / TILE]; j < next_end; j += ROW_LANES) {
-            displacement_block(p, &parts, j, false, with, &t, &sums, &next, keep);
+            displacement_block(p, &others, j, false, with, &t, &pressed, &sums, &next, keep);
             keep += with & KEEP_PAIRS ? step : 0;
         }
-        store_sums(s, i, with & WITH_GAUGE, &sums);
+        store_moves(&in_tile, i, with, &sums);
     }
 }
 
-#define DISPLACEMENT_ROW(with)                                                                     \
-    (keep ? displacement_row(s, row, (with) | KEEP_PAIRS, b, kept->pairs)                          \
-          : displacement_row(s, row, with, b, NULL))
+VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
+                                  const skv_row_boundary *b, const skv_row_kept *kept)
+{
+    if (kept->used >= 0)
+        displacement_row(s, row, with | KEEP_PAIRS, b, kept->pairs);
+    else
+        displacement_row(s, row, with, b, NULL);
+}
 
 static void displacement(const skv_rows *s, int row, bool later, const skv_row_constants *c,
                          const skv_row_boundary *b, const skv_row_kept *kept)
 {
-    bool keep = kept->used >= 0;
-    if (c->clavet)
-        s->gauged ? DISPLACEMENT_ROW(WITH_GAUGE) : DISPLACEMENT_ROW(0);
+    if (c->clavet && s->gauged)
+        displacement_variant(s, row, WITH_GAUGE, b, kept);
+    else if (c->clavet)
+        displacement_variant(s, row, 0, b, kept);
+    else if (later && s->gauged)
+        displacement_variant(s, row, SMOOTH | WITH_GAUGE, b, kept);
     else if (later)
-        s->gauged ? DISPLACEMENT_ROW(SMOOTH | WITH_GAUGE) : DISPLACEMENT_ROW(SMOOTH);
+        displacement_variant(s, row, SMOOTH, b, kept);
+    else if (s->gauged)
+        displacement_variant(s, row, SMOOTH | WITH_GRADIENT | WITH_GAUGE, b, kept);
     else
-        s->gauged ? DISPLACEMENT_ROW(SMOOTH | WITH_GRADIENT | WITH_GAUGE)
-                  : DISPLACEMENT_ROW(SMOOTH | WITH_GRADIENT);
+        displacement_variant(s, row, SMOOTH | WITH_GRADIENT, b, kept);
 }
 
 #endif

@@ -1,11 +1,13 @@
 /* The production solver: particles sorted into rows, pairs found by ranges, eight at a time.
  *
+ * rows.c is the list of passes; layout.h says where everything lies.
+ *
  * Scheme. Space is cut into rows one smoothing radius high, each row into cells of h/4. Particles
  * are kept sorted by row and cell, so the partners of a particle with a higher place are two
  * contiguous ranges: the rest of its own row up to h ahead, and the stretch of the next row within
  * h on either side. Each pair is visited once. Tiles of four consecutive particles share the loads
  * of their partners; eight partners are handled at a time. A row's task adds what it finds for its
- * own particles to `own`, for the next row's to `next`, and the four particles' own sums to `sum`;
+ * own particles to `own`, for the next row's to `next`, and the four particles' own sums to `tile`;
  * these are added up later in a fixed order. So no two tasks write the same place, and the result
  * does not depend on threads, instruction set or compiler.
  *
@@ -73,8 +75,10 @@ typedef struct skv_row_constants {
 
 typedef struct skv_rows skv_rows;
 
-/* Makes the grid for a world of the given size (in h, in the solver's axes). */
-skv_result skv_rows_create(float width, float height, skv_rows **rows, skv_error *error);
+/* Makes the grid for a world of the given size (in h, in the solver's axes), in which a square of
+ * side h holds `per_square` particles at rest. */
+skv_result skv_rows_create(float width, float height, float per_square, skv_rows **rows,
+                           skv_error *error);
 void skv_rows_destroy(skv_rows *rows);
 
 /* Makes room for `count` particles and for `threads` threads; allocates only when it has to. */
@@ -101,8 +105,14 @@ void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
 /* Wall seconds since the last call with `reset`: advance, sort, relaxation, transfer in and out. */
 void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4]);
 
-/* Bytes held for `count` particles, kept pairs apart. */
-size_t skv_rows_bytes(const skv_rows *rows);
+/* Bytes held. */
+typedef struct skv_row_bytes {
+    size_t particles;  /* the particles' arrays, their dummies and tiles */
+    size_t kept;       /* what each thread keeps of the rows at work */
+    size_t grid;       /* cells and rows */
+    size_t histograms; /* cells and rows, once for each thread */
+} skv_row_bytes;
+skv_row_bytes skv_rows_bytes(const skv_rows *rows);
 
 /* The instruction set in use: "avx2", "sse2", "neon", "wasm" or "scalar". */
 const char *skv_rows_isa(void);

@@ -82,7 +82,7 @@ static int size_of(const skv_rows *rows, int row)
 /* What a row is likely to cost: what it had to do in the last substep, and its particles now. */
 static int cost_of(const skv_rows *rows, int row)
 {
-    int walls = rows->wall_count[row] > 0 ? rows->wall_count[row] : 0;
+    int walls = rows->row_walls[row] > 0 ? rows->row_walls[row] : 0;
     return BLOCK_COST * rows->row_blocks[row] + PARTICLE_COST * rows->row_size[row] +
            WALL_COST * walls;
 }
@@ -111,7 +111,6 @@ static void lay_out_rows(void *context)
     int place = ROW_LANES;
     rows->first = rows->row_count;
     rows->end = 0;
-    rows->widest = 0;
     for (int row = 0; row < rows->row_count; row++) {
         int size = rows->row_size[row] = size_of(rows, row);
         rows->new_start[row] = place;
@@ -120,9 +119,8 @@ static void lay_out_rows(void *context)
         if (size) {
             rows->first = rows->first < row ? rows->first : row;
             rows->end = row + 1;
-            rows->widest = rows->widest > size ? rows->widest : size;
         } else {
-            rows->row_blocks[row] = rows->wall_count[row] = 0;
+            rows->row_blocks[row] = rows->row_walls[row] = 0;
         }
     }
     share_out(rows);
@@ -203,8 +201,6 @@ void skv_rows_separate_coincident(skv_rows *rows, int row)
     }
 }
 
-/* The new order becomes the current one. The old particles' memory is free until the next sort and
- * holds the sums. */
 void skv_rows_turn_over(skv_rows *rows)
 {
     int *swap = rows->row_start;
@@ -213,16 +209,8 @@ void skv_rows_turn_over(skv_rows *rows)
     swap = rows->row_end;
     rows->row_end = rows->new_end;
     rows->new_end = swap;
-    const skv_row_particles *old = &rows->set[rows->current];
-    rows->sum[0] = old->x;
-    rows->sum[1] = old->y;
-    rows->sum[2] = old->u;
-    rows->sum[3] = old->v;
-    rows->gradient[0] = rows->own[3];
-    rows->gradient[1] = old->v;
-    rows->push = old->clearance;
-    rows->near_push = (float *)(void *)old->number;
     rows->current = !rows->current;
+    skv_rows_lend_buffers(rows);
 }
 
 void skv_rows_sort(skv_rows *rows, int thread, skv_pool *pool)

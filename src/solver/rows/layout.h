@@ -1,0 +1,185 @@
+/* Where everything lies: rows, cells and tiles, and what each buffer holds when.
+ *
+ * Space is cut into rows one smoothing radius h high, and these into cells of h/4. In memory the
+ * particles of a row follow each other, cell by cell, and the rows follow each other, upwards.
+ *
+ *     in space                              in memory: one array for each quantity
+ *
+ *    y ^ +--+--+--+--+--+--+--+--+          row_start[R]      row_end[R]       row_start[R+1]
+ *      | |  |  |f |  |  |g |  |  | row R+1  v                 v                v
+ *    h - +--+--+--+--+--+--+--+--+          |a b c d|e        |0 0 0 ... 0 0 0 |f g
+ *      | |  |a |bc|  |d |  |e |  | row R    | tile  | tile    | dummies        | tile
+ *    0 + +--+--+--+--+--+--+--+--+
+ *        0  h/4       h         2h -> x     cell_start: the first place of each cell
+ *
+ * Dummies. A row begins at a multiple of eight. Behind its end lie at least eight dummies, up to
+ * the next row: far from everything, at rest. So a block of eight that begins in a row ends in it,
+ * and no range needs a mask at its end.
+ *
+ * Tiles. A tile is four particles of a row that follow each other; its number is the first one's
+ * place / 4. Its partners are two ranges of places: own_end ends that in its own row, which begins
+ * behind its first particle, and next_begin and next_end bound that in the next row. A block is a
+ * tile times eight partners.
+ *
+ * Sums. What a pass adds up over pairs it finds in three parts, so that no two rows' tasks write to
+ * one place: `own`, for the partners in the own row; `next`, for those in the next row, written by
+ * the row below; `tile`, for the tile's four particles themselves. A particle's sum is own + next +
+ * tile, in this order.
+ *
+ * Buffers. What they hold through a substep, whose passes over a row are A, density; L, pressure;
+ * B, displacement; U, update. "read": what stands to the left is read for the last time.
+ *
+ *   buffer             sort      A                  L            B             U          store
+ *   -------------------------------------------------------------------------------------------
+ *   set[current]       read      written by the sort, then turned over; U moves them      read
+ *   set[!current]      written   the older set's memory, free until the next sort:
+ *    .x                          tile density       read         tile move x   read
+ *    .y                          tile near density  read         tile move y   read
+ *    .u                          tile gradient x    read         tile virial   read
+ *    .v                          tile gradient y    gradient y   read
+ *    .clearance                                     P                          read
+ *    .number                                        N                          read
+ *   own_memory[0]      key       own density        read         own move x    read       place
+ *    [1]                         own near density   read         own move y    read
+ *    [2]                         own gradient x     read         own virial    read
+ *    [3]                         own gradient y     gradient x   read
+ *   next_memory[0]               next density       read         next move x   read
+ *    [1]                         next near density  read         next move y   read
+ *    [2]                         next gradient x    read         next virial   read
+ *    [3]                         next gradient y    read                       pressure   read
+ *   viscous_memory               viscous u, v                                  read
+ *
+ * The gradient and the viscosity belong to the first iteration, the virial and the pressure to the
+ * last substep of a call. skv_rows_lend_buffers, in memory.c, is this table in code.
+ */
+#ifndef SKV_ROWS_LAYOUT_H
+#define SKV_ROWS_LAYOUT_H
+
+#include "solver/rows/rows.h"
+
+enum {
+    ROW_CELLS = 4, /* cells per smoothing radius along a row */
+    ROW_TILE = 4,  /* particles that share the loads of their partners */
+    ROW_LANES = 8,
+    ROW_MARGIN = 2, /* empty rows, and empty radii of cells, around the world */
+    ROW_MAX_THREADS = 64,
+    ROW_SLOTS = 3 /* rows of which a thread keeps something: two in turn, and one at its seam */
+};
+
+/* Added to the number of a particle that is held. As a float's bits a number is finite with it,
+ * too: numbers are left over where dummies' pressures are read. */
+#define ROW_HELD (1 << 30)
+
+/* Where a dummy lies: farther from everything than h, but not so far that its square overflows. */
+#define ROW_FAR 1e9f
+
+/* How much the distance to a wall can fall per length of way: it is bilinear, so along a diagonal
+ * by up to the square root of two. */
+#define ROW_WALL_SLOPE 1.4143f
+
+/* Phases of a substep, for the profile. */
+enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
+
+/* A sorted particle's data. Two sets: a sort reads one and writes the other. */
+typedef struct skv_row_particles {
+    float *x, *y, *u, *v;
+    float *clearance;
+    int *number; /* index in the frame, and ROW_HELD */
+} skv_row_particles;
+
+/* One part of what the density pass adds up. */
+typedef struct skv_row_sums {
+    float *density, *near_density;
+    float *gradient_x, *gradient_y;
+    float *viscous_u, *viscous_v; /* null without viscosity */
+} skv_row_sums;
+
+/* One part of what the displacement pass adds up. */
+typedef struct skv_row_moves {
+    float *x, *y;
+    float *virial;
+} skv_row_moves;
+
+/* Where the pairs of one row are kept between density and displacement. */
+typedef struct skv_row_kept {
+    float *pairs; /* ROW_TILE * ROW_LANES floats a block: q */
+    int room;     /* blocks */
+    int used;     /* blocks of the row kept now; -1: it had no room and is computed again */
+} skv_row_kept;
+
+/* A wall sample of a particle near a wall. */
+typedef struct skv_near_wall {
+    int particle;
+    skv_row_wall wall;
+} skv_near_wall;
+
+/* Where those of one row are kept between pressure and update. */
+typedef struct skv_row_samples {
+    skv_near_wall *sample;
+    int room;
+    int used; /* -1: not all found a place, and all are taken again */
+} skv_row_samples;
+
+/* What a thread owns, on cache lines of its own. */
+typedef struct skv_row_thread {
+    /* Particles per cell, of those that this thread sorts; 0 between sorts. */
+    _Alignas(64) int *histogram;
+    int *row_size;       /* the same per row, in the rows that it has counted in */
+    int lowest, highest; /* rows that it has counted particles in */
+    int first, end;      /* its rows, as cut by what they cost */
+    int old_first, old_end;
+    skv_row_kept kept[ROW_SLOTS];
+    skv_row_samples samples[ROW_SLOTS];
+    void *kept_memory; /* of both */
+} skv_row_thread;
+
+struct skv_rows {
+    int row_count, stride; /* rows; cells a row, with a spare radius at its end */
+    int cells_used;        /* cells a row that particles can be in: 0..cells_used-1 */
+    int row_holds;         /* particles that a row holds at rest, roughly */
+    int capacity;          /* particles to have room for */
+    int slots;             /* array elements: with room for the dummies */
+    int first, end;        /* rows with particles */
+
+    /* Per place. */
+    skv_row_particles set[2];
+    int current;
+    float *own_memory[4], *next_memory[4], *viscous_memory[6];
+
+    /* Lent, as the table above says. */
+    int *key;                                     /* the cell a particle moves to, by old place */
+    int *place;                                   /* of a frame's particle, when it is stored */
+    skv_row_sums own, next, tile;                 /* of the density */
+    skv_row_moves own_move, next_move, tile_move; /* of the displacement */
+    float *push, *near_push;                      /* P and N of the pressure law */
+    float *gradient_x, *gradient_y;               /* that the tension evens out */
+    float *pressure;                              /* gauge */
+
+    /* Per tile: its ranges of partners. */
+    int *own_end, *next_begin, *next_end;
+
+    /* Per cell and per row. */
+    int *cell_start; /* row_count * stride: place of each cell's first particle */
+    int *row_start, *row_end;
+    int *row_size;            /* of the sort under way */
+    int *new_start, *new_end; /* of the sort under way */
+    int *row_blocks;          /* blocks of pairs in a row's ranges */
+    int *row_walls;           /* particles near a wall in a row; -1: more than a thread keeps */
+
+    skv_row_thread *thread;
+    int thread_room, threads; /* threads to have memory for, and at work in this call */
+    bool viscous;             /* pair viscosity in the first iteration */
+    bool held, gauged;        /* this substep computes the gauge pressure */
+    void *particle_block, *viscous_block, *grid_block, *histogram_block;
+    skv_row_bytes bytes;
+    double seconds[ROW_PHASES];
+};
+
+/* A row's places, dummies included: its end rounded up so that a block of eight that begins before
+ * the end stays inside. */
+static inline int skv_row_padded_end(int end)
+{
+    return (end + 2 * ROW_LANES - 1) & ~(ROW_LANES - 1);
+}
+
+#endif

@@ -1,0 +1,265 @@
+/* The rows' memory: made before a step, so that a step needs none, and lent from phase to phase.
+ *
+ * Invariant: what is held follows from the size of the world, the number of particles and that of
+ * threads alone, never from what the particles have done; so a step of as many particles on as many
+ * threads as the last one allocates nothing.
+ */
+#include "base/memory.h"
+#include "solver/rows/rows_internal.h"
+
+#include <math.h>
+
+enum {
+    LINE = 16, /* integers in a cache line */
+    FLOATS_A_BLOCK = ROW_TILE * ROW_LANES,
+    ROW_NUMBERS = 7, /* integers kept for each row */
+    MAX_CELLS = 1 << 26
+};
+
+/* Blocks of pairs to a tile: at rest it has 6 or 7. And a row that is filled half again as much as
+ * at rest; twice what a tile has there is room for the crowds of a splash. */
+enum { BLOCKS_A_TILE = 12 };
+#define CROWDING 1.5
+
+/* The most that a thread keeps. A longer row's pairs would not stay in a cache, where reading them
+ * is cheaper than computing them again. */
+#define MOST_KEPT ((size_t)8 << 20)
+
+skv_result skv_rows_create(float width, float height, float per_square, skv_rows **out,
+                           skv_error *error)
+{
+    *out = NULL;
+    skv_rows *rows = skv_calloc(1, sizeof *rows);
+    if (!rows)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver");
+    double cells = ceil((double)width * ROW_CELLS) + 2 * ROW_MARGIN * ROW_CELLS + 1;
+    double row_count = ceil((double)height) + 2 * ROW_MARGIN + 1;
+    if (cells * row_count > MAX_CELLS) {
+        skv_free(rows);
+        return skv_fail(error, SKV_ERROR_LIMIT,
+                        "the world is too large for its smoothing radius; use a larger spacing");
+    }
+    rows->cells_used = (int)cells;
+    rows->stride = ((int)cells + ROW_CELLS + 2 + ROW_LANES - 1) & ~(ROW_LANES - 1);
+    rows->row_count = (int)row_count;
+    rows->row_holds = (int)ceil((double)width * (double)per_square);
+    size_t in_rows = (size_t)rows->row_count + 2;
+    size_t grid = in_rows * (size_t)rows->stride, numbers = grid + ROW_NUMBERS * in_rows;
+    int *block = skv_calloc(numbers, sizeof *block);
+    if (!block) {
+        skv_free(rows);
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver's grid");
+    }
+    rows->bytes.grid = numbers * sizeof *block;
+    rows->grid_block = block;
+    rows->cell_start = block;
+    int **by_row[] = {&rows->row_start, &rows->row_end,    &rows->new_start, &rows->new_end,
+                      &rows->row_size,  &rows->row_blocks, &rows->row_walls};
+    for (int a = 0; a < ROW_NUMBERS; a++)
+        *by_row[a] = block + grid + in_rows * (size_t)a;
+    *out = rows;
+    return SKV_OK;
+}
+
+static void free_threads(skv_rows *rows)
+{
+    for (int t = 0; t < rows->thread_room; t++)
+        skv_free(rows->thread[t].kept_memory);
+    skv_free(rows->thread);
+    skv_free(rows->histogram_block);
+    rows->thread = NULL;
+    rows->histogram_block = NULL;
+    rows->thread_room = 0;
+    rows->bytes.histograms = rows->bytes.kept = 0;
+}
+
+void skv_rows_destroy(skv_rows *rows)
+{
+    if (!rows)
+        return;
+    free_threads(rows);
+    skv_free(rows->particle_block);
+    skv_free(rows->viscous_block);
+    skv_free(rows->grid_block);
+    skv_free(rows);
+}
+
+static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
+{
+    if (threads == rows->thread_room)
+        return SKV_OK;
+    free_threads(rows);
+    size_t cells = (size_t)rows->row_count * (size_t)rows->stride;
+    /* A cache line more than it takes, so that no two threads share one. */
+    size_t numbers = (cells + (size_t)rows->row_count + 2 * LINE - 1) / LINE * LINE;
+    rows->thread = skv_calloc((size_t)threads, sizeof *rows->thread);
+    int *histograms = skv_calloc(numbers * (size_t)threads, sizeof *histograms);
+    if (!rows->thread || !histograms) {
+        skv_free(histograms);
+        skv_free(rows->thread);
+        rows->thread = NULL;
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d threads", threads);
+    }
+    rows->histogram_block = histograms;
+    rows->bytes.histograms = numbers * (size_t)threads * sizeof *histograms;
+    rows->thread_room = threads;
+    for (int t = 0; t < threads; t++) {
+        rows->thread[t].histogram = histograms + numbers * (size_t)t;
+        rows->thread[t].row_size = rows->thread[t].histogram + cells;
+    }
+    return SKV_OK;
+}
+
+/* The most particles to expect in a row. */
+static int fullest_row(const skv_rows *rows)
+{
+    double most = ceil(CROWDING * rows->row_holds);
+    return most < rows->capacity ? (int)most : rows->capacity;
+}
+
+/* Room for kept pairs and wall samples; less than wished for costs time, not correctness. */
+static skv_result reserve_kept(skv_rows *rows, skv_error *error)
+{
+    size_t a_block = FLOATS_A_BLOCK * sizeof(float);
+    int fullest = fullest_row(rows), most = (int)(MOST_KEPT / ROW_SLOTS / a_block);
+    int blocks = (fullest / ROW_TILE + 1) * BLOCKS_A_TILE + 2 * FLOATS_A_BLOCK;
+    blocks = blocks < most ? blocks : most;
+    for (int t = 0; t < rows->thread_room; t++) {
+        skv_row_thread *own = &rows->thread[t];
+        if (blocks <= own->kept[0].room && fullest <= own->samples[0].room)
+            continue;
+        size_t pairs = (size_t)blocks * a_block;
+        size_t bytes = ROW_SLOTS * (pairs + (size_t)fullest * sizeof(skv_near_wall));
+        char *memory = skv_calloc(bytes, 1);
+        if (!memory)
+            return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for kept pairs");
+        skv_free(own->kept_memory);
+        own->kept_memory = memory;
+        for (int slot = 0; slot < ROW_SLOTS; slot++, memory += pairs)
+            own->kept[slot] = (skv_row_kept){(float *)(void *)memory, blocks, 0};
+        skv_near_wall *samples = (skv_near_wall *)(void *)memory;
+        for (int slot = 0; slot < ROW_SLOTS; slot++, samples += fullest)
+            own->samples[slot] = (skv_row_samples){samples, fullest, 0};
+        rows->bytes.kept = bytes * (size_t)rows->thread_room;
+    }
+    return SKV_OK;
+}
+
+/* Distance between arrays in one block, in floats: 5 cache lines more than a number of pages. The
+ * same place in two arrays must not have the same place in its page: a load would wait for a store
+ * to the other, and both would fight for the same cache sets. */
+static size_t array_stride(size_t elements)
+{
+    size_t pages = (elements + 1023) / 1024;
+    return pages * 1024 + 5 * 16;
+}
+
+static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
+{
+    if (count <= rows->capacity)
+        return SKV_OK;
+    int more = rows->capacity + rows->capacity / 2, capacity = count > more ? count : more;
+    /* A row's dummies and the gap to the next multiple of eight are fewer than two blocks. */
+    size_t slots = (size_t)capacity + (size_t)rows->row_count * 2 * ROW_LANES + 4 * ROW_LANES;
+    skv_row_particles *a = &rows->set[0], *b = &rows->set[1];
+    float **floats[] = {
+        &a->x,
+        &a->y,
+        &a->u,
+        &a->v,
+        &a->clearance,
+        &b->x,
+        &b->y,
+        &b->u,
+        &b->v,
+        &rows->own_memory[0],
+        &rows->own_memory[1],
+        &rows->own_memory[2],
+        &rows->own_memory[3],
+        &rows->next_memory[0],
+        &rows->next_memory[1],
+        &rows->next_memory[2],
+        &rows->next_memory[3],
+        &b->clearance,
+    };
+    int **ints[] = {&a->number, &b->number};
+    int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
+    enum { FLOATS = sizeof floats / sizeof *floats, INTS = 2, TILE_INTS = 3 };
+    size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
+    size_t total = stride * (FLOATS + INTS) + TILE_INTS * tiles;
+    float *block = skv_calloc(total, sizeof *block);
+    if (!block)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
+    skv_free(rows->particle_block);
+    skv_free(rows->viscous_block);
+    rows->particle_block = block;
+    rows->viscous_block = NULL;
+    for (int f = 0; f < FLOATS; f++, block += stride)
+        *floats[f] = block;
+    for (int i = 0; i < INTS; i++, block += stride)
+        *ints[i] = (int *)(void *)block;
+    for (int i = 0; i < TILE_INTS; i++, block += tiles)
+        *by_tile[i] = (int *)(void *)block;
+    rows->capacity = capacity;
+    rows->slots = (int)slots;
+    rows->bytes.particles = total * sizeof *block;
+    return SKV_OK;
+}
+
+static skv_result reserve_viscous(skv_rows *rows, bool viscous, skv_error *error)
+{
+    rows->viscous = viscous;
+    if (!viscous || rows->viscous_block)
+        return SKV_OK;
+    enum { ARRAYS = sizeof rows->viscous_memory / sizeof *rows->viscous_memory };
+    size_t stride = array_stride((size_t)rows->slots);
+    float *block = skv_calloc(ARRAYS * stride, sizeof *block);
+    if (!block)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for viscosity");
+    rows->viscous_block = block;
+    for (int a = 0; a < ARRAYS; a++, block += stride)
+        rows->viscous_memory[a] = block;
+    rows->bytes.particles += ARRAYS * stride * sizeof *block;
+    return SKV_OK;
+}
+
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, skv_error *error)
+{
+    skv_result result = reserve_threads(rows, threads, error);
+    if (result == SKV_OK)
+        result = reserve_particles(rows, count, error);
+    if (result == SKV_OK)
+        result = reserve_viscous(rows, viscous, error);
+    if (result == SKV_OK)
+        result = reserve_kept(rows, error);
+    if (result == SKV_OK)
+        skv_rows_lend_buffers(rows);
+    return result;
+}
+
+void skv_rows_lend_buffers(skv_rows *rows)
+{
+    const skv_row_particles *older = &rows->set[!rows->current];
+    float **own = rows->own_memory, **next = rows->next_memory, **viscous = rows->viscous_memory;
+    rows->own = (skv_row_sums){own[0], own[1], own[2], own[3], viscous[0], viscous[1]};
+    rows->next = (skv_row_sums){next[0], next[1], next[2], next[3], viscous[2], viscous[3]};
+    rows->tile = (skv_row_sums){older->x, older->y, older->u, older->v, viscous[4], viscous[5]};
+    /* The pressure has consumed the densities, ... */
+    rows->own_move = (skv_row_moves){own[0], own[1], own[2]};
+    rows->next_move = (skv_row_moves){next[0], next[1], next[2]};
+    rows->tile_move = (skv_row_moves){older->x, older->y, older->u};
+    /* ... and turns the gradient's sums into the gradient, place by place. */
+    rows->gradient_x = own[3];
+    rows->gradient_y = older->v;
+    rows->push = older->clearance;
+    rows->near_push = (float *)(void *)older->number;
+    rows->pressure = next[3];
+    /* There are no sums while the particles are sorted, and none when they are stored. */
+    rows->key = (int *)(void *)own[0];
+    rows->place = (int *)(void *)own[0];
+}
+
+skv_row_bytes skv_rows_bytes(const skv_rows *rows)
+{
+    return rows->bytes;
+}
