@@ -27,7 +27,7 @@ struct _PlayView {
 
 G_DEFINE_FINAL_TYPE(PlayView, play_view, GTK_TYPE_GL_AREA)
 
-static guint changed_signal;
+static guint changed_signal, failed_signal;
 
 static void changed(PlayView *view)
 {
@@ -72,7 +72,7 @@ static void resize(GtkGLArea *area, int width, int height)
 static gboolean render(GtkGLArea *area, G_GNUC_UNUSED GdkGLContext *context)
 {
     PlayView *view = PLAY_VIEW(area);
-    skv_world *world = skv_session_world(view->session);
+    const skv_world *world = skv_session_world(view->session);
     if (!view->renderer || !world)
         return FALSE;
     skv_hand hands[SKV_MAX_HANDS];
@@ -104,7 +104,11 @@ static int advance(PlayView *view, double seconds)
 {
     double fitting = view->frame_cost > 0 ? floor(STEP_BUDGET / view->frame_cost) : 4;
     gint64 before = g_get_monotonic_time();
-    int frames = skv_session_advance(view->session, MIN(seconds, CLAMP(fitting, 1, 4) / 60));
+    int frames;
+    skv_error error;
+    if (skv_session_advance(view->session, MIN(seconds, CLAMP(fitting, 1, 4) / 60), &frames,
+                            &error) != SKV_OK)
+        g_signal_emit(view, failed_signal, 0, error.text);
     if (frames > 0) {
         double cost = (double)(g_get_monotonic_time() - before) / G_USEC_PER_SEC / frames;
         view->frame_cost += 0.1 * (cost - view->frame_cost);
@@ -131,7 +135,13 @@ static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, G_GNUC_UNUSED g
         view->asleep = asleep;
     }
     measure_frame_rate(view, now);
-    return G_SOURCE_CONTINUE;
+    if (!skv_session_paused(view->session))
+        return G_SOURCE_CONTINUE;
+    /* A step failed. */
+    view->tick = 0;
+    view->frame_rate = 0;
+    changed(view);
+    return G_SOURCE_REMOVE;
 }
 
 /* Starts or stops the frame clock for this view, whichever the session asks for. */
@@ -173,7 +183,9 @@ void play_view_set_paused(PlayView *view, bool paused)
 void play_view_step(PlayView *view)
 {
     skv_session_set_paused(view->session, true);
-    skv_session_step_once(view->session);
+    skv_error error;
+    if (skv_session_step_once(view->session, &error) != SKV_OK)
+        g_signal_emit(view, failed_signal, 0, error.text);
     update_playing(view);
 }
 
@@ -228,6 +240,8 @@ static void play_view_class_init(PlayViewClass *class)
     GTK_GL_AREA_CLASS(class)->render = render;
     changed_signal = g_signal_new("changed", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
                                   G_TYPE_NONE, 0);
+    failed_signal = g_signal_new("failed", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                                 G_TYPE_NONE, 1, G_TYPE_STRING);
 }
 
 static void play_view_init(PlayView *view)

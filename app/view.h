@@ -1,7 +1,8 @@
 /* The view: a GL area that lets a session's world play and shows it live.
  *
  * Emits "changed" when what the window says about the view may have changed: a few times a second
- * while it plays, and after every call below.
+ * while it plays, and after every call below. Emits "failed" with a line of text when a step
+ * failed; the view is paused then.
  */
 #ifndef SKVALP_PLAY_VIEW_H
 #define SKVALP_PLAY_VIEW_H

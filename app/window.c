@@ -194,6 +194,8 @@ static void play_window_init(PlayWindow *window)
 
     g_signal_connect_object(window->view, "changed", G_CALLBACK(on_view_changed), window,
                             G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->view, "failed", G_CALLBACK(play_window_complain), window,
+                            G_CONNECT_SWAPPED);
     g_signal_connect_object(adw_style_manager_get_default(), "notify::dark",
                             G_CALLBACK(on_dark_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect(window, "notify::fullscreened", G_CALLBACK(on_fullscreen_changed), NULL);

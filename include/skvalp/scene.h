@@ -76,6 +76,14 @@ SKV_API void skv_scene_destroy(skv_scene *scene);
 SKV_API skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world **world,
                                           skv_error *error);
 
+/* The two halves of skv_scene_create_world, for a host that wants to change something in between.
+ * What the world is like, without its fluid: `def->terrain` is a copy, which skv_world_create takes
+ * over. */
+SKV_API skv_result skv_scene_world_def(const skv_scene *scene, skv_world_def *def,
+                                       skv_error *error);
+/* Puts the scene's fluid into such a world, at its speed. */
+SKV_API skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *error);
+
 /* Facts of a loaded scene. Texts belong to the scene. */
 SKV_API const char *skv_scene_name(const skv_scene *scene);        /* "dam-break" */
 SKV_API const char *skv_scene_title(const skv_scene *scene);       /* "Dam break" */

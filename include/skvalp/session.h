@@ -18,7 +18,8 @@ extern "C" {
 
 typedef struct skv_session skv_session;
 
-/* Makes a session without a scene. `threads` as in skv_world_def. */
+/* Makes a session without a scene, and the threads on which all its worlds will be stepped:
+ * `threads` as in skv_pool_create. */
 SKV_API skv_result skv_session_create(int threads, skv_session **session, skv_error *error);
 SKV_API void skv_session_destroy(skv_session *session);
 
@@ -29,21 +30,23 @@ SKV_API skv_result skv_session_open(skv_session *session, const char *name_or_pa
 SKV_API skv_result skv_session_open_scene(skv_session *session, skv_scene *scene, skv_error *error);
 
 /* The world and scene that are open, null before the first open. They change on open and reset. */
-SKV_API skv_world *skv_session_world(skv_session *session);
+SKV_API const skv_world *skv_session_world(const skv_session *session);
 SKV_API const skv_scene *skv_session_scene(const skv_session *session);
 
 /* Back to the scene's start; gravity keys are released, pause and speed stay. */
 SKV_API skv_result skv_session_reset(skv_session *session, skv_error *error);
 
 /* Lets `seconds` of real time pass: steps whole 1/60 s frames, scaled by the playback speed, and
- * drops what the machine cannot keep up with (at most four frames a call). Returns the number of
- * frames stepped. */
-SKV_API int skv_session_advance(skv_session *session, double seconds);
+ * drops what the machine cannot keep up with (at most four frames a call). Writes the number of
+ * frames stepped to *frames (null is allowed). Fails as skv_world_step does, and then pauses: the
+ * world is that of the last complete substep, and playing on tries again. */
+SKV_API skv_result skv_session_advance(skv_session *session, double seconds, int *frames,
+                                       skv_error *error);
 
 SKV_API void skv_session_set_paused(skv_session *session, bool paused);
 SKV_API bool skv_session_paused(const skv_session *session);
-/* Exactly one 1/60 s frame, also while paused. */
-SKV_API void skv_session_step_once(skv_session *session);
+/* Exactly one 1/60 s frame, also while paused. Fails as skv_world_step does. */
+SKV_API skv_result skv_session_step_once(skv_session *session, skv_error *error);
 /* Simulated seconds per real second, 0.05..2; default 1. */
 SKV_API void skv_session_set_speed(skv_session *session, double speed);
 SKV_API double skv_session_speed(const skv_session *session);

@@ -80,6 +80,8 @@ typedef struct skv_world_def {
                      the free height. Along another gravity as much of the way counts as filled. */
     int substeps; /* a 1/60 s frame, at most 1000; 0: by the rule of docs/model.md */
     int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
+    skv_pool *pool; /* threads shared with other worlds; null: threads of its own. If set, `threads`
+                       and `tasks` are ignored. */
     skv_task_system tasks; /* a host's threads instead, if tasks.run is set; `threads` is ignored */
     skv_solver solver;     /* default SKV_SOLVER_FAST */
     bool sleep;   /* default true: fluid that has been at rest for a while is not stepped until

@@ -10,16 +10,10 @@
 
 #include <stdatomic.h>
 
-typedef struct skv_pool skv_pool;
-
 /* Handles indices begin..end-1. */
 typedef void skv_task(int begin, int end, void *context);
 
-/* Creates a pool of `threads` threads, the caller's included; 0: one per physical core. */
-skv_result skv_pool_create(int threads, skv_pool **pool, skv_error *error);
-void skv_pool_destroy(skv_pool *pool);
-
-/* Creates a pool on a host's threads instead. */
+/* Like skv_pool_create, but on a host's threads. */
 skv_result skv_pool_create_lent(const skv_task_system *tasks, skv_pool **pool, skv_error *error);
 
 /* The most threads that a team can have, the caller's included. */

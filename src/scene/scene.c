@@ -59,14 +59,28 @@ static skv_result add_speeds(const skv_scene *scene, skv_world *world, skv_error
     return SKV_OK;
 }
 
-/* Puts the particles into an empty world. */
-static skv_result fill(const skv_scene *scene, skv_world *world, skv_error *error)
+skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *error)
 {
+    SKV_ASSERT_OR(scene != NULL && world != NULL, SKV_ERROR_VALUE);
     skv_water water = scene->water; /* the callback's user pointer is not constant */
     skv_fill_def def = skv_water_fill_def(&water);
     def.limit = scene->particles;
     skv_result result = skv_world_fill(world, &def, NULL, error);
     return result == SKV_OK ? add_speeds(scene, world, error) : result;
+}
+
+skv_result skv_scene_world_def(const skv_scene *scene, skv_world_def *def, skv_error *error)
+{
+    SKV_ASSERT_OR(scene != NULL && def != NULL, SKV_ERROR_VALUE);
+    *def = skv_default_world_def();
+    def->fluid = scene->fluid;
+    def->gravity_x = (float)scene->gravity_x;
+    def->gravity_y = (float)scene->gravity_y;
+    def->depth = (float)scene->depth;
+    def->substeps = scene->substeps;
+    def->sleep = scene->sleep;
+    def->capacity = scene->particles;
+    return skv_terrain_copy(scene->terrain, &def->terrain, error);
 }
 
 skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world **world,
@@ -75,24 +89,17 @@ skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world
     SKV_ASSERT_OR(world != NULL, SKV_ERROR_VALUE);
     *world = NULL;
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
-    skv_world_def def = skv_default_world_def();
-    skv_result result = skv_terrain_copy(scene->terrain, &def.terrain, error);
+    skv_world_def def;
+    skv_result result = skv_scene_world_def(scene, &def, error);
     if (result != SKV_OK)
         return result;
-    def.fluid = scene->fluid;
-    def.gravity_x = (float)scene->gravity_x;
-    def.gravity_y = (float)scene->gravity_y;
-    def.depth = (float)scene->depth;
-    def.substeps = scene->substeps;
-    def.sleep = scene->sleep;
     def.threads = threads;
-    def.capacity = scene->particles;
     result = skv_world_create(&def, world, error);
     if (result != SKV_OK) {
         skv_terrain_destroy(def.terrain);
         return result;
     }
-    result = fill(scene, *world, error);
+    result = skv_scene_fill(scene, *world, error);
     if (result != SKV_OK) {
         skv_world_destroy(*world);
         *world = NULL;

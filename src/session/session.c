@@ -1,5 +1,6 @@
 /* Session: the open scene, its world, and what a person does to it. Invariant: scene and world are
- * either both null or both there and belong together; a failed open or reset changes neither. */
+ * either both null or both there and belong together; a failed open or reset changes neither. All
+ * worlds share one pool, since a new one is made while the old one is still there. */
 #include "skvalp/session.h"
 
 #include <math.h>
@@ -20,7 +21,7 @@
 struct skv_session {
     skv_scene *scene;
     skv_world *world;
-    int threads;
+    skv_pool *pool;
 
     bool paused;
     double speed;
@@ -38,13 +39,14 @@ skv_result skv_session_create(int threads, skv_session **session, skv_error *err
 {
     SKV_ASSERT_OR(session, SKV_ERROR_VALUE);
     *session = NULL;
-    if (threads < 0 || threads > SKV_MAX_THREADS)
-        return skv_fail(error, SKV_ERROR_VALUE, "threads is %d: use 0 (automatic) to %d", threads,
-                        SKV_MAX_THREADS);
     skv_session *made = skv_calloc(1, sizeof *made);
     if (!made)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
-    made->threads = threads;
+    skv_result result = skv_pool_create(threads, &made->pool, error);
+    if (result != SKV_OK) {
+        skv_free(made);
+        return result;
+    }
     made->speed = 1;
     made->direction_y = -1;
     made->strength = EARTH_GRAVITY;
@@ -60,7 +62,28 @@ void skv_session_destroy(skv_session *session)
         return;
     skv_world_destroy(session->world);
     skv_scene_destroy(session->scene);
+    skv_pool_destroy(session->pool);
     skv_free(session);
+}
+
+/* The world at the scene's start. */
+static skv_result make_world(const skv_session *session, const skv_scene *scene, skv_world **world,
+                             skv_error *error)
+{
+    skv_world_def def;
+    skv_result result = skv_scene_world_def(scene, &def, error);
+    if (result != SKV_OK)
+        return result;
+    def.pool = session->pool;
+    result = skv_world_create(&def, world, error);
+    if (result != SKV_OK) {
+        skv_terrain_destroy(def.terrain);
+        return result;
+    }
+    result = skv_scene_fill(scene, *world, error);
+    if (result != SKV_OK)
+        skv_world_destroy(*world);
+    return result;
 }
 
 /* Puts a fresh world in place of the old one, with the scene's own gravity. */
@@ -83,7 +106,7 @@ skv_result skv_session_open_scene(skv_session *session, skv_scene *scene, skv_er
 {
     SKV_ASSERT_OR(session && scene, SKV_ERROR_VALUE);
     skv_world *world = NULL;
-    skv_result result = skv_scene_create_world(scene, session->threads, &world, error);
+    skv_result result = make_world(session, scene, &world, error);
     if (result != SKV_OK)
         return result;
     skv_scene *old = session->scene;
@@ -109,7 +132,7 @@ skv_result skv_session_open(skv_session *session, const char *name_or_path,
     return result;
 }
 
-skv_world *skv_session_world(skv_session *session)
+const skv_world *skv_session_world(const skv_session *session)
 {
     SKV_ASSERT_OR(session, NULL);
     return session->world;
@@ -127,7 +150,7 @@ skv_result skv_session_reset(skv_session *session, skv_error *error)
     if (!session->scene)
         return skv_fail(error, SKV_ERROR_VALUE, "no scene is open: open one before a reset");
     skv_world *world = NULL;
-    skv_result result = skv_scene_create_world(session->scene, session->threads, &world, error);
+    skv_result result = make_world(session, session->scene, &world, error);
     if (result != SKV_OK)
         return result;
     take_world(session, world);
@@ -136,12 +159,13 @@ skv_result skv_session_reset(skv_session *session, skv_error *error)
 
 /* Playback. */
 
-static bool step_frame(skv_session *session)
+static skv_result step_frame(skv_session *session, skv_error *error)
 {
     skv_hand hands[SKV_MAX_HANDS];
     int count = skv_session_hands(session, hands, SKV_MAX_HANDS);
-    return skv_world_set_hands(session->world, hands, count, NULL) == SKV_OK &&
-           skv_world_step(session->world, (float)(1 / FRAME_RATE), NULL) == SKV_OK;
+    skv_result result = skv_world_set_hands(session->world, hands, count, error);
+    return result != SKV_OK ? result
+                            : skv_world_step(session->world, (float)(1 / FRAME_RATE), error);
 }
 
 /* Frames that real time asks for. Displays near 60 Hz count as exactly 60, so that each refresh
@@ -153,15 +177,9 @@ static double frames_of(double seconds)
     return whole >= 1 && fabs(frames - whole) < 0.02 * whole ? whole : frames;
 }
 
-int skv_session_advance(skv_session *session, double seconds)
+/* Whole frames that are due after so much real time. */
+static int take_due_frames(skv_session *session, double seconds)
 {
-    SKV_ASSERT_OR(session, 0);
-    if (!(seconds > 0) || !isfinite(seconds))
-        return 0;
-    skv_pointers_pass(&session->pointers, seconds);
-    if (!session->world || session->paused)
-        return 0;
-
     /* The tiny share added makes ten times a tenth of a frame one frame. */
     session->frames_due += frames_of(seconds) * session->speed;
     double whole = floor(session->frames_due + 1e-9);
@@ -170,11 +188,30 @@ int skv_session_advance(skv_session *session, double seconds)
         session->frames_due = whole;
     }
     session->frames_due = fmax(session->frames_due - whole, 0);
+    return (int)whole;
+}
 
+skv_result skv_session_advance(skv_session *session, double seconds, int *frames, skv_error *error)
+{
+    SKV_ASSERT_OR(session, SKV_ERROR_VALUE);
     int stepped = 0;
-    while (stepped < (int)whole && step_frame(session))
-        stepped++;
-    return stepped;
+    skv_result result = SKV_OK;
+    if (seconds > 0 && isfinite(seconds)) {
+        skv_pointers_pass(&session->pointers, seconds);
+        bool playing = session->world && !session->paused;
+        int due = playing ? take_due_frames(session, seconds) : 0;
+        while (stepped < due && result == SKV_OK) {
+            result = step_frame(session, error);
+            stepped += result == SKV_OK;
+        }
+    }
+    if (result != SKV_OK) {
+        session->paused = true;
+        session->frames_due = 0;
+    }
+    if (frames)
+        *frames = stepped;
+    return result;
 }
 
 void skv_session_set_paused(skv_session *session, bool paused)
@@ -189,11 +226,10 @@ bool skv_session_paused(const skv_session *session)
     return session->paused;
 }
 
-void skv_session_step_once(skv_session *session)
+skv_result skv_session_step_once(skv_session *session, skv_error *error)
 {
-    SKV_ASSERT(session);
-    if (session->world)
-        step_frame(session);
+    SKV_ASSERT_OR(session, SKV_ERROR_VALUE);
+    return session->world ? step_frame(session, error) : SKV_OK;
 }
 
 void skv_session_set_speed(skv_session *session, double speed)

@@ -112,13 +112,22 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy)
     world->lists_current = false;
 }
 
+static skv_result get_pool(skv_world *world, const skv_world_def *def, skv_error *error)
+{
+    world->shares_pool = def->pool != NULL;
+    world->pool = def->pool;
+    if (def->pool)
+        return SKV_OK;
+    return def->tasks.run ? skv_pool_create_lent(&def->tasks, &world->pool, error)
+                          : skv_pool_create(def->threads, &world->pool, error);
+}
+
 static skv_result build(skv_world *world, const skv_world_def *def, skv_error *error)
 {
     const skv_terrain *terrain = world->terrain;
     float width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
     float margin = 2 * world->h;
-    skv_result result = def->tasks.run ? skv_pool_create_lent(&def->tasks, &world->pool, error)
-                                       : skv_pool_create(def->threads, &world->pool, error);
+    skv_result result = get_pool(world, def, error);
     if (result == SKV_OK)
         result = skv_wall_map_create(terrain, world->h, world->fluid.spacing,
                                      skv_law_kernel(world->fluid.law), &world->walls, error);
@@ -222,7 +231,8 @@ void skv_world_destroy(skv_world *world)
 {
     if (!world)
         return;
-    skv_pool_destroy(world->pool);
+    if (!world->shares_pool)
+        skv_pool_destroy(world->pool);
     skv_sleep_destroy(world);
     skv_neighbours_destroy(&world->neighbours);
     skv_rows_destroy(world->rows);

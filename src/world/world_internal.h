@@ -54,6 +54,7 @@ struct skv_world {
     skv_constants constants;
     float constants_dt; /* the dt they were made for */
     skv_pool *pool;
+    bool shares_pool; /* with other worlds: it is not ours to destroy */
 
     double time;
     int64_t steps;

@@ -8,6 +8,8 @@
 
 #include <cmocka.h>
 
+#include "support/failing_memory.h"
+
 #include <skvalp/session.h>
 
 static int setup(void **state)
@@ -27,6 +29,15 @@ static int teardown(void **state)
     return 0;
 }
 
+/* Advances, which must not fail; returns the frames stepped. */
+static int advance(skv_session *session, double seconds)
+{
+    int frames = -1;
+    skv_error error;
+    assert_int_equal(skv_session_advance(session, seconds, &frames, &error), SKV_OK);
+    return frames;
+}
+
 static int64_t frames_of(skv_session *session)
 {
     const skv_world *world = skv_session_world(session);
@@ -41,8 +52,8 @@ static void test_starts_empty(void **state)
     assert_int_equal(skv_session_create(1, &session, &error), SKV_OK);
     assert_null(skv_session_world(session));
     assert_null(skv_session_scene(session));
-    assert_int_equal(skv_session_advance(session, 1), 0);
-    skv_session_step_once(session);
+    assert_int_equal(advance(session, 1), 0);
+    assert_int_equal(skv_session_step_once(session, NULL), SKV_OK);
     assert_int_equal(skv_session_reset(session, &error), SKV_ERROR_VALUE);
     assert_non_null(strstr(error.text, "open"));
     assert_true(skv_session_camera(session).scale > 0);
@@ -56,9 +67,9 @@ static void test_starts_empty(void **state)
 static void test_failed_open_changes_nothing(void **state)
 {
     skv_session *session = *state;
-    skv_session_advance(session, 2.0 / 60);
+    advance(session, 2.0 / 60);
     skv_session_pointer_down(session, 7, 10, 10, 0);
-    skv_world *world = skv_session_world(session);
+    const skv_world *world = skv_session_world(session);
     const skv_scene *scene = skv_session_scene(session);
     uint64_t hash = skv_world_hash(world);
 
@@ -69,7 +80,7 @@ static void test_failed_open_changes_nothing(void **state)
     assert_ptr_equal(skv_session_scene(session), scene);
     assert_int_equal(skv_world_hash(world), hash);
     assert_int_equal(skv_session_pointer_count(session), 1);
-    assert_int_equal(skv_session_advance(session, 1.0 / 60), 1);
+    assert_int_equal(advance(session, 1.0 / 60), 1);
 }
 
 static void test_open_takes_over(void **state)
@@ -97,7 +108,7 @@ static void test_reset_goes_back(void **state)
     uint64_t start = skv_world_hash(skv_session_world(session));
     skv_session_set_gravity_direction(session, 1, 0);
     skv_session_set_speed(session, 2);
-    skv_session_advance(session, 2.0 / 60);
+    advance(session, 2.0 / 60);
     assert_int_not_equal(skv_world_hash(skv_session_world(session)), start);
     skv_session_set_paused(session, true);
 
@@ -114,13 +125,13 @@ static void test_clock_steps_whole_frames(void **state)
 {
     skv_session *session = *state;
     for (int i = 1; i <= 30; i++) {
-        assert_int_equal(skv_session_advance(session, 1.0 / 60), 1);
+        assert_int_equal(advance(session, 1.0 / 60), 1);
         assert_int_equal(frames_of(session), i);
     }
     assert_true(fabs(skv_world_time(skv_session_world(session)) - 0.5) < 1e-6);
-    assert_int_equal(skv_session_advance(session, 0), 0);
-    assert_int_equal(skv_session_advance(session, -1), 0);
-    assert_int_equal(skv_session_advance(session, NAN), 0);
+    assert_int_equal(advance(session, 0), 0);
+    assert_int_equal(advance(session, -1), 0);
+    assert_int_equal(advance(session, NAN), 0);
 }
 
 static void test_clock_accumulates(void **state)
@@ -128,13 +139,13 @@ static void test_clock_accumulates(void **state)
     skv_session *session = *state;
     int frames = 0;
     for (int i = 0; i < 10; i++)
-        frames += skv_session_advance(session, 0.1 / 60);
+        frames += advance(session, 0.1 / 60);
     assert_int_equal(frames, 1);
 
     /* A 144 Hz display: 60 frames in a second all the same. */
     frames = 0;
     for (int i = 0; i < 144; i++)
-        frames += skv_session_advance(session, 1.0 / 144);
+        frames += advance(session, 1.0 / 144);
     assert_int_equal(frames, 60);
 }
 
@@ -142,14 +153,14 @@ static void test_clock_follows_a_display_near_60_hz(void **state)
 {
     skv_session *session = *state;
     for (int i = 0; i < 200; i++) /* 59.94 Hz, with a jitter of 0.1 ms */
-        assert_int_equal(skv_session_advance(session, 1 / 59.94 + (i % 3 - 1) * 1e-4), 1);
+        assert_int_equal(advance(session, 1 / 59.94 + (i % 3 - 1) * 1e-4), 1);
 }
 
 static void test_clock_drops_what_is_too_much(void **state)
 {
     skv_session *session = *state;
-    assert_int_equal(skv_session_advance(session, 10), 4);
-    assert_int_equal(skv_session_advance(session, 1.0 / 60), 1);
+    assert_int_equal(advance(session, 10), 4);
+    assert_int_equal(advance(session, 1.0 / 60), 1);
 }
 
 static void test_speed(void **state)
@@ -158,10 +169,10 @@ static void test_speed(void **state)
     skv_session_set_speed(session, 0.25);
     int frames = 0;
     for (int i = 0; i < 40; i++)
-        frames += skv_session_advance(session, 1.0 / 60);
+        frames += advance(session, 1.0 / 60);
     assert_int_equal(frames, 10);
     skv_session_set_speed(session, 2);
-    assert_int_equal(skv_session_advance(session, 1.0 / 60), 2);
+    assert_int_equal(advance(session, 1.0 / 60), 2);
     skv_session_set_speed(session, 0);
     assert_true(skv_session_speed(session) == 0.05);
     skv_session_set_speed(session, 1e9);
@@ -173,13 +184,38 @@ static void test_pause_and_single_steps(void **state)
     skv_session *session = *state;
     skv_session_set_paused(session, true);
     assert_true(skv_session_paused(session));
-    assert_int_equal(skv_session_advance(session, 1), 0);
+    assert_int_equal(advance(session, 1), 0);
     assert_int_equal(frames_of(session), 0);
-    skv_session_step_once(session);
-    skv_session_step_once(session);
+    assert_int_equal(skv_session_step_once(session, NULL), SKV_OK);
+    assert_int_equal(skv_session_step_once(session, NULL), SKV_OK);
     assert_int_equal(frames_of(session), 2);
     skv_session_set_paused(session, false);
-    assert_int_equal(skv_session_advance(session, 1.0 / 60), 1); /* the pause left no debt */
+    assert_int_equal(advance(session, 1.0 / 60), 1); /* the pause left no debt */
+}
+
+/* A step that fails is told, pauses, and leaves the world as it was, so that playing on can try
+ * again. */
+static void test_failing_step_pauses(void **state)
+{
+    skv_session *session = *state;
+    uint64_t start = skv_world_hash(skv_session_world(session));
+    failing_memory memory;
+    skv_error error = {0};
+    int frames = -1;
+    failing_memory_start(&memory, 0); /* the first step of a world makes room for its solver */
+    assert_int_equal(skv_session_advance(session, 2.0 / 60, &frames, &error), SKV_ERROR_MEMORY);
+    failing_memory_stop();
+    assert_int_equal(frames, 0);
+    assert_non_null(strstr(error.text, "memory"));
+    assert_true(skv_session_paused(session));
+    assert_int_equal(skv_world_hash(skv_session_world(session)), start);
+
+    failing_memory_start(&memory, 0);
+    assert_int_equal(skv_session_step_once(session, &error), SKV_ERROR_MEMORY);
+    failing_memory_stop();
+
+    skv_session_set_paused(session, false);
+    assert_int_equal(advance(session, 1.0 / 60), 1);
 }
 
 static void test_gravity_turns(void **state)
@@ -249,6 +285,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_clock_drops_what_is_too_much, setup, teardown),
         cmocka_unit_test_setup_teardown(test_speed, setup, teardown),
         cmocka_unit_test_setup_teardown(test_pause_and_single_steps, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_failing_step_pauses, setup, teardown),
         cmocka_unit_test_setup_teardown(test_gravity_turns, setup, teardown),
         cmocka_unit_test_setup_teardown(test_camera_shows_the_whole_world, setup, teardown),
         cmocka_unit_test_setup_teardown(test_camera_round_trip, setup, teardown),
