@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "cleanup.h"
 #include "json.h"
@@ -22,7 +23,6 @@ enum { MAX_EXPERIMENTS = 64 };
 typedef struct lab_run {
     const cli_options *options;
     skv_lab_options lab;
-    skv_lab_setting *settings;
     int chosen[MAX_EXPERIMENTS], count;
     int at; /* which of them is running */
     progress_line progress;
@@ -78,28 +78,35 @@ static bool show_progress(double share, void *user)
     return true;
 }
 
+/* Makes the folder, or makes sure that plots can be written into the one that is there. */
+static skv_result prepare_folder(const char *folder, skv_error *error)
+{
+    struct stat found;
+    bool usable = mkdir(folder, 0777) == 0;
+    if (!usable && errno == EEXIST && stat(folder, &found) == 0) {
+        usable = S_ISDIR(found.st_mode) && access(folder, W_OK | X_OK) == 0;
+        errno = S_ISDIR(found.st_mode) ? errno : ENOTDIR;
+    }
+    if (usable)
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_FILE, "%s: %s; name another folder with --plot", folder,
+                    strerror(errno));
+}
+
 static skv_result prepare(lab_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
     skv_result result = choose(run, error);
     if (result != SKV_OK)
         return result;
-    run->settings = calloc((size_t)options->setting_count + 1, sizeof *run->settings);
-    if (!run->settings)
-        return skv_fail(error, SKV_ERROR_MEMORY, "lab: out of memory");
-    for (int i = 0; i < options->setting_count; i++)
-        run->settings[i] = (skv_lab_setting){options->settings[i].path, options->settings[i].value};
     run->lab = skv_default_lab_options();
-    run->lab.settings = run->settings;
+    run->lab.settings = options->settings;
     run->lab.setting_count = options->setting_count;
     run->lab.threads = options->threads;
     run->lab.progress = show_progress;
     run->lab.user = run;
     result = skv_lab_check(&run->lab, error);
-    if (result == SKV_OK && options->plot && mkdir(options->plot, 0777) != 0 && errno != EEXIST)
-        return skv_fail(error, SKV_ERROR_FILE, "%s: %s; name another folder", options->plot,
-                        strerror(errno));
-    return result;
+    return result == SKV_OK && options->plot ? prepare_folder(options->plot, error) : result;
 }
 
 static bool write_to_stream(const char *text, size_t length, void *user)
@@ -235,7 +242,6 @@ int lab_command(const cli_options *options, skv_error *error)
         if (options->json)
             puts("\n]");
     }
-    free(run.settings);
     if (result != SKV_OK)
         return STATUS_BAD;
     if (run.missed) {

@@ -53,6 +53,30 @@ void help_print_command(command which)
         help_print_lab();
 }
 
+/* "gravity  0.5..100 m/s^2, default 9.81", and below it what it means. */
+static void print_field(const skv_field *field)
+{
+    printf("%s  ", field->path);
+    switch (field->type) {
+    case SKV_FIELD_NUMBER:
+    case SKV_FIELD_INTEGER:
+        printf("%.10g..%.10g%s%s", field->minimum, field->maximum, *field->unit ? " " : "",
+               field->unit);
+        break;
+    case SKV_FIELD_TEXT:
+        printf("text, at most %.10g bytes", field->maximum);
+        break;
+    case SKV_FIELD_CHOICE:
+        fputs(field->choices, stdout);
+        break;
+    case SKV_FIELD_BOOLEAN:
+        fputs("true|false", stdout);
+        break;
+    }
+    printf("%s%s\n    %s\n", *field->default_text ? ", default " : "", field->default_text,
+           field->help);
+}
+
 void help_print_settings(void)
 {
     int count = 0;
@@ -60,39 +84,8 @@ void help_print_settings(void)
     puts("Fields of a scene, for scene files and for --set PATH=VALUE. With --set the brackets of "
          "a\n"
          "list hold a number, counted from 0: --set water[0].x1=0.3\n");
-    for (int i = 0; i < count; i++) {
-        const skv_field *field = &fields[i];
-        printf("%s  ", field->path);
-        switch (field->type) {
-        case SKV_FIELD_NUMBER:
-        case SKV_FIELD_INTEGER:
-            printf("%.10g..%.10g%s%s", field->minimum, field->maximum, *field->unit ? " " : "",
-                   field->unit);
-            break;
-        case SKV_FIELD_TEXT:
-            printf("text, at most %.10g bytes", field->maximum);
-            break;
-        case SKV_FIELD_CHOICE:
-            fputs(field->choices, stdout);
-            break;
-        case SKV_FIELD_BOOLEAN:
-            fputs("true|false", stdout);
-            break;
-        }
-        printf("%s%s\n    %s\n", *field->default_text ? ", default " : "", field->default_text,
-               field->help);
-    }
-}
-
-/* "0.5..100 m/s^2, default 9.81", or the choices. */
-static void print_range(const skv_lab_parameter *p)
-{
-    if (p->choices) {
-        printf("%s, default %.*s", p->choices, (int)strcspn(p->choices, "|"), p->choices);
-    } else {
-        printf("%.10g..%.10g%s%s, default %.10g", p->minimum, p->maximum, *p->unit ? " " : "",
-               p->unit, p->value);
-    }
+    for (int i = 0; i < count; i++)
+        print_field(&fields[i]);
 }
 
 void help_print_lab(void)
@@ -103,11 +96,6 @@ void help_print_lab(void)
         printf("  %-14s %s\n", info->name, info->description);
     }
     puts("\nParameters, for --set PATH=VALUE:");
-    int count;
-    const skv_lab_parameter *parameters = skv_lab_parameters(&count);
-    for (int i = 0; i < count; i++) {
-        printf("  %s  ", parameters[i].path);
-        print_range(&parameters[i]);
-        printf("\n      %s\n", parameters[i].help);
-    }
+    for (int i = 0; skv_lab_parameter(i); i++)
+        print_field(skv_lab_parameter(i));
 }

@@ -51,7 +51,8 @@ typedef enum skv_result {
     SKV_ERROR_FORMAT, /* a file's content is not what it claims to be */
     SKV_ERROR_VALUE,  /* a value is not finite, out of its range or of the wrong kind */
     SKV_ERROR_LIMIT,  /* more of something than this build or this object holds */
-    SKV_ERROR_DEVICE  /* the graphics device or a helper program is not available */
+    SKV_ERROR_DEVICE, /* the graphics device or a helper program is not available */
+    SKV_STOPPED       /* the caller's own callback said to stop: no failure */
 } skv_result;
 
 /* A short English name of a result, such as "bad value". Never null. Thread-safe. */

@@ -7,6 +7,7 @@
 #define SKVALP_EXPERIMENTS_H
 
 #include "skvalp/base.h"
+#include "skvalp/scene.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -22,32 +23,18 @@ typedef struct skv_experiment {
 /* The experiments in the order in which they are presented; null past the last. Static. */
 SKV_API const skv_experiment *skv_experiment_info(int i);
 
-/* A parameter of the experiments. A path without a dot and those that begin with "fluid." concern
- * all experiments, the others the one they name. */
-typedef struct skv_lab_parameter {
-    const char *path; /* "u-tube.arm" */
-    const char *unit; /* "m"; never null */
-    double minimum, maximum, value;
-    const char *choices; /* "calibrated|clavet": the value is the choice's number; else null */
-    bool whole;          /* whole numbers only */
-    const char *help;    /* one line */
-} skv_lab_parameter;
+/* The parameters of the experiments in documentation order; null past the last. Static. A path
+ * without a dot and those that begin with "fluid." concern all experiments (the latter are those of
+ * scenes), the others the one they name. */
+SKV_API const skv_field *skv_lab_parameter(int i);
 
-/* All parameters with their defaults, in documentation order. Static. */
-SKV_API const skv_lab_parameter *skv_lab_parameters(int *count);
-
-/* One "path=value". */
-typedef struct skv_lab_setting {
-    const char *path;
-    const char *value;
-} skv_lab_setting;
-
-/* Told about an experiment's progress, 0..1; return false to stop it (SKV_ERROR_LIMIT). */
+/* Told about an experiment's progress, 0..1; return false to stop it, which skv_experiment_run
+ * reports as SKV_STOPPED. */
 typedef bool skv_lab_progress(double share, void *user);
 
 /* How to run an experiment. Initialise with skv_default_lab_options. */
 typedef struct skv_lab_options {
-    const skv_lab_setting *settings; /* applied in order */
+    const skv_setting *settings; /* applied in order */
     int setting_count;
     int threads; /* as in skv_world_def */
     skv_lab_progress *progress;

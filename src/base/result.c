@@ -27,6 +27,8 @@ const char *skv_result_text(skv_result result)
         return "limit exceeded";
     case SKV_ERROR_DEVICE:
         return "device not available";
+    case SKV_STOPPED:
+        return "stopped";
     }
     return "unknown result";
 }

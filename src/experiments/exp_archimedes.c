@@ -6,57 +6,45 @@
 #include "experiments/experiment.h"
 #include "experiments/theory.h"
 
-#include <math.h>
-
 enum { WAIT = 6, WATCH = 4, MAX_SAMPLES = 1000 };
+enum { SIZE, DEPTH };
 enum { C_DENSITY, C_GRAVITY, C_AREA };
 
-static skv_result build(stage *s, double size, double depth, skv_instrument *meter,
-                        skv_error *error)
+static skv_instrument build(stage *s, double size, double depth)
 {
     double width = 5 * size, below = size, level = below + size + depth;
     double x = width / 2 - size / 2, margin = size / 4;
-    skv_stage_choose_spacing(s, width * level - size * size, 1);
+    s->total = WAIT + WATCH;
     stage_plan plan = {.width = width,
                        .height = level + size,
-                       .solids = {skv_solid_box(x, below, x + size, below + size)},
-                       .solid_count = 1,
+                       .solids = 1,
+                       .solid = {skv_shape_box(x, below, x + size, below + size)},
+                       .waters = 1,
+                       .water = {skv_shape_box(0, 0, width, level)},
                        .depth = level,
-                       .gravity_y = -s->settings->value[PARAM_GRAVITY]};
-    skv_result result = skv_stage_check_passage(s, "archimedes.size", fmin(size, depth), error);
-    if (result == SKV_OK)
-        result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, 0, width, level, NULL, NULL, error);
-    if (result == SKV_OK)
-        result = skv_stage_add(s, SKV_INSTRUMENT_FORCE, x - margin, below - margin,
-                               x + size + margin, below + size + margin, WATCH, meter, error);
-    return result;
+                       .gravity_y = -skv_stage_gravity(s)};
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, SIZE, 1);
+    skv_stage_check_passage(s, DEPTH, 1);
+    return skv_stage_add(s, SKV_INSTRUMENT_FORCE, x - margin, below - margin, x + size + margin,
+                         below + size + margin, WATCH);
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    double size = skv_settings_length(s->settings, PARAM_BODY_SIZE);
-    double depth = skv_settings_length(s->settings, PARAM_BODY_DEPTH);
-    skv_instrument meter;
-    s->total = WAIT + WATCH;
-    skv_result result = build(s, size, depth, &meter, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, WAIT, error);
-    for (int i = 0; i < WATCH * 60 && result == SKV_OK; i++)
-        result = skv_stage_frame(s, error);
-    if (result != SKV_OK)
-        return result;
-    found->measured[0] = skv_lab_reading(s->lab, meter, 1);
+    double size = skv_stage_length(s, SIZE);
+    skv_instrument meter = build(s, size, skv_stage_length(s, DEPTH));
+    skv_stage_wait(s, WAIT);
+    skv_stage_watch(s, WATCH);
+    found->measured[0] = skv_stage_read(s, meter, 1);
     double times[MAX_SAMPLES], force[MAX_SAMPLES];
-    int count = skv_lab_history(s->lab, meter, 1, times, force, MAX_SAMPLES);
+    int count = skv_stage_history(s, meter, 1, times, force, MAX_SAMPLES);
     skv_plot_begin(&found->plot, "measured", CURVE_LINE);
     for (int i = 0; i < count; i++)
         skv_plot_point(&found->plot, times[i], force[i]);
-    found->condition[C_DENSITY] = s->settings->value[PARAM_DENSITY];
-    found->condition[C_GRAVITY] = s->settings->value[PARAM_GRAVITY];
+    found->condition[C_DENSITY] = skv_stage_density(s);
+    found->condition[C_GRAVITY] = skv_stage_gravity(s);
     found->condition[C_AREA] = size * size;
-    return SKV_OK;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -70,6 +58,13 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 
 const experiment skv_exp_archimedes = {
     .info = {"archimedes", "Archimedes' force", "What water at rest does to a body held in it."},
+    .parameters =
+        {
+            [SIZE] = {"archimedes.size", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.2",
+                      "side of the square body"},
+            [DEPTH] = {"archimedes.depth", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.2",
+                       "depth of its upper side below the surface"},
+        },
     .x_label = "time (s)",
     .y_label = "force upwards (N)",
     .count = 1,

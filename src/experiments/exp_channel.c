@@ -11,6 +11,7 @@
 #include <math.h>
 
 enum { WAIT = 12, WATCH = 12, LAYERS = 12 };
+enum { LENGTH, HEIGHT, SPEED, FRICTION, VISCOSITY };
 
 /* In heights of the channel. */
 #define BLOCK 0.6 /* height of the block */
@@ -22,28 +23,32 @@ typedef struct flume {
     skv_instrument layers[LAYERS];
 } flume;
 
-static skv_result build(stage *s, flume *f, skv_error *error)
+static void build(stage *s, flume *f)
 {
     double turn = TURN * f->channel;
     f->width = f->length + 2 * turn;
     f->top = (1 + BLOCK) * f->channel;
     f->surface = f->top + ABOVE * f->channel;
-    s->fluid.wall_friction = (float)s->settings->value[PARAM_CHANNEL_FRICTION];
-    s->fluid.viscosity_linear = (float)s->settings->value[PARAM_CHANNEL_VISCOSITY];
-    skv_stage_choose_spacing(s, f->width * f->surface - f->length * BLOCK * f->channel, 1.5);
+    s->total = WAIT + WATCH;
+    skv_stage_set(s, "fluid.wall_friction", skv_stage_value(s, FRICTION));
+    skv_stage_set(s, "fluid.viscosity_linear", skv_stage_value(s, VISCOSITY));
     stage_plan plan = {
         .width = f->width,
         .height = f->surface + f->channel,
-        .solids = {skv_solid_box(turn, f->channel, f->width - turn, f->top)},
-        .solid_count = 1,
+        .solids = 1,
+        .solid = {skv_shape_box(turn, f->channel, f->width - turn, f->top)},
+        .waters = 1,
+        .water = {skv_shape_box(0, 0, f->width, f->surface)},
         .depth = f->surface,
-        .gravity_y = -s->settings->value[PARAM_GRAVITY],
+        .gravity_y = -skv_stage_gravity(s),
+        .share = 1.5,
     };
-    skv_result result = skv_stage_check_passage(s, "channel.height", f->channel, error);
-    if (result == SKV_OK)
-        result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, 0, f->width, f->surface, NULL, NULL, error);
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, HEIGHT, 1);
+}
+
+static void start_pump(stage *s, const flume *f)
+{
     skv_hand pump = skv_default_hand();
     pump.x = (float)(f->width / 2);
     pump.y = (float)(f->top + ABOVE * f->channel / 2);
@@ -51,22 +56,18 @@ static skv_result build(stage *s, flume *f, skv_error *error)
     pump.attraction = 0;
     pump.friction = 0;
     pump.follow = 10;
-    pump.vx =
-        (float)(-s->settings->value[PARAM_CHANNEL_SPEED] * sqrt(s->settings->value[PARAM_SCALE]));
-    if (result == SKV_OK)
-        result = skv_world_set_hands(s->world, &pump, 1, error);
-    return result;
+    pump.vx = (float)(-skv_stage_value(s, SPEED) * sqrt(s->settings.common[PARAM_SCALE]));
+    if (skv_stage_ok(s))
+        skv_stage_keep(s, skv_world_set_hands(s->world, &pump, 1, s->error));
 }
 
-static skv_result add_layers(stage *s, flume *f, skv_error *error)
+static void add_layers(stage *s, flume *f)
 {
-    skv_result result = SKV_OK;
     double middle = (f->width - f->length) / 2 + 0.75 * f->length, half = f->length / 10;
-    for (int i = 0; i < LAYERS && result == SKV_OK; i++)
-        result = skv_stage_add(s, SKV_INSTRUMENT_REGION, middle - half, f->channel * i / LAYERS,
-                               middle + half, f->channel * (i + 1) / LAYERS, WATCH, &f->layers[i],
-                               error);
-    return result;
+    for (int i = 0; i < LAYERS; i++)
+        f->layers[i] =
+            skv_stage_add(s, SKV_INSTRUMENT_REGION, middle - half, f->channel * i / LAYERS,
+                          middle + half, f->channel * (i + 1) / LAYERS, WATCH);
 }
 
 /* Least squares of v = a + b e^2, e from -1 at the floor to 1 at the block; returns R^2. */
@@ -91,30 +92,23 @@ static double fit_parabola(const double *v, int count, double *a, double *b)
     return 1 - miss / spread;
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    flume f = {.length = skv_settings_length(s->settings, PARAM_CHANNEL_LENGTH),
-               .channel = skv_settings_length(s->settings, PARAM_CHANNEL_HEIGHT)};
-    s->total = WAIT + WATCH;
-    skv_result result = build(s, &f, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, WAIT, error);
-    if (result == SKV_OK)
-        result = add_layers(s, &f, error);
-    for (int i = 0; i < WATCH * 60 && result == SKV_OK; i++)
-        result = skv_stage_frame(s, error);
-    if (result != SKV_OK)
-        return result;
+    flume f = {.length = skv_stage_length(s, LENGTH), .channel = skv_stage_length(s, HEIGHT)};
+    build(s, &f);
+    start_pump(s, &f);
+    skv_stage_wait(s, WAIT);
+    add_layers(s, &f);
+    skv_stage_watch(s, WATCH);
     double speeds[LAYERS], a, b;
     skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
     for (int i = 0; i < LAYERS; i++) {
-        speeds[i] = skv_lab_reading(s->lab, f.layers[i], 4);
+        speeds[i] = skv_stage_read(s, f.layers[i], 4);
         skv_plot_point(&found->plot, (i + 0.5) / LAYERS, speeds[i]);
     }
     found->measured[0] = fit_parabola(speeds, LAYERS, &a, &b);
     found->condition[0] = a;
     found->condition[1] = b;
-    return SKV_OK;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -130,6 +124,19 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 const experiment skv_exp_channel = {
     .info = {"channel", "Flow through a channel",
              "A flume drives water through a channel: the profile of its speed is a parabola."},
+    .parameters =
+        {
+            [LENGTH] = {"channel.length", SKV_FIELD_NUMBER, "m", 0.4, 4, NULL, "1.2",
+                        "length of the channel under the block"},
+            [HEIGHT] = {"channel.height", SKV_FIELD_NUMBER, "m", 0.04, 0.6, NULL, "0.2",
+                        "height of the channel"},
+            [SPEED] = {"channel.speed", SKV_FIELD_NUMBER, "m/s", 0.02, 10, NULL, "3",
+                       "speed to which the pump drags the water above the block"},
+            [FRICTION] = {"channel.friction", SKV_FIELD_NUMBER, "", 0, 1, NULL, "1",
+                          "share of the speed along a wall lost in 1/60 s"},
+            [VISCOSITY] = {"channel.viscosity", SKV_FIELD_NUMBER, "1/s", 0, 1000, NULL, "150",
+                           "linear viscosity sigma of the fluid in the channel"},
+        },
     .x_label = "height / height of the channel",
     .y_label = "speed along the channel (m/s)",
     .count = 1,

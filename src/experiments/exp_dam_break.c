@@ -9,6 +9,7 @@
 #include <math.h>
 
 enum { WAIT = 3, MAX_SAMPLES = 600 };
+enum { WIDTH };
 
 #define ASPECT 2.0
 #define LENGTH 6.0 /* of the floor, in widths of the column */
@@ -25,55 +26,40 @@ static double front_at(const double *times, const double *fronts, int count, dou
     return (double)NAN;
 }
 
-static skv_result build(stage *s, double a, skv_instrument *front, skv_error *error)
+static skv_instrument build(stage *s, double a)
 {
-    skv_stage_choose_spacing(s, ASPECT * a * a, 1);
-    skv_result result = skv_stage_check_passage(s, "dam-break.width", a, error);
-    if (result != SKV_OK)
-        return result;
     stage_plan plan = {.width = LENGTH * a,
                        .height = 1.5 * ASPECT * a,
-                       .solids = {skv_solid_box(a, -1, 1.3 * a, 2 * ASPECT * a)},
-                       .solid_count = 1,
+                       .solids = 1,
+                       .solid = {skv_shape_box(a, -1, 1.3 * a, 2 * ASPECT * a)},
+                       .waters = 1,
+                       .water = {skv_shape_box(0, 0, a, ASPECT * a)},
                        .depth = ASPECT * a,
-                       .gravity_y = -s->settings->value[PARAM_GRAVITY]};
-    result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, 0, a, ASPECT * a, NULL, NULL, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, WAIT, error);
-    plan.solid_count = 0;
-    if (result == SKV_OK)
-        result = skv_stage_rebuild(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, 0.2 * a, s->spacing, LENGTH * a, s->spacing,
-                               0, front, error);
-    if (result == SKV_OK)
-        result = skv_lab_sample(s->lab, s->world, error);
-    return result;
+                       .gravity_y = -skv_stage_gravity(s)};
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, WIDTH, 1);
+    skv_stage_wait(s, WAIT);
+    plan.solids = 0;
+    skv_stage_rebuild(s, &plan);
+    return skv_stage_add(s, SKV_INSTRUMENT_LEVEL, 0.2 * a, s->spacing, LENGTH * a, s->spacing, 0);
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    double a = skv_settings_length(s->settings, PARAM_DAM_WIDTH);
-    double gravity = s->settings->value[PARAM_GRAVITY];
-    double unit = sqrt(a / gravity / ASPECT); /* of T, s */
+    double a = skv_stage_length(s, WIDTH);
+    double unit = sqrt(a / skv_stage_gravity(s) / ASPECT); /* of T, s */
     double watch = (skv_theory_dam[DAM_POINTS - 1].time + 0.1) * unit;
-    skv_instrument gauge;
     s->total = WAIT + watch;
-    skv_result result = build(s, a, &gauge, error);
-    for (int i = 0; i < (int)(watch * 60) + 2 && result == SKV_OK; i++)
-        result = skv_stage_frame(s, error);
-    if (result != SKV_OK)
-        return result;
+    skv_instrument gauge = build(s, a);
+    skv_stage_sample(s);
+    skv_stage_watch(s, watch + 1.0 / 60);
     double times[MAX_SAMPLES], fronts[MAX_SAMPLES];
-    int count = skv_lab_history(s->lab, gauge, 1, times, fronts, MAX_SAMPLES);
+    int count = skv_stage_history(s, gauge, 1, times, fronts, MAX_SAMPLES);
     skv_plot_begin(&found->plot, "measured", CURVE_LINE);
     for (int i = 0; i < count; i++)
         skv_plot_point(&found->plot, times[i] / unit, fronts[i] / a);
     for (int i = 0; i < DAM_POINTS; i++)
         found->point[i] = front_at(times, fronts, count, skv_theory_dam[i].time * unit) / a;
-    return SKV_OK;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -89,6 +75,11 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 const experiment skv_exp_dam_break = {
     .info = {"dam-break", "Dam break",
              "A column of water collapses on a dry floor: where its front is, and when."},
+    .parameters =
+        {
+            [WIDTH] = {"dam-break.width", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.3",
+                       "width of the column; it is twice as high"},
+        },
     .x_label = "T = t sqrt(2 g / a)",
     .y_label = "front Z = x / a",
     .count = 1,

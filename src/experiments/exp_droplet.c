@@ -11,18 +11,8 @@
 #include <math.h>
 
 enum { LONGEST = 60, CROSSINGS = 3 };
+enum { RADIUS, ASPECT };
 enum { C_TIME };
-
-typedef struct ellipse {
-    double x, y, a, b;
-} ellipse;
-
-static bool inside(float x, float y, void *user)
-{
-    const ellipse *e = user;
-    double dx = ((double)x - e->x) / e->a, dy = ((double)y - e->y) / e->b;
-    return dx * dx + dy * dy < 1;
-}
 
 /* Second moments about the centre. */
 typedef struct moments {
@@ -57,14 +47,14 @@ static double axes(moments m)
     return sqrt((mean - root) / (mean + root));
 }
 
-static skv_result watch(stage *s, findings *found, double limit, skv_error *error)
+static void watch(stage *s, findings *found, double limit)
 {
     moments now = {0}, before = {0}, sum = {0};
     int escaped = 0, crossings = 0, counted = 0, frame = 0;
-    skv_result result = SKV_OK;
-    for (; frame <= LONGEST * 60 && crossings < CROSSINGS && result == SKV_OK; frame++) {
+    skv_plot_begin(&found->plot, "measured", CURVE_LINE);
+    for (; frame <= LONGEST * 60 && crossings < CROSSINGS && skv_stage_ok(s); frame++) {
         if (frame > 0)
-            result = skv_stage_wait(s, 1 / 60.0, error);
+            skv_stage_wait(s, 1 / 60.0);
         skv_particles p = skv_world_particles(s->world);
         now = moments_of(&p, limit, &escaped);
         crossings += frame > 0 && (now.xx > now.yy) != (before.xx > before.yy);
@@ -78,27 +68,23 @@ static skv_result watch(stage *s, findings *found, double limit, skv_error *erro
     found->measured[0] = axes(counted ? sum : now);
     found->measured[1] = escaped;
     found->condition[C_TIME] = (frame - 1) / 60.0;
-    return result;
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    double radius = skv_settings_length(s->settings, PARAM_DROPLET_RADIUS);
-    double aspect = s->settings->value[PARAM_DROPLET_ASPECT];
-    double room = 5 * radius * sqrt(aspect), pi = 3.14159265358979323846;
-    ellipse e = {room / 2, room / 2, radius * sqrt(aspect), radius / sqrt(aspect)};
-    skv_stage_choose_spacing(s, pi * radius * radius, 1);
-    stage_plan plan = {.width = room, .height = room, .depth = 2 * e.a};
+    double radius = skv_stage_length(s, RADIUS), stretch = sqrt(skv_stage_value(s, ASPECT));
+    double room = 5 * radius * stretch;
     s->total = LONGEST;
-    skv_result result = skv_stage_check_passage(s, "droplet.radius", e.b, error);
-    if (result == SKV_OK)
-        result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, e.x - e.a, e.y - e.b, e.x + e.a, e.y + e.b, inside, &e, error);
-    skv_plot_begin(&found->plot, "measured", CURVE_LINE);
-    if (result == SKV_OK)
-        result = watch(s, found, 1.3 * radius, error);
-    return result;
+    stage_plan plan = {
+        .width = room,
+        .height = room,
+        .waters = 1,
+        .water = {skv_shape_ellipse(room / 2, room / 2, radius * stretch, radius / stretch)},
+        .depth = 2 * radius * stretch,
+    };
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, RADIUS, 1 / stretch);
+    watch(s, found, 1.3 * radius);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -112,6 +98,13 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 
 const experiment skv_exp_droplet = {
     .info = {"droplet", "Droplet without gravity", "An elongated droplet pulls itself round."},
+    .parameters =
+        {
+            [RADIUS] = {"droplet.radius", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.25",
+                        "radius of the circle of the same area"},
+            [ASPECT] = {"droplet.aspect", SKV_FIELD_NUMBER, "", 1, 3, NULL, "1.5",
+                        "length over width at the start"},
+        },
     .x_label = "time (s)",
     .y_label = "shorter / longer axis",
     .count = 2,

@@ -8,9 +8,9 @@
 #include "experiments/theory.h"
 
 #include <math.h>
-#include <stdio.h>
 
 enum { LAYERS = 6, GAUGES = 9, WAIT = 6, WATCH = 3 };
+enum { WIDTH, DEPTH };
 
 /* Conditions: the layers' depths first. */
 enum { C_DENSITY = LAYERS, C_GRAVITY, C_FILLED };
@@ -20,69 +20,55 @@ typedef struct pool {
     skv_instrument gauges[GAUGES], layers[LAYERS];
 } pool;
 
-static skv_result build(stage *s, pool *p, skv_error *error)
+static void build(stage *s, pool *p)
 {
-    skv_stage_choose_spacing(s, p->width * p->depth, 1);
+    s->total = WAIT + WATCH;
     stage_plan plan = {.width = p->width,
                        .height = 1.4 * p->depth,
+                       .waters = 1,
+                       .water = {skv_shape_box(0, 0, p->width, p->depth)},
                        .depth = p->depth,
-                       .gravity_y = -s->settings->value[PARAM_GRAVITY]};
-    s->total = WAIT + WATCH;
-    skv_result result = skv_stage_check_passage(s, "hydrostatics.depth", p->depth, error);
-    if (result == SKV_OK)
-        result = skv_stage_check_passage(s, "hydrostatics.width", p->width / 5, error);
-    if (result == SKV_OK)
-        result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, 0, p->width, p->depth, NULL, NULL, error);
-    for (int i = 0; i < GAUGES && result == SKV_OK; i++) {
+                       .gravity_y = -skv_stage_gravity(s)};
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, DEPTH, 1);
+    skv_stage_check_passage(s, WIDTH, 0.2);
+    for (int i = 0; i < GAUGES; i++) {
         double x = p->width * (0.25 + 0.5 * i / (GAUGES - 1));
-        result = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, 1.4 * p->depth, WATCH,
-                               &p->gauges[i], error);
+        p->gauges[i] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, 1.4 * p->depth, WATCH);
     }
-    return result;
 }
 
 /* Layers need to know the level, so they are set up when the water is calm. */
-static skv_result add_layers(stage *s, pool *p, skv_error *error)
+static void add_layers(stage *s, pool *p)
 {
-    skv_result result = skv_lab_sample(s->lab, s->world, error);
+    skv_stage_sample(s);
     double thickness = skv_stage_mean_level(s, p->gauges, GAUGES) / LAYERS,
            away = fmin(4 * s->h, 0.4 * p->width);
-    for (int i = 0; i < LAYERS && result == SKV_OK; i++)
-        result = skv_stage_add(s, SKV_INSTRUMENT_REGION, away, i * thickness, p->width - away,
-                               (i + 1) * thickness, WATCH, &p->layers[i], error);
-    return result;
+    for (int i = 0; i < LAYERS; i++)
+        p->layers[i] = skv_stage_add(s, SKV_INSTRUMENT_REGION, away, i * thickness, p->width - away,
+                                     (i + 1) * thickness, WATCH);
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    pool p = {.width = skv_settings_length(s->settings, PARAM_POOL_WIDTH),
-              .depth = skv_settings_length(s->settings, PARAM_POOL_DEPTH)};
-    skv_result result = build(s, &p, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, WAIT, error);
-    if (result == SKV_OK)
-        result = add_layers(s, &p, error);
-    for (int i = 0; i < WATCH * 60 && result == SKV_OK; i++)
-        result = skv_stage_frame(s, error);
-    if (result != SKV_OK)
-        return result;
+    pool p = {.width = skv_stage_length(s, WIDTH), .depth = skv_stage_length(s, DEPTH)};
+    build(s, &p);
+    skv_stage_wait(s, WAIT);
+    add_layers(s, &p);
+    skv_stage_watch(s, WATCH);
     double surface = skv_stage_mean_level(s, p.gauges, GAUGES);
     skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
     for (int i = 0; i < LAYERS; i++) {
         /* From the surface down. */
         skv_instrument layer = p.layers[LAYERS - 1 - i];
-        found->measured[i] = skv_lab_reading(s->lab, layer, 6);
-        found->condition[i] = surface - skv_lab_reading(s->lab, layer, 3);
+        found->measured[i] = skv_stage_read(s, layer, 6);
+        found->condition[i] = surface - skv_stage_read(s, layer, 3);
         skv_plot_point(&found->plot, found->condition[i], found->measured[i]);
     }
-    int particles = skv_world_particle_count(s->world);
     found->measured[LAYERS] = surface * p.width;
-    found->condition[C_FILLED] = particles * s->spacing * s->spacing;
-    found->condition[C_DENSITY] = s->settings->value[PARAM_DENSITY];
-    found->condition[C_GRAVITY] = s->settings->value[PARAM_GRAVITY];
-    return SKV_OK;
+    found->condition[C_FILLED] = skv_stage_area(s);
+    found->condition[C_DENSITY] = skv_stage_density(s);
+    found->condition[C_GRAVITY] = skv_stage_gravity(s);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -100,6 +86,13 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 const experiment skv_exp_hydrostatics = {
     .info = {"hydrostatics", "Pressure in a pool",
              "A pool at rest: the pressure in six layers, and the volume of the whole."},
+    .parameters =
+        {
+            [WIDTH] = {"hydrostatics.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1",
+                       "width of the pool"},
+            [DEPTH] = {"hydrostatics.depth", SKV_FIELD_NUMBER, "m", 0.1, 2, NULL, "0.5",
+                       "depth of the pool"},
+        },
     .x_label = "depth below the surface (m)",
     .y_label = "pressure (Pa m)",
     .count = LAYERS + 1,

@@ -8,43 +8,50 @@
 #include <math.h>
 
 enum { SECONDS = 10 };
+enum { SIZE, SPEED, SPIN };
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+/* Adds a rotation about a point. */
+static void spin_up(stage *s, double spin, double x, double y)
 {
-    double size = skv_settings_length(s->settings, PARAM_BLOB_SIZE);
-    double speed = s->settings->value[PARAM_BLOB_SPEED];
-    double spin = s->settings->value[PARAM_BLOB_SPIN], vx = 0.8 * speed, vy = 0.6 * speed;
-    double room = 2.5 * size + SECONDS * speed, middle = room / 2;
-    skv_stage_choose_spacing(s, size * size, 1);
-    stage_plan plan = {.width = room, .height = room, .depth = size};
-    s->total = SECONDS;
-    skv_instrument all;
-    skv_result result = skv_stage_check_passage(s, "momentum.size", size, error);
-    if (result == SKV_OK)
-        result = skv_stage_build(s, &plan, error);
-    double x0 = middle - size / 2 - vx * SECONDS / 2, y0 = middle - size / 2 - vy * SECONDS / 2;
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, x0, y0, x0 + size, y0 + size, NULL, NULL, error);
-    skv_particles p = {0};
-    if (result == SKV_OK)
-        p = skv_world_particles(s->world);
-    for (int i = 0; i < p.count && result == SKV_OK; i++) {
-        double turn_x = -spin * ((double)p.y[i] - y0 - size / 2);
-        double turn_y = spin * ((double)p.x[i] - x0 - size / 2);
-        result = skv_world_add_velocity(s->world, i, 1, (float)(vx + turn_x), (float)(vy + turn_y),
-                                        error);
+    int count = skv_stage_ok(s) ? skv_world_particle_count(s->world) : 0;
+    for (int i = 0; i < count && skv_stage_ok(s); i++) {
+        skv_particles p = skv_world_particles(s->world);
+        float vx = (float)(-spin * ((double)p.y[i] - y)), vy = (float)(spin * ((double)p.x[i] - x));
+        skv_stage_keep(s, skv_world_add_velocity(s->world, i, 1, vx, vy, s->error));
     }
-    if (result == SKV_OK)
-        result =
-            skv_stage_add(s, SKV_INSTRUMENT_REGION, -1, -1, room + 1, room + 1, 0, &all, error);
+}
+
+static skv_instrument build(stage *s)
+{
+    double size = skv_stage_length(s, SIZE), speed = skv_stage_value(s, SPEED);
+    double vx = 0.8 * speed, vy = 0.6 * speed;
+    double room = 2.5 * size + SECONDS * speed;
+    double x = (room - vx * SECONDS) / 2, y = (room - vy * SECONDS) / 2;
+    s->total = SECONDS;
+    stage_plan plan = {
+        .width = room,
+        .height = room,
+        .waters = 1,
+        .water = {skv_shape_box(x - size / 2, y - size / 2, x + size / 2, y + size / 2)},
+        .depth = size,
+    };
+    plan.water[0].vx = vx;
+    plan.water[0].vy = vy;
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, SIZE, 1);
+    spin_up(s, skv_stage_value(s, SPIN), x, y);
+    return skv_stage_add(s, SKV_INSTRUMENT_REGION, -1, -1, room + 1, room + 1, 0);
+}
+
+static void measure(stage *s, findings *found)
+{
+    skv_instrument all = build(s);
     double start_x = 0, start_y = 0, drift = 0;
     skv_plot_begin(&found->plot, "measured", CURVE_LINE);
-    for (int second = 0; second <= SECONDS && result == SKV_OK; second++) {
-        if (second > 0)
-            result = skv_stage_wait(s, 1, error);
-        if (result == SKV_OK)
-            result = skv_lab_sample(s->lab, s->world, error);
-        double now_x = skv_lab_reading(s->lab, all, 4), now_y = skv_lab_reading(s->lab, all, 5);
+    for (int second = 0; second <= SECONDS; second++) {
+        skv_stage_wait(s, second > 0);
+        skv_stage_sample(s);
+        double now_x = skv_stage_read(s, all, 4), now_y = skv_stage_read(s, all, 5);
         if (second == 0) {
             start_x = now_x;
             start_y = now_y;
@@ -55,7 +62,6 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
         skv_plot_point(&found->plot, second, change);
     }
     found->measured[0] = drift;
-    return result;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -70,6 +76,15 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 const experiment skv_exp_momentum = {
     .info = {"momentum", "Momentum",
              "A blob without gravity drifts and turns: its momentum stays as it was."},
+    .parameters =
+        {
+            [SIZE] = {"momentum.size", SKV_FIELD_NUMBER, "m", 0.05, 2, NULL, "0.5",
+                      "side of the square blob"},
+            [SPEED] = {"momentum.speed", SKV_FIELD_NUMBER, "m/s", 0.001, 1, NULL, "0.3",
+                       "speed with which it drifts"},
+            [SPIN] = {"momentum.spin", SKV_FIELD_NUMBER, "1/s", 0, 5, NULL, "0.5",
+                      "its angular velocity"},
+        },
     .x_label = "time (s)",
     .y_label = "change of momentum / momentum",
     .count = 1,

@@ -11,6 +11,7 @@
 #include <math.h>
 
 enum { WAIT = 3, GAUGES = 5 };
+enum { WIDTH, DEPTH, SLOT };
 /* How far the jet is below the surface: on average, at the start and at the end of watching. */
 enum { C_GRAVITY, C_FALL, C_FALL_START, C_FALL_END, C_TIME };
 
@@ -24,124 +25,105 @@ enum { C_GRAVITY, C_FALL, C_FALL_START, C_FALL_END, C_TIME };
 #define WATCH 0.6
 
 typedef struct tank {
-    double width, depth, slot, gravity;
+    double width, depth, slot;
     double floor, low, high; /* heights of the tank's floor and the slot's edges */
     skv_instrument gauges[GAUGES], gate, section;
 } tank;
 
-static solid bevel(double x, double width, double edge, double far)
+static shape bevel(double x, double width, double edge, double far)
 {
     /* From the sharp edge on the inside at 45 degrees outwards. */
     double up = far > edge ? width : -width;
-    if (far > edge)
-        return (solid){4, {x, x + width, x + width, x}, {edge, edge + up, far, far}};
-    return (solid){4, {x, x, x + width, x + width}, {edge, far, far, edge + up}};
+    return (shape){4, {x, x + width, x + width, x}, {edge, edge + up, far, far}, 0, 0};
 }
 
-static stage_plan draw(const tank *t, bool plugged)
+static stage_plan draw(const stage *s, const tank *t, bool plugged)
 {
     double wall = WALL * t->slot, height = t->floor + t->depth + 2 * t->slot;
-    stage_plan plan = {.width = t->width + wall + OUTSIDE * t->slot,
-                       .height = height,
-                       .open_sides = SKV_SIDE_RIGHT | SKV_SIDE_BOTTOM,
-                       .depth = t->depth,
-                       .gravity_y = -t->gravity};
-    plan.solids[0] = skv_solid_box(-1, -1, t->width + wall, t->floor);
-    plan.solids[1] = bevel(t->width, wall, t->low, -1);
-    plan.solids[2] = bevel(t->width, wall, t->high, height + 1);
-    plan.solids[3] = skv_solid_box(t->width, t->low - wall, t->width + wall, t->high + wall);
-    plan.solid_count = plugged ? 4 : 3;
-    return plan;
+    return (stage_plan){
+        .width = t->width + wall + OUTSIDE * t->slot,
+        .height = height,
+        .open_right = true,
+        .open_bottom = true,
+        .solids = plugged ? 4 : 3,
+        .solid = {skv_shape_box(-1, -1, t->width + wall, t->floor),
+                  bevel(t->width, wall, t->low, -1), bevel(t->width, wall, t->high, height + 1),
+                  skv_shape_box(t->width, t->low - wall, t->width + wall, t->high + wall)},
+        .waters = 1,
+        .water = {skv_shape_box(0, t->floor, t->width, t->floor + t->depth)},
+        .depth = t->depth,
+        .gravity_y = -skv_stage_gravity(s),
+        /* The slot is the smallest thing here: more particles than elsewhere, for ten and more
+         * spacings in it. */
+        .share = 2.5,
+    };
 }
 
-static skv_result build(stage *s, tank *t, skv_error *error)
+static void build(stage *s, tank *t)
 {
-    /* The slot is the smallest thing here: more particles than elsewhere, for ten and more spacings
-     * in it. */
-    skv_stage_choose_spacing(s, t->width * t->depth, 2.5);
-    if (t->depth < (SILL + 3) * t->slot || t->width < 4 * t->slot)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "orifice.slot: it must not exceed a quarter of the width and two ninths of "
-                        "the depth");
-    skv_result result = skv_stage_check_passage(s, "orifice.slot", t->slot, error);
-    if (result != SKV_OK)
-        return result;
-    stage_plan plan = draw(t, true);
-    result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, t->floor, t->width, t->floor + t->depth, NULL, NULL, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, WAIT, error);
-    plan = draw(t, false);
-    if (result == SKV_OK)
-        result = skv_stage_rebuild(s, &plan, error);
-    for (int i = 0; i < GAUGES && result == SKV_OK; i++) {
+    skv_stage_require(s, t->depth >= (SILL + 3) * t->slot && t->width >= 4 * t->slot,
+                      "orifice.slot: it must not exceed a quarter of the width and two ninths of "
+                      "the depth");
+    stage_plan plan = draw(s, t, true);
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, SLOT, 1);
+    skv_stage_wait(s, WAIT);
+    plan = draw(s, t, false);
+    skv_stage_rebuild(s, &plan);
+    for (int i = 0; i < GAUGES; i++) {
         double x = t->width * (0.1 + 0.5 * i / (GAUGES - 1));
-        result = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, t->floor, x, t->floor + 1.2 * t->depth,
-                               0, &t->gauges[i], error);
+        t->gauges[i] =
+            skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, t->floor, x, t->floor + 1.2 * t->depth, 0);
     }
-    return result;
 }
 
 /* The gate, and around it half a slot height of the jet. */
-static skv_result add_jet_instruments(stage *s, tank *t, double watch, skv_error *error)
+static void add_jet_instruments(stage *s, tank *t, double watch)
 {
     double x = t->width + 1.2 * t->slot, low = t->low - 2 * t->slot, high = t->high + t->slot;
-    skv_result result =
-        skv_stage_add(s, SKV_INSTRUMENT_GATE, x, low, x, high, watch, &t->gate, error);
-    if (result == SKV_OK)
-        result = skv_stage_add(s, SKV_INSTRUMENT_REGION, x - t->slot / 4, low, x + t->slot / 4,
-                               high, watch, &t->section, error);
-    return result;
+    t->gate = skv_stage_add(s, SKV_INSTRUMENT_GATE, x, low, x, high, watch);
+    t->section =
+        skv_stage_add(s, SKV_INSTRUMENT_REGION, x - t->slot / 4, low, x + t->slot / 4, high, watch);
+    skv_stage_sample(s);
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    tank t = {.width = skv_settings_length(s->settings, PARAM_ORIFICE_WIDTH),
-              .depth = skv_settings_length(s->settings, PARAM_ORIFICE_DEPTH),
-              .slot = skv_settings_length(s->settings, PARAM_ORIFICE_SLOT),
-              .gravity = s->settings->value[PARAM_GRAVITY]};
+    tank t = {.width = skv_stage_length(s, WIDTH),
+              .depth = skv_stage_length(s, DEPTH),
+              .slot = skv_stage_length(s, SLOT)};
+    double gravity = skv_stage_gravity(s);
     t.floor = DROP * t.slot;
     t.low = t.floor + SILL * t.slot;
     t.high = t.low + t.slot;
     /* Times grow with the root of a length over gravity. */
-    double pace = sqrt(s->settings->value[PARAM_SCALE] * 9.81 / t.gravity);
-    double watch = WATCH * pace;
+    double pace = sqrt(s->settings.common[PARAM_SCALE] * 9.81 / gravity);
+    double watch = WATCH * pace, surface = 0;
     s->total = WAIT + START * pace + watch;
-    skv_result result = build(s, &t, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, START * pace, error);
-    if (result == SKV_OK)
-        result = add_jet_instruments(s, &t, watch, error);
-    if (result == SKV_OK)
-        result = skv_lab_sample(s->lab, s->world, error);
-    double start = s->world ? skv_world_time(s->world) : 0, surface = 0;
+    build(s, &t);
+    skv_stage_wait(s, START * pace);
+    add_jet_instruments(s, &t, watch);
     int frames = (int)(watch * 60);
     skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
-    for (int i = 0; i < frames && result == SKV_OK; i++) {
-        result = skv_stage_frame(s, error);
-        if (result != SKV_OK)
-            break;
+    for (int i = 0; i < frames; i++) {
+        skv_stage_watch(s, 1 / 60.0);
         surface += skv_stage_mean_level(s, t.gauges, GAUGES) / frames;
-        double times[1], speed[1];
-        skv_lab_history(s->lab, t.section, 7, times, speed, 1);
-        skv_plot_point(&found->plot, times[0] - start, speed[0]);
+        double speed = (double)NAN;
+        skv_stage_history(s, t.section, 7, NULL, &speed, 1);
+        skv_plot_point(&found->plot, (i + 1) / 60.0, speed);
         if (i == 0)
             found->condition[C_FALL_START] = skv_stage_mean_level(s, t.gauges, GAUGES);
     }
-    if (result != SKV_OK)
-        return result;
-    double jet = skv_lab_reading(s->lab, t.section, 3);
-    found->measured[0] = skv_lab_reading(s->lab, t.section, 7);
+    double jet = skv_stage_read(s, t.section, 3);
+    found->measured[0] = skv_stage_read(s, t.section, 7);
     /* The coefficient is the flow over what the whole slot would pass at sqrt(2 g head). */
     double head = surface - (t.low + t.high) / 2;
-    found->measured[1] = skv_lab_reading(s->lab, t.gate, 0) / (t.slot * sqrt(2 * t.gravity * head));
-    found->condition[C_GRAVITY] = t.gravity;
+    found->measured[1] = skv_stage_read(s, t.gate, 0) / (t.slot * sqrt(2 * gravity * head));
+    found->condition[C_GRAVITY] = gravity;
     found->condition[C_FALL] = surface - jet;
     found->condition[C_FALL_START] -= jet;
     found->condition[C_FALL_END] = skv_stage_mean_level(s, t.gauges, GAUGES) - jet;
     found->condition[C_TIME] = watch;
-    return SKV_OK;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -158,6 +140,15 @@ const experiment skv_exp_orifice = {
     .info =
         {"orifice", "Jet from an orifice",
          "Water leaves a tank through a sharp-edged slot: the jet's speed, and how much flows."},
+    .parameters =
+        {
+            [WIDTH] = {"orifice.width", SKV_FIELD_NUMBER, "m", 0.2, 3, NULL, "1",
+                       "width of the tank"},
+            [DEPTH] = {"orifice.depth", SKV_FIELD_NUMBER, "m", 0.2, 2, NULL, "0.8",
+                       "depth of the water at the start"},
+            [SLOT] = {"orifice.slot", SKV_FIELD_NUMBER, "m", 0.02, 0.4, NULL, "0.1",
+                      "height of the slot"},
+        },
     .x_label = "time (s)",
     .y_label = "speed of the jet (m/s)",
     .count = 2,

@@ -8,6 +8,7 @@
 #include <math.h>
 
 enum { SECONDS = 23 };
+enum { WIDTH, DEPTH };
 
 #define SETTLED 0.02 /* m/s */
 
@@ -25,30 +26,27 @@ static double rms_between(const double *t, const double *v, int count, double fr
     return used ? sqrt(sum / used) : (double)NAN;
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static skv_instrument build(stage *s)
 {
-    double width = skv_settings_length(s->settings, PARAM_REST_WIDTH);
-    double depth = skv_settings_length(s->settings, PARAM_REST_DEPTH);
-    skv_stage_choose_spacing(s, width * depth, 1);
+    double width = skv_stage_length(s, WIDTH), depth = skv_stage_length(s, DEPTH);
+    s->total = SECONDS;
     stage_plan plan = {.width = width,
                        .height = 1.4 * depth,
+                       .waters = 1,
+                       .water = {skv_shape_box(0, 0, width, depth)},
                        .depth = depth,
-                       .gravity_y = -s->settings->value[PARAM_GRAVITY]};
-    s->total = SECONDS;
-    skv_instrument energy;
-    skv_result result = skv_stage_check_passage(s, "rest.depth", depth, error);
-    if (result == SKV_OK)
-        result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, 0, width, depth, NULL, NULL, error);
-    if (result == SKV_OK)
-        result = skv_stage_add(s, SKV_INSTRUMENT_ENERGY, 0, 0, 0, 0, 0, &energy, error);
-    for (int i = 0; i < SECONDS * 60 && result == SKV_OK; i++)
-        result = skv_stage_frame(s, error);
-    if (result != SKV_OK)
-        return result;
+                       .gravity_y = -skv_stage_gravity(s)};
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, DEPTH, 1);
+    return skv_stage_add(s, SKV_INSTRUMENT_ENERGY, 0, 0, 0, 0, 0);
+}
+
+static void measure(stage *s, findings *found)
+{
+    skv_instrument energy = build(s);
+    skv_stage_watch(s, SECONDS);
     double times[SECONDS * 60], speeds[SECONDS * 60];
-    int count = skv_lab_history(s->lab, energy, 2, times, speeds, SECONDS * 60);
+    int count = skv_stage_history(s, energy, 2, times, speeds, SECONDS * 60);
     double settled = 0;
     skv_plot_begin(&found->plot, "rms speed", CURVE_LINE);
     for (int i = 0; i < count; i++) {
@@ -60,7 +58,6 @@ static skv_result measure(stage *s, findings *found, skv_error *error)
     found->measured[0] = settled;
     found->measured[1] = rms_between(times, speeds, count, 6, 9);
     found->measured[2] = rms_between(times, speeds, count, 20, 23);
-    return SKV_OK;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -75,6 +72,12 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 const experiment skv_exp_rest = {
     .info = {"rest", "Coming to rest",
              "A freshly filled pool: when it has settled, and how still it is then."},
+    .parameters =
+        {
+            [WIDTH] = {"rest.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1", "width of the pool"},
+            [DEPTH] = {"rest.depth", SKV_FIELD_NUMBER, "m", 0.1, 2, NULL, "0.5",
+                       "depth of the pool"},
+        },
     .x_label = "time (s)",
     .y_label = "rms speed (m/s)",
     .count = 3,

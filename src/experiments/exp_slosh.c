@@ -11,73 +11,60 @@
 #include <math.h>
 
 enum { WAIT = 4, HALF_SWINGS = 4, MAX_SAMPLES = 4000 };
+enum { WIDTH, DEPTH, ANGLE };
 enum { C_WIDTH, C_DEPTH, C_GRAVITY, C_START, C_TIME };
 
 #define PERIODS 3.5
 
-/* Water with a sloping surface. */
-typedef struct sloping {
-    double middle, depth, rise; /* m, m, 1 */
-} sloping;
+typedef struct tank {
+    double width, depth, gravity, slope;
+    skv_instrument all;
+} tank;
 
-static bool below(float x, float y, void *user)
+static void build(stage *s, tank *t)
 {
-    const sloping *s = user;
-    return (double)y < s->depth + s->rise * ((double)x - s->middle);
+    double rise = t->slope * t->width / 2, length = sqrt(1 + t->slope * t->slope);
+    skv_stage_require(s, rise < 0.75 * t->depth,
+                      "slosh.angle: the floor would fall dry; make it flatter or deeper");
+    stage_plan plan = {
+        .width = t->width,
+        .height = t->depth + 3 * rise,
+        .waters = 1,
+        .water = {{4, {0, t->width, t->width, 0}, {0, 0, t->depth + rise, t->depth - rise}, 0, 0}},
+        .depth = t->depth + rise,
+        .gravity_x = t->gravity * t->slope / length,
+        .gravity_y = -t->gravity / length};
+    skv_stage_build(s, &plan);
+    skv_stage_check_passage(s, DEPTH, 1);
+    skv_stage_wait(s, WAIT);
+    if (skv_stage_ok(s))
+        skv_stage_keep(s, skv_world_set_gravity(s->world, 0, (float)-t->gravity, s->error));
+    t->all = skv_stage_add(s, SKV_INSTRUMENT_REGION, 0, 0, t->width, plan.height, 0);
+    skv_stage_sample(s);
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    double width = skv_settings_length(s->settings, PARAM_SLOSH_WIDTH);
-    double depth = skv_settings_length(s->settings, PARAM_SLOSH_DEPTH);
-    double gravity = s->settings->value[PARAM_GRAVITY];
-    sloping start = {width / 2, depth, s->settings->value[PARAM_SLOSH_ANGLE]};
-    double rise = start.rise * width / 2;
-    if (rise >= 0.75 * depth)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "slosh.angle: the floor would fall dry; make it flatter or deeper");
-    skv_stage_choose_spacing(s, width * depth, 1);
-    double length = sqrt(1 + start.rise * start.rise);
-    stage_plan plan = {.width = width,
-                       .height = depth + 3 * rise,
-                       .depth = depth + rise,
-                       .gravity_x = gravity * start.rise / length,
-                       .gravity_y = -gravity / length};
-    double watch = fmin(PERIODS * skv_theory_slosh_period(gravity, width, depth), 60);
+    tank t = {skv_stage_length(s, WIDTH), skv_stage_length(s, DEPTH), skv_stage_gravity(s),
+              skv_stage_value(s, ANGLE), 0};
+    double watch = fmin(PERIODS * skv_theory_slosh_period(t.gravity, t.width, t.depth), 60);
     s->total = WAIT + watch;
-    skv_instrument all;
-    skv_result result = skv_stage_check_passage(s, "slosh.depth", depth, error);
-    if (result == SKV_OK)
-        result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, 0, width, depth + rise, below, &start, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, WAIT, error);
-    if (result == SKV_OK)
-        result = skv_world_set_gravity(s->world, 0, (float)-gravity, error);
-    if (result == SKV_OK)
-        result = skv_stage_add(s, SKV_INSTRUMENT_REGION, 0, 0, width, plan.height, 0, &all, error);
-    if (result == SKV_OK)
-        result = skv_lab_sample(s->lab, s->world, error);
-    for (int i = 0; i < (int)(watch * 60) && result == SKV_OK; i++)
-        result = skv_stage_frame(s, error);
-    if (result != SKV_OK)
-        return result;
+    build(s, &t);
+    skv_stage_watch(s, watch);
     double times[MAX_SAMPLES], centre[MAX_SAMPLES];
-    int count = skv_lab_history(s->lab, all, 2, times, centre, MAX_SAMPLES);
-    oscillation o = skv_oscillation_read(times, centre, count, width / 2, HALF_SWINGS);
+    int count = skv_stage_history(s, t.all, 2, times, centre, MAX_SAMPLES);
+    oscillation o = skv_oscillation_read(times, centre, count, t.width / 2, HALF_SWINGS);
     found->measured[0] = o.period;
     found->measured[1] = o.amplitude1;
     skv_plot_begin(&found->plot, "measured", CURVE_LINE);
     for (int i = 0; i < count; i++)
-        skv_plot_point(&found->plot, times[i] - times[0], centre[i] - width / 2);
-    found->condition[C_WIDTH] = width;
-    found->condition[C_DEPTH] = depth;
-    found->condition[C_GRAVITY] = gravity;
+        skv_plot_point(&found->plot, times[i] - times[0], centre[i] - t.width / 2);
+    found->condition[C_WIDTH] = t.width;
+    found->condition[C_DEPTH] = t.depth;
+    found->condition[C_GRAVITY] = t.gravity;
     /* The centre of a wedge of that slope: slope width^2 / (12 depth). */
-    found->condition[C_START] = start.rise * width * width / (12 * depth);
+    found->condition[C_START] = t.slope * t.width * t.width / (12 * t.depth);
     found->condition[C_TIME] = watch;
-    return SKV_OK;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -92,6 +79,14 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 const experiment skv_exp_slosh = {
     .info = {"slosh", "Sloshing tank",
              "The lowest standing wave of a tank: its period, and what is left after one period."},
+    .parameters =
+        {
+            [WIDTH] = {"slosh.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1.6",
+                       "width of the tank"},
+            [DEPTH] = {"slosh.depth", SKV_FIELD_NUMBER, "m", 0.05, 2, NULL, "0.4", "depth at rest"},
+            [ANGLE] = {"slosh.angle", SKV_FIELD_NUMBER, "rad", 0.02, 0.4, NULL, "0.15",
+                       "slope of the surface at the start"},
+        },
     .x_label = "time (s)",
     .y_label = "centre of mass, x - middle (m)",
     .count = 2,

@@ -11,6 +11,7 @@
 #include <math.h>
 
 enum { SECONDS = 10, SETTLE = 1 };
+enum { SIZE, SPEED, NOMINAL };
 
 /* Amplitudes, as shares of the first, between which the decay counts. */
 #define FROM 0.97
@@ -41,70 +42,78 @@ static double amplitude(const skv_world *world, double k)
     return sum / norm;
 }
 
-static skv_result start_whirl(skv_world *world, double k, double speed, skv_error *error)
+static void start_whirl(stage *s, double k, double speed)
 {
-    skv_result result = SKV_OK;
-    int count = skv_world_particle_count(world);
-    for (int i = 0; i < count && result == SKV_OK; i++) {
-        skv_particles p = skv_world_particles(world);
+    int count = skv_stage_ok(s) ? skv_world_particle_count(s->world) : 0;
+    for (int i = 0; i < count && skv_stage_ok(s); i++) {
+        skv_particles p = skv_world_particles(s->world);
         double x = (double)p.x[i], y = (double)p.y[i];
-        result = skv_world_add_velocity(world, i, 1, (float)(speed * whirl_x(k, x, y)) - p.vx[i],
-                                        (float)(speed * whirl_y(k, x, y)) - p.vy[i], error);
+        float vx = (float)(speed * whirl_x(k, x, y)) - p.vx[i];
+        float vy = (float)(speed * whirl_y(k, x, y)) - p.vy[i];
+        skv_stage_keep(s, skv_world_add_velocity(s->world, i, 1, vx, vy, s->error));
     }
-    return result;
 }
 
-/* Lets the whirl die out in a fluid and writes its kinematic viscosity. */
-static skv_result decay(stage *s, double viscosity, double *measured, skv_plot *plot,
-                        skv_error *error)
+/* A line through points. */
+typedef struct line {
+    double n, t, tt, y, ty;
+} line;
+
+static void add_to_line(line *l, double t, double y)
 {
-    double side = skv_settings_length(s->settings, PARAM_WHIRL_SIZE), k = PI / side;
-    s->fluid.viscosity = (float)viscosity;
-    s->fluid.wall_friction = 0;
-    skv_stage_choose_spacing(s, side * side, 1);
-    stage_plan plan = {.width = side, .height = side, .depth = side / 2};
-    skv_result result = skv_stage_build(s, &plan, error);
-    if (result == SKV_OK)
-        result = skv_stage_fill(s, 0, 0, side, side, NULL, NULL, error);
-    if (result == SKV_OK)
-        result = skv_stage_wait(s, SETTLE, error);
-    if (result == SKV_OK)
-        result = start_whirl(s->world, k, s->settings->value[PARAM_WHIRL_SPEED], error);
-    double first = 0, n = 0, t1 = 0, t2 = 0, y1 = 0, ty = 0;
-    for (int f = 0; f < SECONDS * 60 && result == SKV_OK; f++) {
-        result = skv_stage_wait(s, 1.0 / 60, error);
+    l->n++;
+    l->t += t;
+    l->tt += t * t;
+    l->y += y;
+    l->ty += t * y;
+}
+
+static double slope_of(const line *l)
+{
+    double spread = l->n * l->tt - l->t * l->t;
+    return spread > 0 ? (l->n * l->ty - l->t * l->y) / spread : 0;
+}
+
+/* Lets the whirl die out in a fluid; returns its kinematic viscosity. */
+static double decay(stage *s, double viscosity, skv_plot *plot)
+{
+    double side = skv_stage_length(s, SIZE), k = PI / side;
+    skv_stage_set(s, "fluid.viscosity", viscosity);
+    skv_stage_set(s, "fluid.wall_friction", 0);
+    stage_plan plan = {.width = side,
+                       .height = side,
+                       .waters = 1,
+                       .water = {skv_shape_box(0, 0, side, side)},
+                       .depth = side / 2};
+    skv_stage_build(s, &plan);
+    skv_stage_wait(s, SETTLE);
+    start_whirl(s, k, skv_stage_value(s, SPEED));
+    line l = {0};
+    double first = 0;
+    for (int f = 0; f < SECONDS * 60 && skv_stage_ok(s); f++) {
+        skv_stage_wait(s, 1.0 / 60);
         double t = f / 60.0, now = amplitude(s->world, k);
         first = f == 0 ? now : first;
         if (!(now > TO * first))
             break;
         if (f % 6 == 0)
             skv_plot_point(plot, t, now / first);
-        if (now > FROM * first)
-            continue;
-        double y = log(now);
-        n++;
-        t1 += t;
-        t2 += t * t;
-        y1 += y;
-        ty += t * y;
+        if (now <= FROM * first)
+            add_to_line(&l, t, log(now));
     }
-    double spread = n * t2 - t1 * t1;
-    *measured = spread > 0 ? (t1 * y1 - n * ty) / spread / (2 * k * k) : 0;
-    return result;
+    return -slope_of(&l) / (2 * k * k);
 }
 
-static skv_result measure(stage *s, findings *found, skv_error *error)
+static void measure(stage *s, findings *found)
 {
-    double nominal = s->settings->value[PARAM_WHIRL_VISCOSITY];
+    double nominal = skv_stage_value(s, NOMINAL);
     s->total = 2 * (SETTLE + SECONDS);
     skv_plot_begin(&found->plot, "without viscosity", CURVE_LINE);
-    skv_result result = decay(s, 0, &found->measured[1], &found->plot, error);
+    found->measured[1] = decay(s, 0, &found->plot);
     skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
-    if (result == SKV_OK)
-        result = decay(s, nominal, &found->measured[0], &found->plot, error);
+    found->measured[0] = decay(s, nominal, &found->plot);
     found->condition[0] = nominal;
-    found->condition[1] = skv_settings_length(s->settings, PARAM_WHIRL_SIZE);
-    return result;
+    found->condition[1] = skv_stage_length(s, SIZE);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -121,6 +130,15 @@ const experiment skv_exp_viscosity = {
     .info =
         {"viscosity", "Viscosity of a whirl",
          "A whirl in a closed box dies out by viscosity alone: how viscous the fluid really is."},
+    .parameters =
+        {
+            [SIZE] = {"viscosity.size", SKV_FIELD_NUMBER, "m", 0.1, 4, NULL, "0.8",
+                      "side of the box"},
+            [SPEED] = {"viscosity.speed", SKV_FIELD_NUMBER, "m/s", 0.02, 2, NULL, "0.3",
+                       "highest speed at the start"},
+            [NOMINAL] = {"viscosity.nominal", SKV_FIELD_NUMBER, "m^2/s", 0, 0.05, NULL, "0.02",
+                         "kinematic viscosity that the fluid is given"},
+        },
     .x_label = "time (s)",
     .y_label = "speed / speed at the start",
     .count = 2,

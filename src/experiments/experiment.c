@@ -10,11 +10,8 @@
 
 #include <math.h>
 
-static const experiment *const experiments[] = {
-    &skv_exp_hydrostatics, &skv_exp_rest,      &skv_exp_u_tube,  &skv_exp_vessels,
-    &skv_exp_slosh,        &skv_exp_dam_break, &skv_exp_orifice, &skv_exp_channel,
-    &skv_exp_archimedes,   &skv_exp_momentum,  &skv_exp_droplet, &skv_exp_viscosity,
-};
+#define ADDRESS(name) &skv_exp_##name,
+static const experiment *const experiments[] = {SKV_EXPERIMENTS(ADDRESS)};
 enum { EXPERIMENTS = (int)(sizeof experiments / sizeof *experiments) };
 
 struct skv_report {
@@ -39,20 +36,16 @@ skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *op
 {
     *found =
         (findings){.plot = {.title = e->info.title, .x_label = e->x_label, .y_label = e->y_label}};
-    settings values;
-    skv_result result = skv_settings_make(&values, options, error);
-    if (result != SKV_OK)
-        return result;
-    stage set_up = {.settings = &values, .options = options, .fluid = skv_settings_fluid(&values)};
-    result = e->measure(&set_up, found, error);
-    if (result == SKV_OK) {
+    stage set_up;
+    skv_stage_open(&set_up, e, options, error);
+    e->measure(&set_up, found);
+    if (skv_stage_ok(&set_up)) {
         found->particles = skv_world_particle_count(set_up.world);
         found->substeps = skv_world_substeps_per_frame(set_up.world);
         found->spacing = set_up.spacing;
         found->seconds = set_up.done;
     }
-    skv_stage_close(&set_up);
-    return result;
+    return skv_stage_close(&set_up);
 }
 
 void skv_findings_free(findings *found)

@@ -7,6 +7,7 @@
 #ifndef SKV_EXPERIMENTS_EXPERIMENT_H
 #define SKV_EXPERIMENTS_EXPERIMENT_H
 
+#include "experiments/list.h"
 #include "experiments/plot.h"
 #include "experiments/stage.h"
 
@@ -34,20 +35,22 @@ typedef struct expectation {
     double point[MAX_POINTS];
 } expectation;
 
-typedef struct experiment {
+struct experiment {
     skv_experiment info;
+    /* Its own parameters, numbers all of them, with paths that begin with its name; ends with an
+     * empty one. */
+    skv_field parameters[MAX_OWN + 1];
     const char *x_label, *y_label; /* of the plot */
     int count;
     quantity quantities[MAX_QUANTITIES];
-    skv_result (*measure)(stage *stage, findings *found, skv_error *error);
+    void (*measure)(stage *stage, findings *found);
     /* Says what theory predicts, and adds its curves to the plot. */
     void (*expect)(const double *condition, expectation *expected, skv_plot *plot);
-} experiment;
+};
 
-/* The experiments, each in a file exp_*.c. */
-extern const experiment skv_exp_hydrostatics, skv_exp_rest, skv_exp_u_tube, skv_exp_vessels,
-    skv_exp_slosh, skv_exp_dam_break, skv_exp_orifice, skv_exp_channel, skv_exp_archimedes,
-    skv_exp_momentum, skv_exp_droplet, skv_exp_viscosity;
+#define DECLARE(name) extern const experiment skv_exp_##name;
+SKV_EXPERIMENTS(DECLARE)
+#undef DECLARE
 
 /* The i-th, null past the last. */
 const experiment *skv_experiment_at(int i);

@@ -1,211 +1,276 @@
-/* Builds and runs the worlds of the experiments.
+/* Runs the worlds of the experiments.
  *
- * Solids are drawn as exact shares of pixels: the coverage of a pixel follows from its centre's
- * distance to the solid, so a wall lies where it was put to a tenth of a pixel. Invariant: what
- * decides the particles' paths (positions, gravity) is computed with +, -, *, / and sqrt alone.
+ * Invariant: once something has failed, the world does not change any more and the message is that
+ * of the first failure.
  */
 #include "experiments/stage.h"
 
+#include "base/format.h"
 #include "base/memory.h"
+#include "experiments/experiment.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
-#define FRAME 1.0f / 60
+#define FRAME (1.0f / 60)
 
-solid skv_solid_box(double x0, double y0, double x1, double y1)
+enum { HISTORY = 4000, SIDE_BY_SIDE = 6 };
+
+/* ---- Results --------------------------------------------------------------------------------- */
+
+void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options, skv_error *error)
 {
-    return (solid){4, {x0, x1, x1, x0}, {y0, y0, y1, y1}};
+    *s = (stage){.experiment = e, .options = options, .error = error};
+    s->result = skv_settings_make(&s->settings, e, options, error);
 }
 
-/* Distance of a point from a convex solid, < 0 inside; beyond a corner a little short. */
-static double distance(const solid *s, double x, double y)
-{
-    double farthest = -HUGE_VAL;
-    for (int i = 0; i < s->corners; i++) {
-        int next = (i + 1) % s->corners;
-        double ex = s->x[next] - s->x[i], ey = s->y[next] - s->y[i];
-        double length = sqrt(ex * ex + ey * ey);
-        double out = ((x - s->x[i]) * ey - (y - s->y[i]) * ex) / length;
-        farthest = fmax(farthest, out);
-    }
-    return farthest;
-}
-
-static uint8_t coverage(const stage_plan *plan, double pixel, double x, double y)
-{
-    double most = 0;
-    for (int i = 0; i < plan->solid_count; i++)
-        most = fmax(most, 0.5 - distance(&plan->solids[i], x, y) / pixel);
-    return (uint8_t)(fmin(most, 1) * 255 + 0.5);
-}
-
-/* Four pixels a spacing, as far as a picture may be that large. */
-static skv_result make_terrain(const stage *s, const stage_plan *plan, skv_terrain **terrain,
-                               skv_error *error)
-{
-    double longest = fmax(plan->width, plan->height);
-    double pixel = fmax(s->spacing / 4, longest / (SKV_TERRAIN_MAX_PIXELS - 1));
-    /* The width is met exactly; the height to less than a pixel. */
-    int columns = (int)ceil(plan->width / pixel);
-    columns = columns < SKV_TERRAIN_MIN_PIXELS ? SKV_TERRAIN_MIN_PIXELS : columns;
-    pixel = plan->width / columns;
-    int rows = (int)ceil(plan->height / pixel);
-    rows = rows < SKV_TERRAIN_MIN_PIXELS ? SKV_TERRAIN_MIN_PIXELS : rows;
-    uint8_t *picture = skv_calloc((size_t)columns * (size_t)rows, 1);
-    if (!picture)
-        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a terrain");
-    for (int row = 0; row < rows; row++) {
-        for (int column = 0; column < columns; column++)
-            picture[(size_t)row * (size_t)columns + (size_t)column] =
-                coverage(plan, pixel, (column + 0.5) * pixel, (row + 0.5) * pixel);
-    }
-    skv_terrain_def def = skv_default_terrain_def();
-    def.width = columns;
-    def.height = rows;
-    def.coverage = picture;
-    def.pixel_size = (float)pixel;
-    def.open_sides = plan->open_sides;
-    skv_result result = skv_terrain_create(&def, terrain, error);
-    skv_free(picture);
-    return result;
-}
-
-static skv_result make_world(const stage *s, const stage_plan *plan, skv_world **world,
-                             skv_error *error)
-{
-    skv_world_def def = skv_default_world_def();
-    def.fluid = s->fluid;
-    def.fluid.spacing = (float)s->spacing;
-    def.gravity_x = (float)plan->gravity_x;
-    def.gravity_y = (float)plan->gravity_y;
-    def.depth = (float)plan->depth;
-    def.substeps = (int)s->settings->value[PARAM_SUBSTEPS];
-    def.sleep = false; /* it would cut small motions off, docs/model.md */
-    def.threads = s->options ? s->options->threads : 0;
-    skv_result result = make_terrain(s, plan, &def.terrain, error);
-    if (result != SKV_OK)
-        return result;
-    result = skv_world_create(&def, world, error);
-    if (result != SKV_OK)
-        skv_terrain_destroy(def.terrain);
-    return result;
-}
-
-void skv_stage_choose_spacing(stage *s, double area, double share)
-{
-    double given = skv_settings_length(s->settings, PARAM_SPACING);
-    double wanted = s->settings->value[PARAM_PARTICLES] * share;
-    /* As the world will have it, in single precision. */
-    float spacing = (float)(given > 0 ? given : sqrt(area / wanted));
-    s->spacing = (double)spacing;
-    s->h = (double)(spacing * s->fluid.radius_ratio);
-}
-
-skv_result skv_stage_build(stage *s, const stage_plan *plan, skv_error *error)
-{
-    skv_world_destroy(s->world);
-    s->world = NULL;
-    skv_result result = make_world(s, plan, &s->world, error);
-    if (result == SKV_OK && !s->lab)
-        result = skv_lab_create(&s->lab, error);
-    return result;
-}
-
-skv_result skv_stage_rebuild(stage *s, const stage_plan *plan, skv_error *error)
-{
-    skv_world *next = NULL;
-    skv_result result = make_world(s, plan, &next, error);
-    if (result != SKV_OK)
-        return result;
-    skv_particles p = skv_world_particles(s->world);
-    for (int i = 0; i < p.count && result == SKV_OK; i++)
-        result = skv_world_add_particle(next, p.x[i], p.y[i], p.vx[i], p.vy[i], error);
-    if (result != SKV_OK) {
-        skv_world_destroy(next);
-        return result;
-    }
-    skv_world_destroy(s->world);
-    s->world = next;
-    return SKV_OK;
-}
-
-void skv_stage_close(stage *s)
+skv_result skv_stage_close(stage *s)
 {
     skv_lab_destroy(s->lab);
     skv_world_destroy(s->world);
     s->lab = NULL;
     s->world = NULL;
+    return s->result;
 }
 
-skv_result skv_stage_fill(stage *s, double x0, double y0, double x1, double y1, skv_inside *inside,
-                          void *user, skv_error *error)
+bool skv_stage_ok(const stage *s)
 {
-    skv_fill_def def = skv_default_fill_def();
-    def.x0 = (float)x0;
-    def.y0 = (float)y0;
-    def.x1 = (float)x1;
-    def.y1 = (float)y1;
-    def.inside = inside;
-    def.user = user;
-    return skv_world_fill(s->world, &def, NULL, error);
+    return s->result == SKV_OK;
 }
 
-skv_result skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
-                         double y1, double window, skv_instrument *id, skv_error *error)
+void skv_stage_keep(stage *s, skv_result result)
 {
+    if (skv_stage_ok(s))
+        s->result = result;
+}
+
+void skv_stage_require(stage *s, bool condition, const char *message)
+{
+    if (skv_stage_ok(s) && !condition)
+        s->result = skv_fail(s->error, SKV_ERROR_VALUE, "%s", message);
+}
+
+/* ---- Settings -------------------------------------------------------------------------------- */
+
+double skv_stage_value(const stage *s, int own)
+{
+    return s->settings.own[own];
+}
+
+double skv_stage_length(const stage *s, int own)
+{
+    return s->settings.own[own] * s->settings.common[PARAM_SCALE];
+}
+
+double skv_stage_gravity(const stage *s)
+{
+    return s->settings.common[PARAM_GRAVITY];
+}
+
+static void write_number(char *text, size_t room, ...)
+{
+    va_list arguments;
+    va_start(arguments, room);
+    skv_format(text, room, "%.9g", arguments);
+    va_end(arguments);
+}
+
+void skv_stage_set(stage *s, const char *path, double value)
+{
+    int i = 0;
+    while (i < s->override_count && strcmp(s->overrides[i].path, path) != 0)
+        i++;
+    if (i == MAX_OVERRIDES) {
+        skv_stage_require(s, false, "an experiment overrides too much of the fluid");
+        return;
+    }
+    s->override_count = i == s->override_count ? i + 1 : s->override_count;
+    s->overrides[i].path = path;
+    write_number(s->overrides[i].value, sizeof s->overrides[i].value, value);
+}
+
+/* ---- Worlds ---------------------------------------------------------------------------------- */
+
+/* The scene of a plan: with this spacing; 0: with the wanted number of particles. */
+static skv_scene *load(stage *s, const stage_plan *plan, double spacing)
+{
+    skv_setting list[MAX_FLUID_SETTINGS + MAX_OVERRIDES + 1];
+    int count = s->settings.fluid_count;
+    for (int i = 0; i < count; i++)
+        list[i] = s->settings.fluid[i];
+    for (int i = 0; i < s->override_count; i++)
+        list[count++] = (skv_setting){s->overrides[i].path, s->overrides[i].value};
+    char particles[32];
+    if (!(spacing > 0)) {
+        double wanted = s->settings.common[PARAM_PARTICLES] * (plan->share > 0 ? plan->share : 1);
+        write_number(particles, sizeof particles, floor(wanted));
+        list[count++] = (skv_setting){"particles", particles};
+        spacing = sqrt(skv_plan_area(plan) / wanted);
+    }
+    skv_scene *scene = NULL;
+    skv_stage_keep(
+        s, skv_plan_scene(plan, s->experiment->info.name, spacing, list, count, &scene, s->error));
+    return scene;
+}
+
+static skv_world *make_world(stage *s, const skv_scene *scene)
+{
+    skv_world_def def;
+    skv_world *world = NULL;
+    skv_stage_keep(s, skv_scene_world_def(scene, &def, s->error));
+    if (!skv_stage_ok(s))
+        return NULL;
+    def.threads = s->options ? s->options->threads : 0;
+    skv_stage_keep(s, skv_world_create(&def, &world, s->error));
+    if (!skv_stage_ok(s))
+        skv_terrain_destroy(def.terrain);
+    return world;
+}
+
+static void take_over(stage *s, skv_world *world)
+{
+    skv_world_destroy(s->world);
+    s->world = world;
+    s->spacing = (double)skv_world_spacing(world);
+    s->h = (double)skv_world_smoothing_radius(world);
+    if (!s->lab)
+        skv_stage_keep(s, skv_lab_create(&s->lab, s->error));
+}
+
+void skv_stage_build(stage *s, const stage_plan *plan)
+{
+    if (!skv_stage_ok(s))
+        return;
+    skv_scene *scene = load(s, plan, s->settings.spacing);
+    skv_world *world = scene ? make_world(s, scene) : NULL;
+    if (world) {
+        skv_stage_keep(s, skv_scene_fill(scene, world, s->error));
+        take_over(s, world);
+    }
+    skv_scene_destroy(scene);
+}
+
+void skv_stage_rebuild(stage *s, const stage_plan *plan)
+{
+    if (!skv_stage_ok(s))
+        return;
+    skv_stage_set(s, "fluid.spacing", s->spacing);
+    skv_scene *scene = load(s, plan, s->spacing);
+    skv_world *world = scene ? make_world(s, scene) : NULL;
+    skv_scene_destroy(scene);
+    if (!world)
+        return;
+    skv_particles p = skv_world_particles(s->world);
+    for (int i = 0; i < p.count && skv_stage_ok(s); i++)
+        skv_stage_keep(s,
+                       skv_world_add_particle(world, p.x[i], p.y[i], p.vx[i], p.vy[i], s->error));
+    take_over(s, world);
+}
+
+void skv_stage_check_passage(stage *s, int own, double share)
+{
+    double needed = SIDE_BY_SIDE * s->spacing, width = share * skv_stage_length(s, own);
+    if (!skv_stage_ok(s) || width >= needed)
+        return;
+    const char *path = s->experiment->parameters[own].path;
+    double value = skv_stage_value(s, own), fits = width / s->spacing;
+    if (s->settings.spacing > 0) {
+        s->result = skv_fail(s->error, SKV_ERROR_VALUE,
+                             "%s: %g m leave room for %.1f particles side by side, and %d are "
+                             "needed; take fluid.spacing=%.2g or less, or more of %s",
+                             path, value, fits, SIDE_BY_SIDE, 0.98 * width / SIDE_BY_SIDE, path);
+        return;
+    }
+    double more = s->settings.common[PARAM_PARTICLES] * needed * needed / (width * width);
+    s->result =
+        skv_fail(s->error, SKV_ERROR_VALUE,
+                 "%s: %g m leave room for %.1f particles side by side, and %d are needed; take "
+                 "particles=%.0f or more, or more of %s",
+                 path, value, fits, SIDE_BY_SIDE, 100 * ceil(1.02 * more / 100), path);
+}
+
+double skv_stage_density(const stage *s)
+{
+    return s->world ? (double)skv_world_fluid(s->world)->density : (double)NAN;
+}
+
+double skv_stage_area(const stage *s)
+{
+    return s->world ? skv_world_particle_count(s->world) * s->spacing * s->spacing : (double)NAN;
+}
+
+/* ---- Instruments ----------------------------------------------------------------------------- */
+
+skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
+                             double y1, double window)
+{
+    skv_instrument id = 0;
     skv_instrument_def def = skv_default_instrument_def(kind);
     def.x0 = x0;
     def.y0 = y0;
     def.x1 = x1;
     def.y1 = y1;
     def.window = window;
-    def.capacity = 4000;
-    return skv_lab_add(s->lab, &def, id, error);
+    def.capacity = HISTORY;
+    if (skv_stage_ok(s))
+        skv_stage_keep(s, skv_lab_add(s->lab, &def, &id, s->error));
+    return id;
 }
 
-static skv_result step(stage *s, skv_error *error)
+double skv_stage_read(const stage *s, skv_instrument id, int channel)
 {
-    skv_result result = skv_world_step(s->world, FRAME, error);
-    if (result != SKV_OK)
-        return result;
-    s->done += (double)(FRAME);
-    double share = fmin(1, s->done / s->total);
-    if (s->options && s->options->progress && !s->options->progress(share, s->options->user))
-        return skv_fail(error, SKV_ERROR_LIMIT, "the experiment was stopped");
-    return SKV_OK;
+    return skv_stage_ok(s) ? skv_lab_reading(s->lab, id, channel) : (double)NAN;
 }
 
 double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int count)
 {
     double sum = 0;
     for (int i = 0; i < count; i++)
-        sum += skv_lab_reading(s->lab, gauges[i], 2) / count;
+        sum += skv_stage_read(s, gauges[i], 2) / count;
     return sum;
 }
 
-skv_result skv_stage_frame(stage *s, skv_error *error)
+int skv_stage_history(const stage *s, skv_instrument id, int channel, double *times, double *values,
+                      int capacity)
 {
-    skv_result result = step(s, error);
-    return result == SKV_OK ? skv_lab_sample(s->lab, s->world, error) : result;
+    return skv_stage_ok(s) ? skv_lab_history(s->lab, id, channel, times, values, capacity) : 0;
 }
 
-skv_result skv_stage_wait(stage *s, double seconds, skv_error *error)
+/* ---- Time ------------------------------------------------------------------------------------ */
+
+static void step(stage *s)
 {
-    skv_result result = SKV_OK;
-    int frames = (int)(seconds * 60 + 0.5);
-    for (int i = 0; i < frames && result == SKV_OK; i++)
-        result = step(s, error);
-    return result;
+    skv_stage_keep(s, skv_world_step(s->world, FRAME, s->error));
+    if (!skv_stage_ok(s))
+        return;
+    s->done += (double)FRAME;
+    double share = fmin(1, s->done / s->total);
+    if (s->options && s->options->progress && !s->options->progress(share, s->options->user))
+        s->result = skv_fail(s->error, SKV_STOPPED, "%s: it was stopped", s->experiment->info.name);
 }
 
-skv_result skv_stage_check_passage(const stage *s, const char *what, double width, skv_error *error)
+static int frames_in(double seconds)
 {
-    const double needed = 6;
-    if (width >= needed * s->spacing)
-        return SKV_OK;
-    return skv_fail(error, SKV_ERROR_VALUE,
-                    "%s: %.3g m are %.2g spacings of %.3g m; at least %g are needed, take more "
-                    "particles or make it wider",
-                    what, width, width / s->spacing, s->spacing, needed);
+    return (int)(seconds * 60 + 0.5);
+}
+
+void skv_stage_wait(stage *s, double seconds)
+{
+    for (int i = frames_in(seconds); i > 0 && skv_stage_ok(s); i--)
+        step(s);
+}
+
+void skv_stage_sample(stage *s)
+{
+    if (skv_stage_ok(s))
+        skv_stage_keep(s, skv_lab_sample(s->lab, s->world, s->error));
+}
+
+void skv_stage_watch(stage *s, double seconds)
+{
+    for (int i = frames_in(seconds); i > 0 && skv_stage_ok(s); i--) {
+        step(s);
+        skv_stage_sample(s);
+    }
 }

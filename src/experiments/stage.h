@@ -1,72 +1,88 @@
-/* The stage of an experiment: its world, built from convex solids and boxes of water, its lab, and
- * the clock that tells how far it is. */
+/* The stage of an experiment: its world, built as a scene of solids and water, its lab, and the
+ * clock that tells how far it is.
+ *
+ * The stage keeps the first failure. After it every call returns without effect and readings are
+ * NaN, so an experiment is written down as if nothing could go wrong.
+ */
 #ifndef SKV_EXPERIMENTS_STAGE_H
 #define SKV_EXPERIMENTS_STAGE_H
 
 #include "experiments/parameters.h"
+#include "experiments/plan.h"
 #include "skvalp/measure.h"
+#include "skvalp/world.h"
 
-enum { MAX_CORNERS = 6, MAX_SOLIDS = 8 };
+enum { MAX_OVERRIDES = 4 };
 
-/* A convex solid: its corners counterclockwise, in metres. */
-typedef struct solid {
-    int corners;
-    double x[MAX_CORNERS], y[MAX_CORNERS];
-} solid;
-
-solid skv_solid_box(double x0, double y0, double x1, double y1);
-
-/* What a stage is to look like. */
-typedef struct stage_plan {
-    double width, height; /* of the closed world, m */
-    solid solids[MAX_SOLIDS];
-    int solid_count;
-    unsigned open_sides;
-    double depth; /* deepest water to expect, m */
-    double gravity_x, gravity_y;
-} stage_plan;
+/* A value of the fluid that the experiment itself decides. */
+typedef struct override {
+    const char *path;
+    char value[32];
+} override;
 
 typedef struct stage {
-    const settings *settings;
-    const skv_lab_options *options;
-    skv_fluid_def fluid; /* experiments may change what the settings say, before skv_stage_build */
-    double spacing, h;   /* m */
-    double total;        /* simulated seconds to come in all, for the progress */
+    const experiment *experiment;
+    const skv_lab_options *options; /* may be null */
+    settings settings;
+    override overrides[MAX_OVERRIDES];
+    int override_count;
+    double spacing, h; /* of the world, m */
+    double total;      /* simulated seconds to come in all, for the progress */
     double done;
-    skv_world *world;
+    skv_world *world; /* null until it is built */
     skv_lab *lab;
+    skv_result result;
+    skv_error *error;
 } stage;
 
-/* Chooses the spacing with which `area` square metres hold `share` times the wanted particles. */
-void skv_stage_choose_spacing(stage *s, double area, double share);
+/* Starts with an experiment's settings and no world. */
+void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options,
+                    skv_error *error);
+/* Frees everything; returns the first failure, or SKV_OK. */
+skv_result skv_stage_close(stage *s);
 
-/* Builds the world of a plan; a world that was there is taken away. */
-skv_result skv_stage_build(stage *s, const stage_plan *plan, skv_error *error);
+bool skv_stage_ok(const stage *s);
+/* Keeps the result of something that the experiment did by itself, with the stage's error. */
+void skv_stage_keep(stage *s, skv_result result);
+/* Fails with a message unless a condition holds that concerns several parameters. */
+void skv_stage_require(stage *s, bool condition, const char *message);
 
-/* The same, but the particles of the world that was there are put into the new one, with their
- * velocities: how a gate is opened. */
-skv_result skv_stage_rebuild(stage *s, const stage_plan *plan, skv_error *error);
+/* A parameter of the experiment, by its place in the table: its value, and as a length, which the
+ * scale multiplies. */
+double skv_stage_value(const stage *s, int own);
+double skv_stage_length(const stage *s, int own);
+double skv_stage_gravity(const stage *s);
+/* Overrides what the settings say of the fluid: "fluid.viscosity". Before skv_stage_build. */
+void skv_stage_set(stage *s, const char *path, double value);
 
-void skv_stage_close(stage *s);
+/* Builds the world of a plan and fills it; a world that was there is taken away. */
+void skv_stage_build(stage *s, const stage_plan *plan);
+/* Builds the world of a plan, but puts the particles of the world that was there into it, with
+ * their velocities: how a gate is opened. */
+void skv_stage_rebuild(stage *s, const stage_plan *plan);
+/* Fails unless a passage that is `share` times as wide as a parameter's length holds at least six
+ * particles side by side. */
+void skv_stage_check_passage(stage *s, int own, double share);
 
-/* Fills a box; `inside` may be null. */
-skv_result skv_stage_fill(stage *s, double x0, double y0, double x1, double y1, skv_inside *inside,
-                          void *user, skv_error *error);
+/* Of the world that stands: density in kg/m^2, and the area that its particles were given, m^2. */
+double skv_stage_density(const stage *s);
+double skv_stage_area(const stage *s);
 
 /* Adds an instrument between two points. */
-skv_result skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
-                         double y1, double window, skv_instrument *id, skv_error *error);
-
+skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
+                             double y1, double window);
+double skv_stage_read(const stage *s, skv_instrument id, int channel);
 /* The mean of what several level gauges read. */
 double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int count);
+/* As skv_lab_history. */
+int skv_stage_history(const stage *s, skv_instrument id, int channel, double *times, double *values,
+                      int capacity);
 
-/* Lets one frame of 1/60 s pass, and reads the instruments. */
-skv_result skv_stage_frame(stage *s, skv_error *error);
-/* The same for `seconds`, without reading them. */
-skv_result skv_stage_wait(stage *s, double seconds, skv_error *error);
-
-/* Fails unless a passage of this width holds at least six particles side by side. */
-skv_result skv_stage_check_passage(const stage *s, const char *what, double width,
-                                   skv_error *error);
+/* Lets `seconds` pass in frames of 1/60 s: without reading the instruments, and reading them after
+ * every frame. */
+void skv_stage_wait(stage *s, double seconds);
+void skv_stage_watch(stage *s, double seconds);
+/* Reads the instruments now. */
+void skv_stage_sample(stage *s);
 
 #endif

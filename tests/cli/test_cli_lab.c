@@ -104,12 +104,22 @@ static void test_plots(void **state)
     assert_non_null(strstr(csv, "theory: small waves,0,"));
     free(svg);
     free(csv);
-    /* A file is no folder. */
+}
+
+/* A folder that cannot take the plots is noticed before anything is computed: all the experiments
+ * at their full size would take minutes. */
+static void test_plots_need_a_folder(void **state)
+{
     file_write(*state, "taken", "");
-    program_result result =
-        SKVALP(*state, "lab", "slosh", "--set", "particles=400", "--plot", "taken", "--quiet");
+    program_result result = SKVALP(*state, "lab", "--plot", "taken", "--json");
     assert_int_equal(result.status, 2);
-    assert_non_null(strstr(result.err, "taken"));
+    assert_string_equal(result.out, "");
+    assert_non_null(strstr(result.err, "taken: Not a directory; name another folder"));
+    program_free(&result);
+    result = SKVALP(*state, "lab", "--plot", "nowhere/below", "--json");
+    assert_int_equal(result.status, 2);
+    assert_string_equal(result.out, "");
+    assert_non_null(strstr(result.err, "nowhere/below"));
     program_free(&result);
 }
 
@@ -121,6 +131,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_same_on_any_number_of_threads, folder_setup,
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_plots, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_plots_need_a_folder, folder_setup, folder_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

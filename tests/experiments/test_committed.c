@@ -31,7 +31,7 @@ enum { MAX_LINES = 64 };
 
 static int measure_all(line *lines)
 {
-    const skv_lab_setting settings[] = {{"particles", "1500"}, {"orifice.slot", "0.16"}};
+    const skv_setting settings[] = {{"particles", "1500"}, {"orifice.slot", "0.16"}};
     skv_lab_options options = skv_default_lab_options();
     options.settings = settings;
     options.setting_count = 2;

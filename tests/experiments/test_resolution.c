@@ -21,7 +21,7 @@ static pair run_twice(const experiment *e)
     findings *found[2] = {&p.coarse, &p.fine};
     const char *particles[2] = {"2000", "4000"};
     for (int i = 0; i < 2; i++) {
-        skv_lab_setting setting = {"particles", particles[i]};
+        skv_setting setting = {"particles", particles[i]};
         skv_lab_options options = skv_default_lab_options();
         options.settings = &setting;
         options.setting_count = 1;

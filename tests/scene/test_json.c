@@ -391,6 +391,16 @@ static void test_values_arrive(void **state)
         moving += high;
     }
     assert_in_range(moving, 34, 40); /* the circle's share: no surplus is cut off its top */
+
+    /* In two halves it is the same world. */
+    skv_world_def def;
+    skv_world *other;
+    assert_int_equal(skv_scene_world_def(scene, &def, &error), SKV_OK);
+    assert_int_equal(skv_world_create(&def, &other, &error), SKV_OK);
+    assert_int_equal(skv_world_particle_count(other), 0);
+    assert_int_equal(skv_scene_fill(scene, other, &error), SKV_OK);
+    assert_true(skv_world_hash(other) == skv_world_hash(world));
+    skv_world_destroy(other);
     skv_world_destroy(world);
     skv_scene_destroy(scene);
 }

@@ -1,0 +1,15 @@
+/* The experiments in the order in which they are presented. NAME stands for skv_exp_NAME, which a
+ * file exp_NAME.c defines: whoever adds one writes that file and a line here. */
+#define SKV_EXPERIMENTS(X)                                                                         \
+    X(hydrostatics)                                                                                \
+    X(rest)                                                                                        \
+    X(u_tube)                                                                                      \
+    X(vessels)                                                                                     \
+    X(slosh)                                                                                       \
+    X(dam_break)                                                                                   \
+    X(orifice)                                                                                     \
+    X(channel)                                                                                     \
+    X(archimedes)                                                                                  \
+    X(momentum)                                                                                    \
+    X(droplet)                                                                                     \
+    X(viscosity)

@@ -1,0 +1,40 @@
+/* The plan of a set-up: solids and water as polygons, and the scene that they make. */
+#ifndef SKV_EXPERIMENTS_PLAN_H
+#define SKV_EXPERIMENTS_PLAN_H
+
+#include "skvalp/scene.h"
+
+enum { MAX_CORNERS = 64, MAX_SHAPES = 8 };
+
+/* A polygon in metres, and the speed at which water in it starts. */
+typedef struct shape {
+    int corners;
+    double x[MAX_CORNERS], y[MAX_CORNERS];
+    double vx, vy; /* m/s */
+} shape;
+
+shape skv_shape_box(double x0, double y0, double x1, double y1);
+/* A polygon of 64 corners with the area of the ellipse with half axes a and b. */
+shape skv_shape_ellipse(double x, double y, double a, double b);
+
+/* What a stage is to look like. */
+typedef struct stage_plan {
+    double width, height; /* of the closed world, m */
+    int solids, waters;
+    shape solid[MAX_SHAPES], water[MAX_SHAPES];
+    bool open_right, open_bottom;
+    double depth; /* deepest water to expect, m */
+    double gravity_x, gravity_y;
+    double share; /* of the wanted number of particles; 0: 1 */
+} stage_plan;
+
+/* Loads the plan as a scene called `name`. The settings say what the fluid is, and `particles` or
+ * `fluid.spacing`, which is about `spacing` metres and tells how fine the walls are to be drawn. */
+skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spacing,
+                          const skv_setting *settings, int setting_count, skv_scene **scene,
+                          skv_error *error);
+
+/* The area of the plan's water, m^2; what lies in a solid counts, too. */
+double skv_plan_area(const stage_plan *plan);
+
+#endif
