@@ -11,7 +11,7 @@ static skv_result copy_particles(const skv_world *source, skv_world *twin, skv_e
     return result;
 }
 
-skv_result bench_twin(const skv_world *source, const skv_fluid_def *fluid, skv_solver solver,
+skv_result bench_twin(const skv_world *source, const skv_fluid_def *fluid, skv_solver_kind solver,
                       int threads, skv_world **twin, skv_error *error)
 {
     *twin = NULL;

@@ -67,7 +67,7 @@ SKV_API const skv_material *skv_materials(int *count);
 /* Which of the two solvers steps a world. They compute the same model; the reference is written
  * pass by pass for reading and is about ten times slower. Their results differ by rounding, and by
  * the moment at which viscosity is read (docs/model.md). */
-typedef enum skv_solver { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solver;
+typedef enum skv_solver_kind { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solver_kind;
 
 /* How to make a world. Initialise with skv_default_world_def. */
 typedef struct skv_world_def {
@@ -83,7 +83,7 @@ typedef struct skv_world_def {
     skv_pool *pool; /* threads shared with other worlds; null: threads of its own. If set, `threads`
                        and `tasks` are ignored. */
     skv_task_system tasks; /* a host's threads instead, if tasks.run is set; `threads` is ignored */
-    skv_solver solver;     /* default SKV_SOLVER_FAST */
+    skv_solver_kind solver; /* default SKV_SOLVER_FAST */
     bool sleep;   /* default true: fluid that has been at rest for a while is not stepped until
                      something disturbs it (docs/model.md). Only with SKV_SOLVER_FAST. */
     int capacity; /* particles to make room for at creation; the world grows beyond it */

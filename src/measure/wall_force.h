@@ -3,8 +3,7 @@
 #define SKV_MEASURE_WALL_FORCE_H
 
 #include "skvalp/measure.h"
-#include "solver/neighbours.h"
-#include "solver/state.h"
+#include "solver/solver.h"
 
 /* On the walls inside a box. */
 typedef struct skv_wall_force {
@@ -14,11 +13,14 @@ typedef struct skv_wall_force {
 
 /* Memory between measurements; all zero at the start. */
 typedef struct skv_force_meter {
-    skv_state state;
-    skv_neighbours neighbours;
+    skv_solver *solver;
+    skv_solver_def made_for;
+    /* The copy of the fluid. */
+    float *x, *y, *vx, *vy, *clearance, *pressure;
+    uint32_t *id;
     int capacity;
     void *block;
-    double box[4], h; /* for which `neighbours` was made */
+    uint32_t generation; /* of the copy, see solver.h */
 } skv_force_meter;
 
 /* Takes the world's next substep on a copy of the fluid near the box and adds up what the walls in

@@ -256,6 +256,8 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         .max_speed = (float)(MAX_COURANT * h / dt),
         .viscosity_linear = (float)linear_viscosity(f),
         .viscosity_quadratic = f->viscosity_quadratic,
+        .clavet = f->law == SKV_LAW_CLAVET,
+        .iterations = f->iterations,
         .kernel = skv_law_kernel(f->law),
         .contact_distance = f->contact_distance * f->spacing,
         .softness = (float)share_for((double)f->wall_softness, dt),

@@ -8,7 +8,6 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "world/add.h"
-#include "world/frame.h"
 #include "world/occupancy.h"
 
 #include <math.h>
@@ -174,10 +173,8 @@ skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed 
     if (world->state.count > 0) {
         result = skv_occupancy_create(&others, &world->state, 0,
                                       SKV_LEAST_SPACING * world->fluid.spacing, error);
-        if (skv_wall_map_has_thin(world->walls)) {
-            others.occluded = skv_wall_between;
-            others.occluded_context = world;
-        }
+        if (skv_boundary_has_thin(&world->boundary))
+            others.boundary = &world->boundary;
         w.others = &others;
     }
     if (result == SKV_OK) {

@@ -50,7 +50,7 @@ void skv_occupancy_destroy(skv_occupancy *o)
 
 static bool is_parted(const skv_occupancy *o, const struct place *p, float x, float y)
 {
-    return o->occluded && o->occluded(o->occluded_context, p->x, p->y, x, y);
+    return o->boundary && skv_boundary_occluded(o->boundary, p->x, p->y, 0, x, y, 0);
 }
 
 bool skv_is_occupied(const skv_occupancy *o, float x, float y)

@@ -2,7 +2,8 @@
 #ifndef SKV_WORLD_OCCUPANCY_H
 #define SKV_WORLD_OCCUPANCY_H
 
-#include "solver/neighbours.h"
+#include "terrain/boundary.h"
+#include "world/state.h"
 
 typedef struct skv_occupancy {
     float reach;          /* closer than this is occupied, m; also the size of a cell */
@@ -10,8 +11,8 @@ typedef struct skv_occupancy {
     int *head;            /* by slot: number of the last place put there, from 1; 0: none */
     struct place *places; /* in the order in which they were taken */
     int count, capacity;
-    skv_occluded *occluded; /* places that it parts do not occupy each other; null: none */
-    const void *occluded_context;
+    const skv_boundary *boundary; /* places that its thin walls part do not occupy each other; null:
+                                     none are parted */
 } skv_occupancy;
 
 /* Takes the places of all particles, with room for `more`. */

@@ -4,8 +4,10 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "solver/lattice.h"
-#include "solver/pair.h"
-#include "world/frame.h"
+#include "solver/reference/neighbours.h"
+#include "solver/reference/pair.h"
+#include "solver/rows/rows.h"
+#include "world/world_internal.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,9 +43,11 @@ static surroundings look_around(const skv_world *world, const skv_neighbours *li
     skv_kernel kernel = skv_law_kernel(world->fluid.law);
     surroundings around = {0};
     double gx = 0, gy = 0;
+    const skv_state *s = &world->state;
+    const skv_pass_data data = {.count = s->count, .x = s->x, .y = s->y, .id = s->id};
     for (int k = lists->start[i]; k < lists->start[i + 1]; k++) {
         skv_pair pair;
-        if (!skv_pair_of(&world->state, constants, i, lists->list[k], &pair))
+        if (!skv_pair_of(&data, constants, i, lists->list[k], &pair))
             continue;
         around.neighbours += 1;
         double q = (double)pair.q, force = skv_kernel_force(kernel, q);
@@ -52,7 +56,7 @@ static surroundings look_around(const skv_world *world, const skv_neighbours *li
         gy += force * (double)pair.uy;
     }
     skv_wall_sample wall;
-    skv_walls_at(world, world->state.x[i], world->state.y[i], &wall);
+    skv_boundary_sample(&world->boundary, s->x[i], s->y[i], &wall);
     gx -= (double)wall.f1x;
     gy -= (double)wall.f1y;
     around.density += (double)wall.r;
@@ -68,17 +72,16 @@ static void measure_packing(const skv_world *world, skv_stats *stats)
     float width = skv_terrain_width(world->terrain), height = skv_terrain_height(world->terrain);
     skv_neighbours lists;
     stats->volume_ratio = 1;
-    skv_result result = skv_neighbours_create(&lists, 0, 0, width, height, world->h, NULL);
+    skv_result result =
+        skv_neighbours_create(&lists, 0, 0, width, height, world->h, &world->boundary, NULL);
+    if (result == SKV_OK)
+        result = skv_neighbours_reserve(&lists, s->count, NULL);
     if (result == SKV_OK) {
-        skv_cut_pairs_at_walls(world, &lists);
+        skv_neighbours_build(&lists, s->x, s->y, s->count, world->h, NULL);
         result = skv_neighbours_reserve(&lists, s->count, NULL);
     }
     if (result == SKV_OK) {
-        skv_neighbours_build(&lists, s, world->h, NULL);
-        result = skv_neighbours_reserve(&lists, s->count, NULL);
-    }
-    if (result == SKV_OK) {
-        skv_neighbours_build(&lists, s, world->h, NULL);
+        skv_neighbours_build(&lists, s->x, s->y, s->count, world->h, NULL);
         double eta = (double)world->fluid.radius_ratio;
         skv_kernel kernel = skv_law_kernel(world->fluid.law);
         double rest = skv_lattice_sums(kernel, eta).density;
@@ -189,5 +192,5 @@ const char *skv_instruction_set(void)
 size_t skv_world_solver_bytes(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
-    return world->rows ? skv_rows_bytes(world->rows).particles : 0;
+    return world->solver->type->bytes(world->solver);
 }

@@ -19,6 +19,7 @@
  */
 #include "world/sleep.h"
 
+#include "base/arrays.h"
 #include "base/exact.h"
 #include "base/memory.h"
 #include "world/world_internal.h"
@@ -53,17 +54,31 @@ skv_result skv_sleep_create(skv_world *world, bool allowed, skv_error *error)
 void skv_sleep_destroy(skv_world *world)
 {
     skv_free(world->sleep.tiles);
+    skv_free(world->sleep.members_block);
 }
 
-static void set_unrest(skv_sleep *s, int particle, skv_unrest unrest)
+skv_result skv_sleep_reserve(skv_sleep *s, int count, skv_error *error)
 {
-    s->calm += (unrest == SKV_CALM) - (s->unrest[particle] == SKV_CALM);
-    s->unrest[particle] = (int)unrest;
+    if (!s->allowed || count <= s->room)
+        return SKV_OK;
+    int room = count > 2 * s->room ? count : 2 * s->room;
+    const skv_array members = SKV_ARRAY(s->members, (size_t)room, 0);
+    if (!skv_arrays_grow(&s->members_block, &members, 1))
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
+    s->room = room;
+    return SKV_OK;
+}
+
+static void set_unrest(skv_world *world, int particle, skv_unrest unrest)
+{
+    uint8_t *place = &world->state.unrest[particle];
+    world->sleep.calm += (unrest == SKV_CALM) - (*place == SKV_CALM);
+    *place = (uint8_t)unrest;
 }
 
 void skv_sleep_wake(skv_world *world, int particle)
 {
-    set_unrest(&world->sleep, particle, SKV_NEWLY_RESTLESS);
+    set_unrest(world, particle, SKV_NEWLY_RESTLESS);
 }
 
 void skv_sleep_wake_all(skv_world *world)
@@ -185,7 +200,7 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
     for (int t = 0; t < s->columns * s->rows; t++)
         s->tiles[t].state = ASLEEP;
     for (int i = 0; i < world->state.count; i++)
-        if (s->unrest[i] != SKV_CALM)
+        if (world->state.unrest[i] != SKV_CALM)
             mark_way(world, i, dt);
     spread(s, RESTLESS, AWAKE);
     spread(s, AWAKE, HELD);
@@ -201,14 +216,14 @@ static void sum_up(skv_world *world)
         s->tiles[t] = (skv_tile){0};
     for (int i = 0; i < p->count; i++) {
         skv_tile *tile = tile_of(world, i);
-        float x = p->x[i] - s->anchor_x[i], y = p->y[i] - s->anchor_y[i];
+        float x = p->x[i] - p->anchor_x[i], y = p->y[i] - p->anchor_y[i];
         tile->count++;
         tile->moved_x += x;
         tile->moved_y += y;
         tile->speed_x += p->vx[i];
         tile->speed_y += p->vy[i];
         tile->farthest = skv_maxf(tile->farthest, x * x + y * y);
-        if (s->unrest[i] == SKV_NEWLY_RESTLESS)
+        if (p->unrest[i] == SKV_NEWLY_RESTLESS)
             tile->state = RESTLESS;
     }
 }
@@ -247,15 +262,15 @@ void skv_sleep_watch(skv_world *world, float dt)
         return;
     sum_up(world);
     judge(world, look_round);
-    const skv_state *p = &world->state;
+    skv_state *p = &world->state;
     for (int i = 0; i < p->count; i++) {
         bool restless = tile_of(world, i)->state == RESTLESS;
         if (look_round) {
-            set_unrest(s, i, restless ? SKV_RESTLESS : SKV_CALM);
-            s->anchor_x[i] = p->x[i];
-            s->anchor_y[i] = p->y[i];
-        } else if (restless && s->unrest[i] == SKV_CALM) {
-            set_unrest(s, i, SKV_NEWLY_RESTLESS);
+            set_unrest(world, i, restless ? SKV_RESTLESS : SKV_CALM);
+            p->anchor_x[i] = p->x[i];
+            p->anchor_y[i] = p->y[i];
+        } else if (restless && p->unrest[i] == SKV_CALM) {
+            set_unrest(world, i, SKV_NEWLY_RESTLESS);
         }
     }
     if (look_round)

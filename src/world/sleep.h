@@ -24,18 +24,20 @@ typedef struct skv_sleep {
     int columns, rows;
     float per_metre; /* tiles */
     skv_tile *tiles;
-    /* By particle, in the world's block. */
-    float *anchor_x, *anchor_y; /* where it was at the last look round, m */
-    int *unrest;                /* skv_unrest */
-    int *members;               /* who takes part in the next substeps: index, or ~index if held */
-    int calm;                   /* particles that are */
-    int stepped;                /* particles that the last substeps moved, and those added since */
-    double watched;             /* s since the last look round */
+    int *members; /* scratch: what takes part in the next substeps: index, or ~index if held */
+    int room;     /* particles that `members` has room for */
+    void *members_block;
+    int calm;       /* particles that are */
+    int stepped;    /* particles that the last substeps moved, and those added since */
+    double watched; /* s since the last look round */
 } skv_sleep;
 
 /* Makes the tiles of a world whose size and smoothing radius are known. */
 skv_result skv_sleep_create(skv_world *world, bool allowed, skv_error *error);
 void skv_sleep_destroy(skv_world *world);
+
+/* Makes room for `count` particles in all; nothing changes on failure. */
+skv_result skv_sleep_reserve(skv_sleep *sleep, int count, skv_error *error);
 
 /* A particle has been added, or something has been done to it. */
 void skv_sleep_wake(skv_world *world, int particle);

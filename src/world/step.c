@@ -1,29 +1,7 @@
-/* How a fluid moves: a frame in substeps, and a substep as a list of passes.
- *
- * A substep predicts every particle's position from its velocity, relaxes the positions until the
- * density is right, and takes the velocity from where the particles have ended (prediction and
- * relaxation, thesis section 3.1.1). The order of the passes is the method:
- *
- *   external forces      v += dt (g + a_hand)                                  Algorithm 2
- *   viscosity            pairs that approach exchange impulses                 Algorithm 3
- *   advance              x += dt v, stopped at walls                           Algorithm 4
- *   neighbours           lists of pairs within h                               Algorithm 5
- *   repeat `iterations` times:                                                 Algorithm 6
- *     walls              what the solid adds to the sums (wall density maps)
- *     density            rho, near density and gradient
- *     pressure           P and N from the densities: the calibrated or the clavet law
- *     displacement       x moves along the pressure differences, stopped at walls
- *   contact              friction and push at walls                            Algorithm 7
- *   velocity             v += (sum of corrections) / dt                        Algorithm 8
- *
- * Two solvers run these passes. reference_step.c does so literally, one after the other; the
- * production solver (rows_step.c, src/solver/rows) does the same for one row of space after the
- * other, with viscosity read in the first density pass. Invariant: neither result depends on the
- * number of threads.
- */
+/* Time: a step in equal substeps, which the solver takes, and who sleeps or leaves between them.
+ * How a substep moves the fluid is in src/solver/reference/reference.c. */
 #include "base/assert.h"
-#include "base/exact.h"
-#include "world/frame.h"
+#include "world/world_internal.h"
 
 #include <math.h>
 #include <string.h>
@@ -32,21 +10,6 @@
 #define LEAST_STEP   1e-6f
 #define LONGEST_STEP 0.1f
 #define DT_ROUNDING  1e-6 /* how far off, relatively, a sum of float dt may be */
-
-skv_pull skv_make_pull(const skv_hand *hand, float dt)
-{
-    return (skv_pull){
-        .x = hand->x,
-        .y = hand->y,
-        .vx = hand->vx,
-        .vy = hand->vy,
-        .inv_radius = 1 / hand->radius,
-        .attraction = hand->attraction,
-        /* Half each at most: more than the whole velocity would turn it round. */
-        .friction = skv_minf(0.5f, dt * hand->friction),
-        .follow = skv_minf(0.5f, dt * hand->follow),
-    };
-}
 
 /* True for a particle that has left through an open side: by more than h, or round the corner,
  * where it would meet a closed side from behind. */
@@ -72,34 +35,62 @@ static void remove_leavers(skv_world *world)
             skv_sleep_wake(world, i);
             continue;
         }
-        if (kept < i) {
-            s->x[kept] = s->x[i];
-            s->y[kept] = s->y[i];
-            s->vx[kept] = s->vx[i];
-            s->vy[kept] = s->vy[i];
-            s->pressure[kept] = s->pressure[i];
-            s->clearance[kept] = s->clearance[i];
-            s->id[kept] = s->id[i];
-            world->sleep.anchor_x[kept] = world->sleep.anchor_x[i];
-            world->sleep.anchor_y[kept] = world->sleep.anchor_y[i];
-            world->sleep.unrest[kept] = world->sleep.unrest[i];
-        }
+        if (kept < i)
+            skv_state_move(s, i, kept);
         kept++;
     }
     if (kept < s->count)
-        world->lists_current = false;
+        skv_world_regroup(world);
     s->count = kept;
 }
 
-/* Memory for the next substeps: nothing to do once the world is warm. */
-static skv_result reserve(skv_world *world, skv_error *error)
+skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
+                                        skv_pull pulls[SKV_MAX_HANDS])
 {
-    if (world->solver == SKV_SOLVER_REFERENCE)
-        return skv_neighbours_reserve(&world->neighbours, world->state.count, error);
-    const skv_constants *c = &world->constants;
-    bool viscous = c->viscosity_linear > 0 || c->viscosity_quadratic > 0;
-    return skv_rows_reserve(world->rows, world->state.count, skv_pool_threads(world->pool), viscous,
-                            error);
+    for (int i = 0; i < world->hand_count; i++)
+        pulls[i] = skv_make_pull(&world->hands[i], constants->dt);
+    const skv_state *s = &world->state;
+    return (skv_solver_step){
+        .particles = {.count = s->count,
+                      .generation = world->generation,
+                      .x = s->x,
+                      .y = s->y,
+                      .vx = s->vx,
+                      .vy = s->vy,
+                      .clearance = s->clearance,
+                      .pressure = s->pressure,
+                      .id = s->id},
+        .constants = constants,
+        .gravity_x = world->gravity_x,
+        .gravity_y = world->gravity_y,
+        .pulls = pulls,
+        .pull_count = world->hand_count,
+        .substeps = 1,
+        .pool = world->pool,
+    };
+}
+
+/* Takes some substeps, `time` seconds in all; what sleeps stays. */
+static skv_result take_substeps(skv_world *world, int substeps, float time, skv_error *error)
+{
+    skv_pull pulls[SKV_MAX_HANDS];
+    skv_solver_step step = skv_world_describe_step(world, &world->constants, pulls);
+    const skv_solver_type *solver = world->solver->type;
+    step.substeps = substeps;
+    skv_result result = solver->reserve(world->solver, &step, error);
+    if (result != SKV_OK)
+        return result;
+    bool partial;
+    int members = skv_sleep_plan(world, time, &partial);
+    if (members == 0)
+        return SKV_OK;
+    if (partial) {
+        step.particles.members = world->sleep.members;
+        step.particles.member_count = members;
+    }
+    solver->advance(world->solver, &step);
+    skv_sleep_watch(world, time);
+    return SKV_OK;
 }
 
 /* Adds dt to the time that is owed and takes the whole substeps out of it. What is whole but for
@@ -131,18 +122,12 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
     }
     /* Who leaves through an open side is taken out after every substep, else after all of them. */
     bool open = skv_terrain_open_sides(world->terrain) != 0;
-    int at_once = open || world->solver == SKV_SOLVER_REFERENCE ? 1 : count;
+    int at_once = open || world->solver->type->most_substeps < count ? 1 : count;
     for (int done = 0; done < count; done += at_once) {
-        skv_result result = reserve(world, error);
+        double time = at_once / (60.0 * world->substeps);
+        skv_result result = take_substeps(world, at_once, (float)time, error);
         if (result != SKV_OK)
             return result;
-        double time = at_once / (60.0 * world->substeps);
-        if (world->solver == SKV_SOLVER_REFERENCE) {
-            skv_reference_substep(world);
-            world->sleep.stepped = world->state.count;
-        } else {
-            skv_rows_substeps(world, at_once, (float)time);
-        }
         if (open)
             remove_leavers(world);
         world->time += time;
@@ -153,23 +138,11 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
 
 skv_profile skv_world_profile(skv_world *world, bool reset)
 {
-    static const char *const pass_names[SKV_PASS_COUNT] = {
-        "external forces", "viscosity", "advance",      "neighbours", "walls",
-        "density",         "pressure",  "displacement", "contact",    "velocity",
-    };
-    static const char *const phase_names[] = {"advance", "sort", "relaxation", "transfer"};
     skv_profile profile = {0};
     SKV_ASSERT_OR(world, profile);
-    if (world->solver == SKV_SOLVER_FAST) {
-        profile.count = 4;
-        memcpy(profile.name, phase_names, sizeof phase_names);
-        skv_rows_profile(world->rows, reset, profile.seconds);
-        return profile;
-    }
-    profile.count = SKV_PASS_COUNT;
-    memcpy(profile.name, pass_names, sizeof pass_names);
-    memcpy(profile.seconds, world->pass_seconds, sizeof world->pass_seconds);
-    if (reset)
-        memset(world->pass_seconds, 0, sizeof world->pass_seconds);
+    const skv_solver_type *solver = world->solver->type;
+    profile.count = solver->pass_count;
+    memcpy(profile.name, solver->pass_names, sizeof profile.name);
+    solver->profile(world->solver, reset, profile.seconds);
     return profile;
 }

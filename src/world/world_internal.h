@@ -5,52 +5,30 @@
 
 #include "base/pool.h"
 #include "skvalp/world.h"
-#include "solver/neighbours.h"
-#include "solver/passes.h"
-#include "solver/rows/rows.h"
-#include "solver/state.h"
+#include "solver/solver.h"
 #include "terrain/wall_map.h"
 #include "world/sleep.h"
-
-/* The passes of a substep, for the profile; names in step.c. */
-typedef enum skv_pass {
-    SKV_PASS_FORCES,
-    SKV_PASS_VISCOSITY,
-    SKV_PASS_ADVANCE,
-    SKV_PASS_NEIGHBOURS,
-    SKV_PASS_WALLS,
-    SKV_PASS_DENSITY,
-    SKV_PASS_PRESSURE,
-    SKV_PASS_DISPLACEMENT,
-    SKV_PASS_CONTACT,
-    SKV_PASS_VELOCITY,
-    SKV_PASS_COUNT
-} skv_pass;
+#include "world/state.h"
 
 struct skv_world {
     skv_fluid_def fluid;
     skv_terrain *terrain;
     skv_wall_map *walls;
+    skv_boundary boundary;
     float gravity_x, gravity_y;
-    float h;              /* smoothing radius, m */
-    float wall_clearance; /* how close a move may come to a wall, m */
-    int substeps;         /* a 1/60 s frame, at present */
-    bool substeps_fixed;  /* the definition gave them */
-    float filled;         /* expected depth over the free extent, both along gravity */
-    double due;           /* time owed to the next step, in substeps: below 1 */
+    float h;             /* smoothing radius, m */
+    int substeps;        /* a 1/60 s frame, at present */
+    bool substeps_fixed; /* the definition gave them */
+    float filled;        /* expected depth over the free extent, both along gravity */
+    double due;          /* time owed to the next step, in substeps: below 1 */
     skv_hand hands[SKV_MAX_HANDS];
     int hand_count;
 
     skv_state state;
-    int capacity;
-    void *block; /* the one allocation behind all of the state's arrays */
     uint32_t next_id;
+    uint32_t generation; /* of solver.h */
     skv_sleep sleep;
-    skv_solver solver;
-    skv_rows *rows;            /* production solver */
-    bool rows_swapped;         /* its x is the world's y */
-    skv_neighbours neighbours; /* reference solver */
-    bool lists_current;        /* the lists still describe the particles: none came or went */
+    skv_solver *solver;
     skv_constants constants;
     float constants_dt; /* the dt they were made for */
     skv_pool *pool;
@@ -58,7 +36,6 @@ struct skv_world {
 
     double time;
     int64_t steps;
-    double pass_seconds[SKV_PASS_COUNT];
 };
 
 /* constants.c: checks definitions and derives the constants of a substep. */
@@ -76,12 +53,18 @@ skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
 /* True if lo <= value <= hi; false for a NaN. */
 bool skv_within(double value, double lo, double hi);
 
-/* step.c: a hand as the passes see it. */
+/* hands.c: a hand as the passes see it. */
 skv_pull skv_make_pull(const skv_hand *hand, float dt);
+
+/* step.c: what a solver is to take one substep of: all particles, with what acts on them. */
+skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
+                                        skv_pull pulls[SKV_MAX_HANDS]);
 
 /* world.c: makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
 /* Appends a particle that has been checked; there is room for it. */
 void skv_world_append(skv_world *world, float x, float y, float vx, float vy);
+/* Notes that particles have come, gone or changed places. */
+void skv_world_regroup(skv_world *world);
 
 #endif

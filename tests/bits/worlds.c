@@ -17,7 +17,7 @@ typedef struct world_kind {
     paint *paint; /* null: an empty tank */
     unsigned open_sides;
     skv_law law;
-    skv_solver solver;
+    skv_solver_kind solver;
     float viscosity;
     float fill_x1, fill_y1; /* the fluid's box, from the lower left corner, m */
     int stirred;            /* hands and a changing gravity */

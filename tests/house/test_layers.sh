@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The layering rule: base <- solver, terrain, camera <- world <- measure, scene, render; experiments
+# The layering rule: base <- terrain, camera <- solver <- world <- measure, scene, render; experiments
 # and session stand on measure and scene, the faces on all of them. A file includes only what stands
 # left of it; the faces know public headers only, the experiments besides their own only those of
 # base; the core needs nothing but the C library and threads. Arguments: build folder, source folder.
@@ -9,7 +9,7 @@ cd "${2:?usage: test_layers.sh BUILD SOURCE}"
 # What each layer may include, itself first; skvalp.h is the core's headers in one.
 declare -A may=(
     [base]="base"
-    [solver]="solver base"
+    [solver]="solver terrain base"
     [terrain]="terrain base"
     [camera]="camera base"
     [world]="world solver terrain base"

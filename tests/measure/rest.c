@@ -51,13 +51,7 @@ void rest_shift(skv_world *world, float dx, float dy, double seconds)
 void rest_remove(skv_world *world, int index)
 {
     skv_state *s = &world->state;
+    for (int i = index + 1; i < s->count; i++)
+        skv_state_move(s, i, i - 1);
     s->count--;
-    for (int i = index; i < s->count; i++) {
-        s->x[i] = s->x[i + 1];
-        s->y[i] = s->y[i + 1];
-        s->vx[i] = s->vx[i + 1];
-        s->vy[i] = s->vy[i + 1];
-        s->pressure[i] = s->pressure[i + 1];
-        s->id[i] = s->id[i + 1];
-    }
 }

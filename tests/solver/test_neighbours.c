@@ -1,6 +1,6 @@
 /* Neighbour lists against a search over all pairs; their order; what happens outside the grid. */
 #include "base/pool.h"
-#include "solver/neighbours.h"
+#include "solver/reference/neighbours.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -25,12 +25,12 @@ static void scatter(float from, float to)
     }
 }
 
-static void build(skv_neighbours *lists, skv_state *state, float h, skv_pool *pool)
+static void build(skv_neighbours *lists, float h, skv_pool *pool)
 {
-    assert_int_equal(skv_neighbours_create(lists, 0, 0, 1, 1, h, NULL), SKV_OK);
+    assert_int_equal(skv_neighbours_create(lists, 0, 0, 1, 1, h, NULL, NULL), SKV_OK);
     for (int round = 0; round < 2; round++) {
         assert_int_equal(skv_neighbours_reserve(lists, N, NULL), SKV_OK);
-        skv_neighbours_build(lists, state, h, pool);
+        skv_neighbours_build(lists, xs, ys, N, h, pool);
     }
 }
 
@@ -58,9 +58,8 @@ static void lists_hold_exactly_the_pairs_within_h(void **unused)
         /* The second round leaves the grid on all sides. */
         for (int outside = 0; outside < 2; outside++) {
             scatter(outside ? -0.05f : 0, outside ? 1.05f : 1);
-            skv_state state = {.count = N, .x = xs, .y = ys};
             skv_neighbours lists;
-            build(&lists, &state, radii[r], NULL);
+            build(&lists, radii[r], NULL);
             check_against_all_pairs(&lists, radii[r]);
             skv_neighbours_destroy(&lists);
         }
@@ -71,12 +70,11 @@ static void threads_do_not_change_the_order(void **unused)
 {
     (void)unused;
     scatter(0, 1);
-    skv_state state = {.count = N, .x = xs, .y = ys};
     skv_neighbours alone, shared;
     skv_pool *pool;
     assert_int_equal(skv_pool_create(3, &pool, NULL), SKV_OK);
-    build(&alone, &state, 0.1f, NULL);
-    build(&shared, &state, 0.1f, pool);
+    build(&alone, 0.1f, NULL);
+    build(&shared, 0.1f, pool);
     assert_memory_equal(alone.start, shared.start, (N + 1) * sizeof(int));
     assert_memory_equal(alone.list, shared.list, (size_t)alone.start[N] * sizeof(int));
     skv_neighbours_destroy(&alone);
@@ -90,15 +88,14 @@ static void a_list_that_does_not_fit_is_cut(void **unused)
 {
     (void)unused;
     scatter(0, 0.01f);
-    skv_state state = {.count = N, .x = xs, .y = ys};
     skv_neighbours lists;
-    assert_int_equal(skv_neighbours_create(&lists, 0, 0, 1, 1, 0.1f, NULL), SKV_OK);
+    assert_int_equal(skv_neighbours_create(&lists, 0, 0, 1, 1, 0.1f, NULL, NULL), SKV_OK);
     assert_int_equal(skv_neighbours_reserve(&lists, N, NULL), SKV_OK);
-    skv_neighbours_build(&lists, &state, 0.1f, NULL);
+    skv_neighbours_build(&lists, xs, ys, N, 0.1f, NULL);
     assert_true(lists.start[N] <= lists.list_capacity);
     assert_true(lists.wanted == N * (N - 1));
     assert_int_equal(skv_neighbours_reserve(&lists, N, NULL), SKV_OK);
-    skv_neighbours_build(&lists, &state, 0.1f, NULL);
+    skv_neighbours_build(&lists, xs, ys, N, 0.1f, NULL);
     check_against_all_pairs(&lists, 0.1f);
     skv_neighbours_destroy(&lists);
 }
@@ -110,9 +107,8 @@ static void not_a_number_is_survived(void **unused)
     xs[3] = NAN;
     ys[5] = INFINITY;
     xs[7] = -INFINITY;
-    skv_state state = {.count = N, .x = xs, .y = ys};
     skv_neighbours lists;
-    build(&lists, &state, 0.1f, NULL);
+    build(&lists, 0.1f, NULL);
     assert_int_equal(lists.start[4] - lists.start[3], 0);
     skv_neighbours_destroy(&lists);
 }

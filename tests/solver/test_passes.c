@@ -3,7 +3,7 @@
 #include "support/oracle.h"
 
 #include "solver/direction.h"
-#include "solver/passes.h"
+#include "solver/reference/passes.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ static double uniform(double lo, double hi)
 typedef struct twin {
     float memory[ARRAYS][N];
     uint32_t id[N];
-    skv_state state;
+    skv_substep substep;
     skv_constants constants;
     skv_neighbours lists;
     skv_fluid_def fluid;
@@ -38,7 +38,7 @@ typedef struct twin {
 
 static void bind_arrays(twin *t)
 {
-    skv_state *s = &t->state;
+    skv_pass_data *s = &t->substep.data;
     float **arrays[ARRAYS] = {
         &s->x,          &s->y,          &s->vx,           &s->vy,        &s->wx,
         &s->wy,         &s->dx,         &s->dy,           &s->density,   &s->near_density,
@@ -61,7 +61,7 @@ static void set(float *array, double *exact, int i, double value)
 /* Particles about a spacing apart, some much closer, with walls and velocities at random. */
 static void randomise(twin *t)
 {
-    skv_state *s = &t->state;
+    skv_pass_data *s = &t->substep.data;
     oracle *o = &t->o;
     double spacing = (double)t->fluid.spacing;
     for (int i = 0; i < N; i++) {
@@ -80,17 +80,25 @@ static void randomise(twin *t)
         set(s->normal_x, o->normal_x, i, cos(angle));
         set(s->normal_y, o->normal_y, i, sin(angle));
         set(s->depth, o->depth, i, wall * uniform(0, 0.3) * spacing);
-        s->id[i] = (uint32_t)i;
+        t->id[i] = (uint32_t)i;
     }
 }
 
-/* The oracle's thin wall for the lists. */
-static bool is_occluded(const void *context, float ax, float ay, float bx, float by)
+/* Takes out of the lists the pairs that the oracle's thin wall parts. */
+static void cut_at_wall(twin *t)
 {
-    double wall = *(const double *)context;
-    (void)ay;
-    (void)by;
-    return ((double)ax < wall) != ((double)bx < wall);
+    skv_neighbours *lists = &t->lists;
+    const float *x = t->substep.data.x;
+    double wall = t->o.wall_x;
+    int kept = 0;
+    for (int i = 0, from = 0; i < N; i++) {
+        int end = lists->start[i + 1];
+        for (int k = from; k < end; k++)
+            if (((double)x[i] < wall) == ((double)x[lists->list[k]] < wall))
+                lists->list[kept++] = lists->list[k];
+        from = end;
+        lists->start[i + 1] = kept;
+    }
 }
 
 static twin *make_twin(skv_law law, uint32_t seed)
@@ -129,17 +137,20 @@ static twin *make_twin(skv_law law, uint32_t seed)
     randomise(t);
     float size = 30 * f->spacing;
     assert_int_equal(
-        skv_neighbours_create(&t->lists, -size, -size, size, size, t->constants.h, NULL), SKV_OK);
+        skv_neighbours_create(&t->lists, -size, -size, size, size, t->constants.h, NULL, NULL),
+        SKV_OK);
     o->walled = seed % 2 == 0;
     o->wall_x = 10 * (double)f->spacing;
-    if (o->walled) {
-        t->lists.occluded = is_occluded;
-        t->lists.occluded_context = &o->wall_x;
-    }
     for (int round = 0; round < 2; round++) {
         assert_int_equal(skv_neighbours_reserve(&t->lists, N, NULL), SKV_OK);
-        skv_neighbours_build(&t->lists, &t->state, t->constants.h, NULL);
+        skv_neighbours_build(&t->lists, t->substep.data.x, t->substep.data.y, N, t->constants.h,
+                             NULL);
     }
+    if (o->walled)
+        cut_at_wall(t);
+    t->substep.constants = &t->constants;
+    t->substep.neighbours = &t->lists;
+    t->substep.with_gradient = true;
     return t;
 }
 
@@ -170,34 +181,34 @@ static double difference(const float *array, const double *exact)
 /* By itself: beside the displacement of such a state it is small. */
 static void check_tension(twin *t)
 {
-    skv_state *s = &t->state;
+    skv_pass_data *s = &t->substep.data;
     oracle *o = &t->o, *alone = malloc(sizeof *alone);
     if (o->clavet) {
         free(alone);
         return;
     }
     *alone = *o;
-    skv_state kept = *s;
+    skv_pass_data kept = *s;
     float dx[N] = {0}, dy[N] = {0}, pressure[N] = {0};
     s->dx = dx;
     s->dy = dy;
     s->pressure = pressure;
     for (int i = 0; i < N; i++)
         alone->dx[i] = alone->dy[i] = alone->pressure[i] = 0;
-    skv_pass_tension(s, &t->constants, &t->lists, 0, N);
+    skv_pass_tension(&t->substep, 0, N);
     oracle_tension(alone);
     assert_close(s->dx, alone->dx, 1e-5);
     assert_close(s->dy, alone->dy, 1e-5);
     assert_close(s->pressure, alone->pressure, 1e-5);
     *s = kept;
-    skv_pass_tension(s, &t->constants, &t->lists, 0, N);
+    skv_pass_tension(&t->substep, 0, N);
     oracle_tension(o);
     free(alone);
 }
 
 static void check_twin(twin *t)
 {
-    skv_state *s = &t->state;
+    skv_pass_data *s = &t->substep.data;
     const skv_constants *c = &t->constants;
     oracle *o = &t->o;
     double spacing = (double)t->fluid.spacing;
@@ -212,40 +223,43 @@ static void check_twin(twin *t)
                      (float)fmin(0.5, 6 * o->dt),
                      (float)fmin(0.5, 9 * o->dt)};
     o->g_y = -9.81;
-    skv_pass_external_forces(s, c, 0, -9.81f, &pull, 1, 0, N);
+    t->substep.gravity_y = -9.81f;
+    t->substep.pulls = &pull;
+    t->substep.pull_count = 1;
+    skv_pass_external_forces(&t->substep, 0, N);
     oracle_external_forces(o, &hand);
     assert_close(s->vx, o->vx, 2e-6);
     assert_close(s->vy, o->vy, 2e-6);
 
-    skv_pass_viscosity(s, c, &t->lists, 0, N);
+    skv_pass_viscosity(&t->substep, 0, N);
     oracle_viscosity(o);
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->dy, o->dy, 1e-5);
-    skv_pass_apply_viscosity(s, 0, N);
+    skv_pass_apply_viscosity(&t->substep, 0, N);
     for (int i = 0; i < N; i++) {
         o->vx[i] += o->dx[i];
         o->vy[i] += o->dy[i];
     }
     assert_close(s->vx, o->vx, 1e-5);
 
-    skv_pass_advance(s, c, 0, N);
+    skv_pass_predict(&t->substep, 0, N);
     oracle_advance(o, (double)c->max_speed);
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->vy, o->vy, 1e-5);
 
-    skv_pass_density(s, c, &t->lists, true, 0, N);
+    skv_pass_density(&t->substep, 0, N);
     oracle_density(o, true);
     assert_close(s->density, o->density, 2e-6);
     assert_close(s->near_density, o->near_density, 2e-6);
     assert_close(s->gradient_x, o->gx, 5e-6);
     assert_close(s->gradient_y, o->gy, 5e-6);
 
-    (o->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated)(s, c, 0, N);
+    (o->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated)(&t->substep, 0, N);
     oracle_pressure(o);
     assert_close(s->push, o->push, 5e-6);
     assert_close(s->near_push, o->near_push, 5e-6);
 
-    skv_pass_displacement(s, c, &t->lists, 0, N);
+    skv_pass_displacement(&t->substep, 0, N);
     oracle_displacement(o);
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->dy, o->dy, 1e-5);
@@ -258,12 +272,12 @@ static void check_twin(twin *t)
         o->wy[i] += o->dy[i];
     }
 
-    skv_pass_contact(s, c, 0, N);
+    skv_pass_contact(&t->substep, 0, N);
     oracle_contact(o);
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->dy, o->dy, 1e-5);
 
-    skv_pass_update_velocity(s, c, 0, N);
+    skv_pass_update_velocity(&t->substep, 0, N);
     oracle_velocity(o);
     assert_close(s->vx, o->vx, 1e-5);
     assert_close(s->vy, o->vy, 1e-5);
@@ -300,7 +314,7 @@ static void pair_passes_keep_momentum(void **unused)
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
         twin *t = make_twin((skv_law)law, 99);
-        skv_state *s = &t->state;
+        skv_pass_data *s = &t->substep.data;
         size_t bytes = N * sizeof(float);
         memset(s->f1x, 0, bytes);
         memset(s->f1y, 0, bytes);
@@ -308,14 +322,14 @@ static void pair_passes_keep_momentum(void **unused)
         memset(s->f2y, 0, bytes);
         for (int pass = 0; pass < 2; pass++) {
             if (pass == 0) {
-                skv_pass_viscosity(s, &t->constants, &t->lists, 0, N);
+                skv_pass_viscosity(&t->substep, 0, N);
             } else {
-                skv_pass_density(s, &t->constants, &t->lists, true, 0, N);
+                skv_pass_density(&t->substep, 0, N);
                 (law == SKV_LAW_CLAVET ? skv_pass_pressure_clavet
-                                       : skv_pass_pressure_calibrated)(s, &t->constants, 0, N);
-                skv_pass_displacement(s, &t->constants, &t->lists, 0, N);
+                                       : skv_pass_pressure_calibrated)(&t->substep, 0, N);
+                skv_pass_displacement(&t->substep, 0, N);
                 if (law == SKV_LAW_CALIBRATED)
-                    skv_pass_tension(s, &t->constants, &t->lists, 0, N);
+                    skv_pass_tension(&t->substep, 0, N);
             }
             double sum_x = 0, sum_y = 0, size = 0;
             for (int i = 0; i < N; i++) {

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-skv_world_def fixture_def(skv_law law, skv_solver solver, float viscosity, float spacing,
+skv_world_def fixture_def(skv_law law, skv_solver_kind solver, float viscosity, float spacing,
                           int threads)
 {
     skv_world_def def = skv_default_world_def();
@@ -51,7 +51,7 @@ skv_world *fixture_tank(skv_law law, float spacing, int threads)
     return make(&def);
 }
 
-skv_world *fixture_tank_with(skv_law law, skv_solver solver, float spacing)
+skv_world *fixture_tank_with(skv_law law, skv_solver_kind solver, float spacing)
 {
     skv_world_def def = fixture_def(law, solver, 0, spacing, 1);
     return make(&def);
@@ -70,7 +70,7 @@ skv_world *fixture_dam(skv_law law, float spacing, int threads)
     return fixture_dam_of(&def);
 }
 
-skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity)
+skv_world *fixture_blob(skv_law law, skv_solver_kind solver, float viscosity)
 {
     skv_world_def def = fixture_def(law, solver, viscosity, 0.012f, 1);
     def.gravity_y = 0;

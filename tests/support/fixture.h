@@ -5,7 +5,7 @@
 #include "skvalp/skvalp.h"
 
 /* A definition with these values; gravity as by default, no sleep. */
-skv_world_def fixture_def(skv_law law, skv_solver solver, float viscosity, float spacing,
+skv_world_def fixture_def(skv_law law, skv_solver_kind solver, float viscosity, float spacing,
                           int threads);
 
 /* Fills a box and returns how many particles were added; fails the test on any error. */
@@ -14,7 +14,7 @@ int fixture_fill(skv_world *world, float x0, float y0, float x1, float y1);
 /* A closed tank of 1.6 x 0.9 m without particles; fails the test on any error. */
 skv_world *fixture_tank(skv_law law, float spacing, int threads);
 
-skv_world *fixture_tank_with(skv_law law, skv_solver solver, float spacing);
+skv_world *fixture_tank_with(skv_law law, skv_solver_kind solver, float spacing);
 
 /* The same with a block of fluid in the lower left corner, as a dam that breaks at once. */
 skv_world *fixture_dam(skv_law law, float spacing, int threads);
@@ -22,7 +22,7 @@ skv_world *fixture_dam_of(const skv_world_def *def);
 
 /* A blob of about 300 particles in the middle of a weightless tank, away from all walls; viscosity
  * in 1/s and 1/m. */
-skv_world *fixture_blob(skv_law law, skv_solver solver, float viscosity);
+skv_world *fixture_blob(skv_law law, skv_solver_kind solver, float viscosity);
 
 /* The particles within a spacing of walls, against those that fit there at rest, where water stands
  * deeper than three smoothing radii below `level`. Any walls. */

@@ -36,7 +36,7 @@ static uint64_t stirred_hash_of(const skv_world_def *def)
     return hash;
 }
 
-static uint64_t stirred_hash(skv_law law, skv_solver solver, int threads)
+static uint64_t stirred_hash(skv_law law, skv_solver_kind solver, int threads)
 {
     /* With viscosity, so that no pass is left out. */
     skv_world_def def = fixture_def(law, solver, 1, 0.014f, threads);
@@ -48,10 +48,11 @@ static void threads_and_restarts_give_the_same_hash(void **unused)
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
         for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
-            uint64_t once = stirred_hash((skv_law)law, (skv_solver)solver, 1);
+            uint64_t once = stirred_hash((skv_law)law, (skv_solver_kind)solver, 1);
             const int threads[] = {1, 2, 3, 7};
             for (int t = 0; t < 4; t++)
-                assert_int_equal(stirred_hash((skv_law)law, (skv_solver)solver, threads[t]), once);
+                assert_int_equal(stirred_hash((skv_law)law, (skv_solver_kind)solver, threads[t]),
+                                 once);
         }
     }
 }
@@ -71,9 +72,9 @@ static void a_hosts_threads_give_the_same_hash(void **unused)
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
         int calls = 0;
         skv_world_def def =
-            fixture_def(SKV_LAW_CALIBRATED, (skv_solver)solver, 1, 0.014f, SKV_MAX_THREADS);
+            fixture_def(SKV_LAW_CALIBRATED, (skv_solver_kind)solver, 1, 0.014f, SKV_MAX_THREADS);
         def.tasks = (skv_task_system){4, lend, &calls};
-        uint64_t once = stirred_hash(SKV_LAW_CALIBRATED, (skv_solver)solver, 1);
+        uint64_t once = stirred_hash(SKV_LAW_CALIBRATED, (skv_solver_kind)solver, 1);
         assert_int_equal(stirred_hash_of(&def), once);
         assert_true(calls >= FRAMES);
     }

@@ -16,7 +16,7 @@ static void step(skv_world *world, float dt, int times)
         assert_int_equal(skv_world_step(world, dt, NULL), SKV_OK);
 }
 
-static skv_world *make_dam(skv_law law, skv_solver solver)
+static skv_world *make_dam(skv_law law, skv_solver_kind solver)
 {
     skv_world_def def = fixture_def(law, solver, 0, 0.03f, 1);
     def.substeps = 7;
@@ -34,7 +34,7 @@ static void pieces_make_the_same_water(void **unused)
                 {1.0f / 90, 30},  {1.0f / 4200, 1400}, {1.0f / 15, 5}};
     for (int k = 0; k < 4; k++) {
         skv_law law = k & 1 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED;
-        skv_solver solver = k & 2 ? SKV_SOLVER_REFERENCE : SKV_SOLVER_FAST;
+        skv_solver_kind solver = k & 2 ? SKV_SOLVER_REFERENCE : SKV_SOLVER_FAST;
         skv_world *frames = make_dam(law, solver);
         fixture_run(frames, 20);
         assert_int_equal(skv_world_substep_count(frames), 140);

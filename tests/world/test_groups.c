@@ -131,7 +131,7 @@ static double energy_of_motion(const skv_particles *p)
 }
 
 /* A group in the middle of a weightless tank that it can't cross in the time it is watched. */
-static skv_world *make_world(const group *g, double distance, skv_law law, skv_solver solver,
+static skv_world *make_world(const group *g, double distance, skv_law law, skv_solver_kind solver,
                              double depth)
 {
     skv_terrain_def tank = skv_default_terrain_def();
@@ -187,7 +187,8 @@ static history watch(const group *g, skv_world *world)
 /* The bounds, by the law's own scales. The calibrated law's energies are those of k_coh h; what it
  * may gain is the error of its substeps, felt by three or more in one place. The clavet law is the
  * thesis' explicit one: within a substep particles fall through much of its k h. */
-static void check(const group *g, double distance, skv_law law, skv_solver solver, double depth)
+static void check(const group *g, double distance, skv_law law, skv_solver_kind solver,
+                  double depth)
 {
     skv_world *world = make_world(g, distance, law, solver, depth);
     energy_law e = law_of(world);
@@ -219,10 +220,10 @@ static void check_all(skv_law law)
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
         for (int k = 0; k < GROUPS; k++) {
             for (int i = 0; i <= 14; i++) {
-                check(&groups[k], 0.01 + 0.07 * i, law, (skv_solver)solver, 0.45);
+                check(&groups[k], 0.01 + 0.07 * i, law, (skv_solver_kind)solver, 0.45);
                 /* Hardly any depth: as few substeps as the rule ever takes. */
                 if (law == SKV_LAW_CALIBRATED)
-                    check(&groups[k], 0.01 + 0.07 * i, law, (skv_solver)solver, 0.01);
+                    check(&groups[k], 0.01 + 0.07 * i, law, (skv_solver_kind)solver, 0.01);
             }
         }
     }

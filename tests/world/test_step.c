@@ -55,7 +55,7 @@ static void add_moves(oracle *o)
 /* The step in the oracle's words: the order of the passes is what is tested. The reference solver
  * reads viscosity before the advance, as the thesis does; the fast one after it, with the first
  * density pass. */
-static void oracle_substep(oracle *o, skv_solver solver)
+static void oracle_substep(oracle *o, skv_solver_kind solver)
 {
     double h = o->s * o->eta;
     bool early = solver == SKV_SOLVER_REFERENCE;
@@ -90,7 +90,7 @@ static void oracle_substep(oracle *o, skv_solver solver)
     oracle_velocity(o);
 }
 
-static void check_substeps(skv_law law, skv_solver solver)
+static void check_substeps(skv_law law, skv_solver_kind solver)
 {
     skv_world *world = fixture_blob(law, solver, 3);
     assert_int_equal(skv_world_set_gravity(world, 2, -5, NULL), SKV_OK);
@@ -120,7 +120,7 @@ static void a_substep_matches_the_oracle(void **unused)
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++)
         for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++)
-            check_substeps((skv_law)law, (skv_solver)solver);
+            check_substeps((skv_law)law, (skv_solver_kind)solver);
 }
 
 /* One substep at a time beside walls, both solvers from the same state: the same to rounding. */
@@ -140,7 +140,7 @@ static void coincident_particles_part(void **unused)
 {
     (void)unused;
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
-        skv_world *world = fixture_blob(SKV_LAW_CALIBRATED, (skv_solver)solver, 0);
+        skv_world *world = fixture_blob(SKV_LAW_CALIBRATED, (skv_solver_kind)solver, 0);
         int n = skv_world_particle_count(world);
         skv_particles p = skv_world_particles(world);
         float x = p.x[n / 2], y = p.y[n / 2];
@@ -162,7 +162,7 @@ static void momentum_and_mass_are_kept(void **unused)
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
         for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
-            skv_world *world = fixture_blob((skv_law)law, (skv_solver)solver, 1);
+            skv_world *world = fixture_blob((skv_law)law, (skv_solver_kind)solver, 1);
             int n = skv_world_particle_count(world);
             /* One half moves up into the other: they collide, the sum is known. */
             assert_int_equal(skv_world_add_velocity(world, 0, n / 2, 0.02f, 0.05f, NULL), SKV_OK);

@@ -48,7 +48,7 @@ static bool is_right(float x, float y, void *user)
     return beside(user, (double)x, (double)y) > 0;
 }
 
-static skv_world *make_empty(const wall *w, skv_solver solver)
+static skv_world *make_empty(const wall *w, skv_solver_kind solver)
 {
     uint8_t *coverage = calloc(WIDTH * HEIGHT, 1);
     for (int y = 0; y < HEIGHT; y++) {
@@ -79,7 +79,7 @@ static skv_world *make_empty(const wall *w, skv_solver solver)
     return world;
 }
 
-static skv_world *make_world(const wall *w, skv_solver solver, bool filled)
+static skv_world *make_world(const wall *w, skv_solver_kind solver, bool filled)
 {
     skv_world *world = make_empty(w, solver);
     wall copy = *w;

@@ -34,7 +34,7 @@ typedef struct trial {
     painted picture;
     skv_world *world;
     float pixel; /* m */
-    skv_solver solver;
+    skv_solver_kind solver;
     int particles;
     int chamber[MAX_PARTICLES]; /* in which each particle started */
     char failure[640];          /* empty: none so far */

@@ -5,15 +5,17 @@
  * N of both partners; neither writes what it reads of others. A pair's two displacements are the
  * same expression with the unit vector reversed, so they are exactly opposite.
  */
-#include "solver/pair.h"
-#include "solver/passes.h"
+#include "solver/reference/pair.h"
+#include "solver/reference/passes.h"
 
 #include <math.h>
 #include <stddef.h>
 
-void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours *n, bool gradient,
-                      int begin, int end)
+void skv_pass_density(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    const skv_neighbours *n = sub->neighbours;
     for (int i = begin; i < end; i++) {
         float density = 0, near_density = 0, gx = 0, gy = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
@@ -28,7 +30,7 @@ void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours
         }
         s->density[i] = density + s->wall_density[i];
         s->near_density[i] = near_density + s->wall_near[i];
-        if (gradient) {
+        if (sub->with_gradient) {
             gx -= s->f1x[i];
             gy -= s->f1y[i];
             float size = sqrtf(gx * gx + gy * gy);
@@ -39,8 +41,10 @@ void skv_pass_density(skv_state *s, const skv_constants *c, const skv_neighbours
     }
 }
 
-void skv_pass_pressure_calibrated(skv_state *s, const skv_constants *c, int begin, int end)
+void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
     for (int i = begin; i < end; i++) {
         float density = s->density[i];
         float excess = density - c->rest_density;
@@ -62,8 +66,10 @@ void skv_pass_pressure_calibrated(skv_state *s, const skv_constants *c, int begi
     }
 }
 
-void skv_pass_pressure_clavet(skv_state *s, const skv_constants *c, int begin, int end)
+void skv_pass_pressure_clavet(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
     for (int i = begin; i < end; i++) {
         float push = c->push_scale * (s->density[i] - c->rest_density);
         float near_push = c->near_push_scale * s->near_density[i];
@@ -76,9 +82,11 @@ void skv_pass_pressure_clavet(skv_state *s, const skv_constants *c, int begin, i
     }
 }
 
-void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
-                           int end)
+void skv_pass_displacement(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    const skv_neighbours *n = sub->neighbours;
     for (int i = begin; i < end; i++) {
         float sum_x = 0, sum_y = 0, virial = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
@@ -94,8 +102,11 @@ void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neigh
         }
         /* A wall pushes with the particle's own pressure, once: twice, as if it were a mirrored
          * fluid, heats the fluid. */
-        s->dx[i] = sum_x + (s->push[i] * s->f1x[i] + s->near_push[i] * s->f2x[i]);
-        s->dy[i] = sum_y + (s->push[i] * s->f1y[i] + s->near_push[i] * s->f2y[i]);
+        float wall_x = s->push[i] * s->f1x[i] + s->near_push[i] * s->f2x[i];
+        float wall_y = s->push[i] * s->f1y[i] + s->near_push[i] * s->f2y[i];
+        s->dx[i] = sum_x + wall_x;
+        s->dy[i] = sum_y + wall_y;
+        skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
         /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
         virial += c->wall_virial * s->push[i] * s->wall_density[i] +
                   2.0f / 3 * s->near_push[i] * s->wall_near[i];
@@ -103,9 +114,11 @@ void skv_pass_displacement(skv_state *s, const skv_constants *c, const skv_neigh
     }
 }
 
-void skv_pass_tension(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
-                      int end)
+void skv_pass_tension(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    const skv_neighbours *n = sub->neighbours;
     for (int i = begin; i < end; i++) {
         float sum_x = 0, sum_y = 0, virial = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {

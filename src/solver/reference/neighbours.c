@@ -1,7 +1,8 @@
 /* The grid and the lists. Invariant: start[i] .. start[i+1] bounds particle i's list, and
  * start[count] never exceeds list_capacity. */
-#include "solver/neighbours.h"
+#include "solver/reference/neighbours.h"
 
+#include "base/arrays.h"
 #include "base/memory.h"
 
 #include <string.h>
@@ -9,12 +10,13 @@
 enum { MIN_LIST_PER_PARTICLE = 48, MAX_CELLS = 1 << 26 };
 
 skv_result skv_neighbours_create(skv_neighbours *n, float x0, float y0, float x1, float y1, float h,
-                                 skv_error *error)
+                                 const skv_boundary *boundary, skv_error *error)
 {
     memset(n, 0, sizeof *n);
     n->origin_x = x0;
     n->origin_y = y0;
     n->inv_cell = 1 / h;
+    n->boundary = boundary && skv_boundary_has_thin(boundary) ? boundary : NULL;
     double columns = (double)(x1 - x0) / h + 1, rows = (double)(y1 - y0) / h + 1;
     if (columns * rows > (double)MAX_CELLS)
         return skv_fail(error, SKV_ERROR_LIMIT,
@@ -32,31 +34,22 @@ skv_result skv_neighbours_create(skv_neighbours *n, float x0, float y0, float x1
 void skv_neighbours_destroy(skv_neighbours *n)
 {
     skv_free(n->cell_start);
-    skv_free(n->sorted);
-    skv_free(n->cell);
-    skv_free(n->start);
-    skv_free(n->list);
+    skv_free(n->particle_block);
+    skv_free(n->list_block);
     memset(n, 0, sizeof *n);
 }
 
 static skv_result reserve_particles(skv_neighbours *n, int count, skv_error *error)
 {
     int capacity = count > 2 * n->particle_capacity ? count : 2 * n->particle_capacity;
-    int *sorted = skv_calloc((size_t)capacity, sizeof *sorted);
-    int *cell = skv_calloc((size_t)capacity, sizeof *cell);
-    int *start = skv_calloc((size_t)capacity + 1, sizeof *start);
-    if (!sorted || !cell || !start) {
-        skv_free(sorted);
-        skv_free(cell);
-        skv_free(start);
+    size_t room = (size_t)capacity;
+    const skv_array arrays[] = {
+        SKV_ARRAY(n->sorted, room, 0),
+        SKV_ARRAY(n->cell, room, 0),
+        SKV_ARRAY(n->start, room + 1, 0),
+    };
+    if (!skv_arrays_grow(&n->particle_block, arrays, sizeof arrays / sizeof *arrays))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
-    }
-    skv_free(n->sorted);
-    skv_free(n->cell);
-    skv_free(n->start);
-    n->sorted = sorted;
-    n->cell = cell;
-    n->start = start;
     n->particle_capacity = capacity;
     return SKV_OK;
 }
@@ -75,11 +68,10 @@ skv_result skv_neighbours_reserve(skv_neighbours *n, int count, skv_error *error
         return SKV_OK;
     if (needed > INT32_MAX / 2)
         needed = INT32_MAX / 2;
-    int *list = skv_calloc((size_t)needed, sizeof *list);
-    if (!list)
+    /* The lists that are there still serve. */
+    const skv_array list = SKV_ARRAY(n->list, (size_t)needed, (size_t)n->list_capacity);
+    if (!skv_arrays_grow(&n->list_block, &list, 1))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for neighbour lists");
-    skv_free(n->list);
-    n->list = list;
     n->list_capacity = (int)needed;
     return SKV_OK;
 }
@@ -93,28 +85,28 @@ static int cell_along(float position, float origin, float inv_cell, int cells)
     return f < (float)(cells - 1) ? (int)f : cells - 1;
 }
 
-static void sort_into_cells(skv_neighbours *n, const skv_state *state)
+static void sort_into_cells(skv_neighbours *n, const float *x, const float *y, int count)
 {
     int cells = n->columns * n->rows;
     memset(n->cell_start, 0, ((size_t)cells + 1) * sizeof *n->cell_start);
-    for (int i = 0; i < state->count; i++) {
-        int column = cell_along(state->x[i], n->origin_x, n->inv_cell, n->columns);
-        int row = cell_along(state->y[i], n->origin_y, n->inv_cell, n->rows);
+    for (int i = 0; i < count; i++) {
+        int column = cell_along(x[i], n->origin_x, n->inv_cell, n->columns);
+        int row = cell_along(y[i], n->origin_y, n->inv_cell, n->rows);
         n->cell[i] = row * n->columns + column;
         n->cell_start[n->cell[i] + 1]++;
     }
     for (int c = 0; c < cells; c++)
         n->cell_start[c + 1] += n->cell_start[c];
     /* Filling from the back turns each end into a start and keeps a cell's indices ascending. */
-    for (int i = state->count - 1; i >= 0; i--)
+    for (int i = count - 1; i >= 0; i--)
         n->sorted[--n->cell_start[n->cell[i] + 1]] = i;
     memmove(n->cell_start, n->cell_start + 1, (size_t)cells * sizeof *n->cell_start);
-    n->cell_start[cells] = state->count;
+    n->cell_start[cells] = count;
 }
 
 typedef struct build {
     skv_neighbours *n;
-    const skv_state *state;
+    const float *x, *y;
     float h_squared;
 } build;
 
@@ -123,7 +115,7 @@ typedef struct build {
 static int gather(const build *b, int i, int *out)
 {
     const skv_neighbours *n = b->n;
-    const float *restrict x = b->state->x, *restrict y = b->state->y;
+    const float *restrict x = b->x, *restrict y = b->y;
     int column = n->cell[i] % n->columns, row = n->cell[i] / n->columns;
     int first = column > 0 ? column - 1 : 0;
     int last = column + 1 < n->columns ? column + 1 : column;
@@ -136,7 +128,7 @@ static int gather(const build *b, int i, int *out)
             float dx = x[j] - x[i], dy = y[j] - y[i];
             if (!(dx * dx + dy * dy < b->h_squared) || j == i)
                 continue;
-            if (n->occluded && n->occluded(n->occluded_context, x[i], y[i], x[j], y[j]))
+            if (n->boundary && skv_boundary_occluded(n->boundary, x[i], y[i], 0, x[j], y[j], 0))
                 continue;
             if (out)
                 out[found] = j;
@@ -163,21 +155,22 @@ static void fill_pass(int begin, int end, void *context)
     }
 }
 
-void skv_neighbours_build(skv_neighbours *n, const skv_state *state, float h, skv_pool *pool)
+void skv_neighbours_build(skv_neighbours *n, const float *x, const float *y, int count, float h,
+                          skv_pool *pool)
 {
-    if (state->count == 0)
+    if (count == 0)
         return;
-    build b = {n, state, h * h};
-    sort_into_cells(n, state);
-    skv_pool_run(pool, state->count, count_pass, &b);
+    build b = {n, x, y, h * h};
+    sort_into_cells(n, x, y, count);
+    skv_pool_run(pool, count, count_pass, &b);
     n->start[0] = 0;
     int64_t wanted = 0;
-    for (int i = 0; i < state->count; i++) {
+    for (int i = 0; i < count; i++) {
         int length = n->start[i + 1];
         wanted += length;
         bool fits = (int64_t)n->start[i] + length <= n->list_capacity;
         n->start[i + 1] = n->start[i] + (fits ? length : 0);
     }
     n->wanted = wanted < INT32_MAX / 2 ? (int)wanted : INT32_MAX / 2;
-    skv_pool_run(pool, state->count, fill_pass, &b);
+    skv_pool_run(pool, count, fill_pass, &b);
 }

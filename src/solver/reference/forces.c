@@ -1,12 +1,12 @@
 /* Velocities: external forces, pair viscosity, the clamp before the advance, the update after it.
  * Invariant: pair viscosity reads velocities that no particle of the pass writes, so each pair's
  * two impulses are exactly opposite and momentum is kept. */
-#include "solver/pair.h"
-#include "solver/passes.h"
+#include "solver/reference/pair.h"
+#include "solver/reference/passes.h"
 
-#include <stddef.h>
+#include <math.h>
 
-static void pull_towards(skv_state *s, float dt, const skv_pull *pull, int i)
+static void pull_towards(const skv_pass_data *s, float dt, const skv_pull *pull, int i)
 {
     float rx = (pull->x - s->x[i]) * pull->inv_radius, ry = (pull->y - s->y[i]) * pull->inv_radius;
     float share = 1 - (rx * rx + ry * ry);
@@ -20,21 +20,24 @@ static void pull_towards(skv_state *s, float dt, const skv_pull *pull, int i)
     s->vy[i] += pulled * ry - slow * s->vy[i] + carry * (pull->vy - s->vy[i]);
 }
 
-void skv_pass_external_forces(skv_state *s, const skv_constants *c, float gx, float gy,
-                              const skv_pull *pulls, int pull_count, int begin, int end)
+void skv_pass_external_forces(const skv_substep *sub, int begin, int end)
 {
-    float ax = c->dt * gx, ay = c->dt * gy;
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    float ax = c->dt * sub->gravity_x, ay = c->dt * sub->gravity_y;
     for (int i = begin; i < end; i++) {
         s->vx[i] += ax;
         s->vy[i] += ay;
-        for (int p = 0; p < pull_count; p++)
-            pull_towards(s, c->dt, &pulls[p], i);
+        for (int p = 0; p < sub->pull_count; p++)
+            pull_towards(s, c->dt, &sub->pulls[p], i);
     }
 }
 
-void skv_pass_viscosity(skv_state *s, const skv_constants *c, const skv_neighbours *n, int begin,
-                        int end)
+void skv_pass_viscosity(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    const skv_neighbours *n = sub->neighbours;
     for (int i = begin; i < end; i++) {
         float sum_x = 0, sum_y = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
@@ -56,16 +59,19 @@ void skv_pass_viscosity(skv_state *s, const skv_constants *c, const skv_neighbou
     }
 }
 
-void skv_pass_apply_viscosity(skv_state *s, int begin, int end)
+void skv_pass_apply_viscosity(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
     for (int i = begin; i < end; i++) {
         s->vx[i] += s->dx[i];
         s->vy[i] += s->dy[i];
     }
 }
 
-void skv_pass_advance(skv_state *s, const skv_constants *c, int begin, int end)
+void skv_pass_predict(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
     float limit = c->max_speed * c->max_speed;
     for (int i = begin; i < end; i++) {
         float speed_squared = s->vx[i] * s->vx[i] + s->vy[i] * s->vy[i];
@@ -82,8 +88,10 @@ void skv_pass_advance(skv_state *s, const skv_constants *c, int begin, int end)
     }
 }
 
-void skv_pass_update_velocity(skv_state *s, const skv_constants *c, int begin, int end)
+void skv_pass_update_velocity(const skv_substep *sub, int begin, int end)
 {
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
     for (int i = begin; i < end; i++) {
         s->vx[i] += s->wx[i] * c->inv_dt;
         s->vy[i] += s->wy[i] * c->inv_dt;

@@ -1,38 +1,11 @@
-/* What the passes of a substep read and write: plain arrays and constants.
- *
- * Every pass takes a range [begin, end) of particles and writes only to those particles' own
- * elements of arrays that it does not read from other particles. So passes can run on any number of
- * threads, and the result does not depend on how the range is cut.
- */
-#ifndef SKV_SOLVER_STATE_H
-#define SKV_SOLVER_STATE_H
+/* What is the same for all particles of a substep: the fluid's constants, and the hands. Made once
+ * by the world; a solver converts them to its own units. */
+#ifndef SKV_SOLVER_CONSTANTS_H
+#define SKV_SOLVER_CONSTANTS_H
 
 #include "base/kernels.h"
 
-#include <stdint.h>
-
-/* One element per particle. SI units unless it says otherwise. */
-typedef struct skv_state {
-    int count;
-    float *x, *y;   /* position, m */
-    float *vx, *vy; /* velocity at the start of the substep, m/s */
-    float *wx, *wy; /* sum of the substep's position corrections, m (docs/model.md, "float32") */
-    float *dx, *dy; /* what a gather pass has found: a change of velocity or of position */
-
-    float *density, *near_density; /* sum W, sum q^3, walls included; dimensionless */
-    float *gradient_x,
-        *gradient_y;         /* sum F r^, walls included, less what the bulk has; dimensionless */
-    float *push, *near_push; /* P and N of the pressure law, m */
-    float *pressure;         /* gauge pressure of the substep, Pa m */
-
-    float *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
-    float *f1x, *f1y, *f2x, *f2y;    /* F1, F2 of the wall maps; dimensionless */
-    float *clearance;                /* lower bound of the distance to the nearest wall, m */
-    float *depth;                    /* to push out of the contact distance, m; 0: no contact */
-    float *normal_x, *normal_y;      /* out of the wall; valid where depth > 0 */
-
-    uint32_t *id; /* number at creation; names the direction of coincident pairs */
-} skv_state;
+#include <stdbool.h>
 
 /* Constants of a substep. Lengths in m, times in s. */
 typedef struct skv_constants {
@@ -43,6 +16,8 @@ typedef struct skv_constants {
     float viscosity_linear, viscosity_quadratic; /* sigma 1/s, beta 1/m */
 
     /* Pressure laws. Densities are dimensionless. */
+    bool clavet;           /* the clavet law, else the calibrated one */
+    int iterations;        /* relaxation rounds */
     skv_kernel kernel;     /* of the density; the near density has its own */
     float rest_density;    /* rho0 */
     float push_scale;      /* calibrated: omega h/gain; clavet: dt^2 k/2; m */
@@ -66,5 +41,19 @@ typedef struct skv_constants {
     float softness;         /* share of the penetration corrected a substep */
     float friction;         /* share of the tangential displacement removed a substep */
 } skv_constants;
+
+/* True if the pair viscosity has anything to do. */
+static inline bool skv_is_viscous(const skv_constants *constants)
+{
+    return constants->viscosity_linear > 0 || constants->viscosity_quadratic > 0;
+}
+
+/* A finger's pull (thesis, section 3.5), lengths in m. */
+typedef struct skv_pull {
+    float x, y, vx, vy;
+    float inv_radius;
+    float attraction;       /* m/s^2 at half the radius */
+    float friction, follow; /* shares of the velocity a substep at the centre, 0..1 */
+} skv_pull;
 
 #endif

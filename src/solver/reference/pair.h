@@ -1,9 +1,10 @@
 /* One pair of particles as the gather passes see it. */
-#ifndef SKV_SOLVER_PAIR_H
-#define SKV_SOLVER_PAIR_H
+#ifndef SKV_SOLVER_REFERENCE_PAIR_H
+#define SKV_SOLVER_REFERENCE_PAIR_H
 
+#include "solver/constants.h"
 #include "solver/direction.h"
-#include "solver/state.h"
+#include "solver/reference/pass_data.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -18,7 +19,7 @@ typedef struct skv_pair {
 
 /* Fills `pair` and returns true if j is still within the radius of i: lists are older than the
  * positions (erratum of Algorithm 5). */
-static inline bool skv_pair_of(const skv_state *s, const skv_constants *c, int i, int j,
+static inline bool skv_pair_of(const skv_pass_data *s, const skv_constants *c, int i, int j,
                                skv_pair *pair)
 {
     float dx = s->x[j] - s->x[i], dy = s->y[j] - s->y[i];

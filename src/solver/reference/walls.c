@@ -1,0 +1,110 @@
+/* Meeting walls: moves as far as they allow, what the solid adds to the sums, and contact with them
+ * (Algorithm 7 with errata 7): friction along the wall, then a push out of the contact distance.
+ * Invariant: a particle out of contact gets no displacement by it. */
+#include "solver/reference/passes.h"
+
+#include <math.h>
+
+void skv_book_reaction(const skv_substep *sub, int i, double dx, double dy)
+{
+    skv_reaction *r = sub->reaction;
+    if (!r || (dx == 0 && dy == 0))
+        return;
+    const skv_pass_data *s = &sub->data;
+    float nx, ny;
+    double d = (double)skv_terrain_normal(sub->boundary->terrain, s->x[i], s->y[i], &nx, &ny);
+    double x = (double)s->x[i] - d * (double)nx, y = (double)s->y[i] - d * (double)ny;
+    if (x < r->x0 || x > r->x1 || y < r->y0 || y > r->y1)
+        return;
+    r->dx += dx;
+    r->dy += dy;
+    r->moment += (x - (r->x0 + r->x1) / 2) * dy - (y - (r->y0 + r->y1) / 2) * dx;
+}
+
+/* Moves particle i by its dx, dy as far as the walls allow; returns the share it could move.
+ * `clearance` is a lower bound of the distance to the nearest wall: only moves that exceed it look
+ * at the terrain, which in a pool are one in ten. */
+static float move_particle(const skv_substep *sub, int i)
+{
+    const skv_pass_data *s = &sub->data;
+    float dx = s->dx[i], dy = s->dy[i];
+    /* The distance is bilinear: along a diagonal it can fall by the square root of two. */
+    s->clearance[i] -= 1.4143f * sqrtf(dx * dx + dy * dy);
+    if (s->clearance[i] > sub->boundary->clearance) {
+        s->x[i] += dx;
+        s->y[i] += dy;
+        return 1;
+    }
+    float x = s->x[i], y = s->y[i];
+    float made = skv_boundary_move(sub->boundary, &x, &y, dx, dy, &s->clearance[i]);
+    skv_book_reaction(sub, i, (double)((made - 1) * dx), (double)((made - 1) * dy));
+    s->x[i] = x;
+    s->y[i] = y;
+    return made;
+}
+
+void skv_pass_advance(const skv_substep *sub, int begin, int end)
+{
+    const skv_pass_data *s = &sub->data;
+    for (int i = begin; i < end; i++) {
+        float lost = move_particle(sub, i) - 1;
+        s->wx[i] = lost * s->dx[i];
+        s->wy[i] = lost * s->dy[i];
+    }
+}
+
+void skv_pass_walls(const skv_substep *sub, int begin, int end)
+{
+    const skv_pass_data *s = &sub->data;
+    for (int i = begin; i < end; i++) {
+        skv_wall_sample wall;
+        skv_boundary_sample(sub->boundary, s->x[i], s->y[i], &wall);
+        s->wall_density[i] = wall.r;
+        s->wall_near[i] = wall.rn;
+        s->f1x[i] = wall.f1x;
+        s->f1y[i] = wall.f1y;
+        s->f2x[i] = wall.f2x;
+        s->f2y[i] = wall.f2y;
+    }
+}
+
+void skv_pass_correct(const skv_substep *sub, int begin, int end)
+{
+    const skv_pass_data *s = &sub->data;
+    for (int i = begin; i < end; i++) {
+        float made = move_particle(sub, i);
+        s->wx[i] += made * s->dx[i];
+        s->wy[i] += made * s->dy[i];
+    }
+}
+
+void skv_pass_find_contacts(const skv_substep *sub, int begin, int end)
+{
+    const skv_pass_data *s = &sub->data;
+    float reach = sub->constants->contact_distance;
+    for (int i = begin; i < end; i++) {
+        s->depth[i] = 0;
+        if (s->clearance[i] < reach)
+            s->depth[i] = skv_boundary_contact(sub->boundary, reach, s->x[i], s->y[i],
+                                               &s->normal_x[i], &s->normal_y[i], &s->clearance[i]);
+    }
+}
+
+void skv_pass_contact(const skv_substep *sub, int begin, int end)
+{
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    for (int i = begin; i < end; i++) {
+        s->dx[i] = 0;
+        s->dy[i] = 0;
+        if (!(s->depth[i] > 0))
+            continue;
+        float tx = -s->normal_y[i], ty = s->normal_x[i];
+        /* The particle's displacement in this substep so far, along the wall. */
+        float slide = (s->wx[i] + c->dt * s->vx[i]) * tx + (s->wy[i] + c->dt * s->vy[i]) * ty;
+        float rub = c->friction * slide, push = c->softness * s->depth[i];
+        s->dx[i] = push * s->normal_x[i] - rub * tx;
+        s->dy[i] = push * s->normal_y[i] - rub * ty;
+        skv_book_reaction(sub, i, (double)s->dx[i], (double)s->dy[i]);
+    }
+}

@@ -1,0 +1,244 @@
+/* The production solver behind the interface: its units and axes, and the walls as it sees them.
+ *
+ * The rows work in h and substeps, and lie across the longer side of where fluid is expected: where
+ * that is wider than high, their x is the world's y. Invariant: the caller's arrays hold the whole
+ * state; what the solver keeps between steps is memory only.
+ */
+#include "base/memory.h"
+#include "solver/rows/rows.h"
+#include "solver/solver.h"
+
+typedef struct rows_solver {
+    skv_solver solver;
+    skv_rows *rows;
+    const skv_boundary *boundary;
+    bool swapped; /* the rows' x is the world's y */
+} rows_solver;
+
+/* What the boundary callbacks need. */
+typedef struct view {
+    const skv_boundary *boundary;
+    bool swapped;
+    float h, inv_h, contact_distance;
+} view;
+
+static void swap(float *a, float *b)
+{
+    float kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+static float view_walls(const void *context, float x, float y, skv_row_wall *wall)
+{
+    const view *v = context;
+    if (v->swapped)
+        swap(&x, &y);
+    skv_wall_sample sample;
+    float distance = skv_boundary_sample(v->boundary, x * v->h, y * v->h, &sample);
+    *wall = (skv_row_wall){sample.r, sample.rn, sample.f1x, sample.f1y, sample.f2x, sample.f2y};
+    if (v->swapped) {
+        swap(&wall->f1x, &wall->f1y);
+        swap(&wall->f2x, &wall->f2y);
+    }
+    return distance * v->inv_h;
+}
+
+static float view_move(const void *context, float *x, float *y, float dx, float dy, float *distance)
+{
+    const view *v = context;
+    float wx = *x * v->h, wy = *y * v->h, wdx = dx * v->h, wdy = dy * v->h;
+    if (v->swapped) {
+        swap(&wx, &wy);
+        swap(&wdx, &wdy);
+    }
+    float share = skv_boundary_move(v->boundary, &wx, &wy, wdx, wdy, distance);
+    *distance *= v->inv_h;
+    /* Not wx, wy turned back: a free move must give the same bits as one that did not ask. */
+    *x += share < 1 ? share * dx : dx;
+    *y += share < 1 ? share * dy : dy;
+    return share;
+}
+
+static float view_contact(const void *context, float x, float y, float *nx, float *ny,
+                          float *distance)
+{
+    const view *v = context;
+    if (v->swapped)
+        swap(&x, &y);
+    float depth = skv_boundary_contact(v->boundary, v->contact_distance, x * v->h, y * v->h, nx, ny,
+                                       distance);
+    *distance *= v->inv_h;
+    if (v->swapped)
+        swap(nx, ny);
+    return depth * v->inv_h;
+}
+
+static bool view_near_thin(const void *context, float x, float y)
+{
+    const view *v = context;
+    if (v->swapped)
+        swap(&x, &y);
+    return skv_boundary_near_thin(v->boundary, x * v->h, y * v->h);
+}
+
+static bool view_occluded(const void *context, float ax, float ay, float a_clearance, float bx,
+                          float by, float b_clearance)
+{
+    const view *v = context;
+    if (v->swapped) {
+        swap(&ax, &ay);
+        swap(&bx, &by);
+    }
+    return skv_boundary_occluded(v->boundary, ax * v->h, ay * v->h, a_clearance * v->h, bx * v->h,
+                                 by * v->h, b_clearance * v->h);
+}
+
+static skv_row_constants row_constants(const skv_solver_step *step, float clearance, bool swapped)
+{
+    const skv_constants *c = step->constants;
+    float inv_h = c->inv_h, per_step = c->dt * c->inv_h;
+    skv_row_constants r = {
+        .gravity_x = step->gravity_x * c->dt * per_step,
+        .gravity_y = step->gravity_y * c->dt * per_step,
+        .max_speed = c->max_speed * per_step,
+        .viscosity_linear = c->viscosity_linear * c->dt,
+        /* beta u: u is in h a substep here. */
+        .viscosity_quadratic = c->viscosity_quadratic * c->h,
+        .rest_density = c->rest_density,
+        .push_scale = c->push_scale * inv_h,
+        .near_push_scale = c->near_push_scale * inv_h,
+        .push_limit = c->push_limit * inv_h,
+        .wall_virial = c->wall_virial,
+        .response_slope = c->response_slope,
+        .response_floor = c->response_floor,
+        .near_share = c->near_share,
+        .cohesion_scale = c->cohesion_scale * inv_h,
+        .cohesion_below = c->cohesion_below,
+        .cohesion_from = c->cohesion_from,
+        .cohesion_slope = c->cohesion_slope,
+        .tension_scale = c->tension_scale * inv_h,
+        .tension_from = c->tension_from,
+        .pressure_scale = c->pressure_scale * c->h * c->h,
+        .contact_distance = c->contact_distance * inv_h,
+        .softness = c->softness,
+        .friction = c->friction,
+        .wall_clearance = clearance * inv_h,
+        .iterations = c->iterations,
+        .clavet = c->clavet,
+        .pull_count = step->pull_count,
+    };
+    if (swapped)
+        swap(&r.gravity_x, &r.gravity_y);
+    return r;
+}
+
+static void make_pulls(const skv_solver_step *step, bool swapped, skv_row_pull *pulls)
+{
+    const skv_constants *c = step->constants;
+    for (int i = 0; i < step->pull_count; i++) {
+        const skv_pull *pull = &step->pulls[i];
+        pulls[i] = (skv_row_pull){
+            .x = pull->x * c->inv_h,
+            .y = pull->y * c->inv_h,
+            .vx = pull->vx * c->dt * c->inv_h,
+            .vy = pull->vy * c->dt * c->inv_h,
+            .inv_radius = pull->inv_radius * c->h,
+            .attraction = pull->attraction * c->dt * c->dt * c->inv_h,
+            .friction = pull->friction,
+            .follow = pull->follow,
+        };
+        if (swapped) {
+            swap(&pulls[i].x, &pulls[i].y);
+            swap(&pulls[i].vx, &pulls[i].vy);
+        }
+    }
+}
+
+static void advance(skv_solver *solver, const skv_solver_step *step)
+{
+    const rows_solver *r = (const rows_solver *)solver;
+    const skv_constants *c = step->constants;
+    const skv_solver_particles *p = &step->particles;
+    view v = {r->boundary, r->swapped, c->h, c->inv_h, c->contact_distance};
+    skv_row_boundary boundary = {
+        .context = &v, .walls = view_walls, .move = view_move, .contact = view_contact};
+    if (skv_boundary_has_thin(r->boundary)) {
+        boundary.near_thin = view_near_thin;
+        boundary.occluded = view_occluded;
+    }
+    skv_row_pull pulls[SKV_SOLVER_MOST_PULLS];
+    make_pulls(step, r->swapped, pulls);
+    skv_row_constants constants = row_constants(step, r->boundary->clearance, r->swapped);
+    constants.pulls = pulls;
+    skv_row_frame frame = {
+        .count = p->members ? p->member_count : p->count,
+        .members = p->members,
+        .x = r->swapped ? p->y : p->x,
+        .y = r->swapped ? p->x : p->y,
+        .vx = r->swapped ? p->vy : p->vx,
+        .vy = r->swapped ? p->vx : p->vy,
+        .clearance = p->clearance,
+        .pressure = p->pressure,
+        .length = c->inv_h,
+        .speed = c->dt * c->inv_h,
+    };
+    skv_rows_step(r->rows, &frame, step->substeps, &constants, &boundary, step->pool);
+}
+
+static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_error *error)
+{
+    return skv_rows_reserve(((rows_solver *)solver)->rows, step->particles.count,
+                            skv_pool_threads(step->pool), skv_is_viscous(step->constants), error);
+}
+
+static void destroy(skv_solver *solver)
+{
+    rows_solver *r = (rows_solver *)solver;
+    skv_rows_destroy(r->rows);
+    skv_free(r);
+}
+
+static skv_result create(const skv_solver_def *def, skv_solver **solver, skv_error *error)
+{
+    rows_solver *r = skv_calloc(1, sizeof *r);
+    if (!r)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver");
+    float width = def->x1 - def->x0, height = def->y1 - def->y0;
+    r->solver.type = &skv_rows_solver;
+    r->boundary = def->boundary;
+    /* The more rows, the more evenly threads share them. */
+    r->swapped = width > height;
+    float along = r->swapped ? height : width, across = r->swapped ? width : height;
+    skv_result result =
+        skv_rows_create(along / def->h, across / def->h, def->per_square, &r->rows, error);
+    if (result != SKV_OK) {
+        skv_free(r);
+        return result;
+    }
+    *solver = &r->solver;
+    return SKV_OK;
+}
+
+static void profile(skv_solver *solver, bool reset, double *seconds)
+{
+    skv_rows_profile(((rows_solver *)solver)->rows, reset, seconds);
+}
+
+static size_t bytes(const skv_solver *solver)
+{
+    return skv_rows_bytes(((const rows_solver *)solver)->rows).particles;
+}
+
+const skv_solver_type skv_rows_solver = {
+    .holds = true,
+    .most_substeps = INT_MAX,
+    .pass_count = 4,
+    .pass_names = {"advance", "sort", "relaxation", "transfer"},
+    .create = create,
+    .destroy = destroy,
+    .reserve = reserve,
+    .advance = advance,
+    .profile = profile,
+    .bytes = bytes,
+};

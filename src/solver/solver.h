@@ -1,0 +1,94 @@
+/* A solver: what carries a fluid through substeps.
+ *
+ * There are two, of one model: reference/ is the list of passes, one after the other, for reading
+ * and for measuring against; rows/ is the production solver. A solver takes arrays, a boundary and
+ * constants, and never knows a world. All of them come in SI units and in the world's axes; each
+ * solver converts to its own.
+ *
+ * Invariant: the state of the fluid lies in the caller's arrays alone. What a solver keeps from
+ * call to call is memory, and what can be found again from positions.
+ */
+#ifndef SKV_SOLVER_SOLVER_H
+#define SKV_SOLVER_SOLVER_H
+
+#include "base/pool.h"
+#include "skvalp/base.h"
+#include "solver/constants.h"
+#include "terrain/boundary.h"
+
+#include <limits.h>
+
+/* What a solver is made for. */
+typedef struct skv_solver_def {
+    float x0, y0, x1, y1;         /* where fluid is to be expected, m; it may leave */
+    float h;                      /* smoothing radius, m */
+    float per_square;             /* particles in a square of side h at rest */
+    const skv_boundary *boundary; /* has to outlive the solver */
+} skv_solver_def;
+
+/* The particles, in the caller's arrays: SI units. */
+typedef struct skv_solver_particles {
+    int count;
+    uint32_t generation; /* another one when particles have come, gone or changed places; not 0 */
+    float *x, *y;
+    float *vx, *vy;
+    float *clearance; /* lower bound of the distance to the nearest wall */
+    float *pressure;  /* gauge pressure, Pa m; written only */
+    const uint32_t *id;
+    /* Who takes part: indices, ascending, or ~index of one that is held, which takes part in the
+     * sums but stays, and nothing of it is written. Null: all, 0..count-1. */
+    const int *members;
+    int member_count;
+} skv_solver_particles;
+
+/* What walls have done to the fluid, of which the nearest point lies in a box. */
+typedef struct skv_reaction {
+    double x0, y0, x1, y1; /* the box, m */
+    double dx, dy;         /* sums of the walls' displacements of particles, m ... */
+    double moment;         /* ... and of their moments about the box's centre, m^2 */
+} skv_reaction;
+
+/* Some substeps to take. */
+typedef struct skv_solver_step {
+    skv_solver_particles particles;
+    const skv_constants *constants;
+    float gravity_x, gravity_y; /* m/s^2 */
+    const skv_pull *pulls;
+    int pull_count;
+    int substeps;
+    skv_pool *pool;         /* null: the calling thread */
+    skv_reaction *reaction; /* adds to it; only with `reacts`. Null: not wanted */
+} skv_solver_step;
+
+typedef struct skv_solver skv_solver;
+
+enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_PULLS = 16 };
+
+/* A kind of solver. */
+typedef struct skv_solver_type {
+    bool holds;        /* knows `members` */
+    bool reacts;       /* knows `reaction` */
+    int most_substeps; /* that it can take after one `reserve` */
+    int pass_count;
+    const char *pass_names[SKV_SOLVER_MOST_PASSES];
+
+    skv_result (*create)(const skv_solver_def *def, skv_solver **solver, skv_error *error);
+    void (*destroy)(skv_solver *solver);
+    /* Makes room for a step; allocates only when it has to. On failure nothing has changed. */
+    skv_result (*reserve)(skv_solver *solver, const skv_solver_step *step, skv_error *error);
+    /* Takes the substeps, for which there is room. */
+    void (*advance)(skv_solver *solver, const skv_solver_step *step);
+    /* Wall seconds of each pass since the last call with `reset`. */
+    void (*profile)(skv_solver *solver, bool reset, double *seconds);
+    /* Bytes held for the particles' arrays. */
+    size_t (*bytes)(const skv_solver *solver);
+} skv_solver_type;
+
+/* What every solver begins with. */
+struct skv_solver {
+    const skv_solver_type *type;
+};
+
+extern const skv_solver_type skv_reference_solver, skv_rows_solver;
+
+#endif

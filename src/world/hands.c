@@ -1,0 +1,52 @@
+/* The hands that hold fluid. Invariant: every hand of a world has been checked. */
+#include "base/assert.h"
+#include "base/exact.h"
+#include "world/world_internal.h"
+
+#include <string.h>
+
+skv_hand skv_default_hand(void)
+{
+    return (skv_hand){.radius = 0.15f, .attraction = 60, .friction = 6, .follow = 6};
+}
+
+skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count, skv_error *error)
+{
+    SKV_ASSERT_OR(world && (hands || count == 0), SKV_ERROR_VALUE);
+    if (count < 0 || count > SKV_MAX_HANDS)
+        return skv_fail(error, SKV_ERROR_LIMIT, "%d hands; allowed is 0..%d", count, SKV_MAX_HANDS);
+    for (int i = 0; i < count; i++) {
+        const skv_hand *h = &hands[i];
+        if (!skv_within((double)h->x, -1000, 1000) || !skv_within((double)h->y, -1000, 1000) ||
+            !skv_within((double)h->vx, -1000, 1000) || !skv_within((double)h->vy, -1000, 1000))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "hand %d: position or velocity is not finite or beyond 1000 m or m/s",
+                            i);
+        if (!skv_within((double)h->radius, 1e-6, 100) ||
+            !skv_within((double)h->attraction, -10000, 10000) ||
+            !skv_within((double)h->friction, 0, 10000) || !skv_within((double)h->follow, 0, 10000))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "hand %d: radius (0..100 m], attraction +-10000 m/s^2, friction and "
+                            "follow 0..10000 1/s are allowed",
+                            i);
+    }
+    if (count)
+        memcpy(world->hands, hands, (size_t)count * sizeof *hands);
+    world->hand_count = count;
+    return SKV_OK;
+}
+
+skv_pull skv_make_pull(const skv_hand *hand, float dt)
+{
+    return (skv_pull){
+        .x = hand->x,
+        .y = hand->y,
+        .vx = hand->vx,
+        .vy = hand->vy,
+        .inv_radius = 1 / hand->radius,
+        .attraction = hand->attraction,
+        /* Half each at most: more than the whole velocity would turn it round. */
+        .friction = skv_minf(0.5f, dt * hand->friction),
+        .follow = skv_minf(0.5f, dt * hand->follow),
+    };
+}

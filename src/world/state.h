@@ -1,0 +1,40 @@
+/* The particles of a world, structure of arrays: the one list of what a particle has.
+ *
+ * Whoever adds an attribute adds a line here, and gives a new particle its value in
+ * skv_world_append; room, removal, copies and snapshots follow from the list.
+ */
+#ifndef SKV_WORLD_STATE_H
+#define SKV_WORLD_STATE_H
+
+#include "skvalp/base.h"
+
+/* X(type, name): one element per particle, SI units. */
+#define SKV_STATE_ARRAYS(X)                                                                        \
+    X(float, x) /* position, m */                                                                  \
+    X(float, y)                                                                                    \
+    X(float, vx) /* velocity, m/s */                                                               \
+    X(float, vy)                                                                                   \
+    X(float, pressure)  /* gauge, of the last substep, Pa m */                                     \
+    X(float, clearance) /* lower bound of the distance to the nearest wall, m; 0: not known */     \
+    X(float, anchor_x)  /* where it was at sleep's last look round, m */                           \
+    X(float, anchor_y)                                                                             \
+    X(uint32_t, id)    /* number at creation; ascending */                                         \
+    X(uint8_t, unrest) /* skv_unrest, of sleep.h */
+
+typedef struct skv_state {
+    int count, capacity;
+    void *block; /* the one allocation behind all of the arrays */
+#define SKV_DECLARE_ARRAY(type, name) type *name;
+    SKV_STATE_ARRAYS(SKV_DECLARE_ARRAY)
+#undef SKV_DECLARE_ARRAY
+} skv_state;
+
+/* Makes room for `count` particles in all; nothing changes on failure. */
+skv_result skv_state_reserve(skv_state *state, int count, skv_error *error);
+
+/* Puts particle `from` into the place `to`. */
+void skv_state_move(skv_state *state, int from, int to);
+
+void skv_state_free(skv_state *state);
+
+#endif
