@@ -1,5 +1,5 @@
 /* Copies a world, so that solvers and thread counts are compared on the same particles at the same
- * moment. Invariant: a twin has the source's terrain and particles. */
+ * moment. Invariant: a twin shares the source's terrain and has its particles. */
 #include "twin.h"
 
 static skv_result copy_particles(const skv_world *source, skv_world *twin, skv_error *error)
@@ -16,9 +16,7 @@ skv_result bench_twin(const skv_world *source, const skv_fluid_def *fluid, skv_s
 {
     *twin = NULL;
     skv_world_def def = skv_default_world_def();
-    skv_result result = skv_terrain_copy(skv_world_terrain(source), &def.terrain, error);
-    if (result != SKV_OK)
-        return result;
+    def.terrain = skv_terrain_share(skv_world_terrain(source));
     def.fluid = *fluid;
     skv_world_gravity(source, &def.gravity_x, &def.gravity_y);
     def.substeps = skv_world_substeps_per_frame(source);
@@ -26,7 +24,7 @@ skv_result bench_twin(const skv_world *source, const skv_fluid_def *fluid, skv_s
     def.solver = solver;
     def.sleep = false;
     def.capacity = skv_world_particle_count(source);
-    result = skv_world_create(&def, twin, error);
+    skv_result result = skv_world_create(&def, twin, error);
     if (result != SKV_OK) {
         skv_terrain_destroy(def.terrain);
         return result;

@@ -77,10 +77,9 @@ SKV_API skv_result skv_scene_create_world(const skv_scene *scene, int threads, s
                                           skv_error *error);
 
 /* The two halves of skv_scene_create_world, for a host that wants to change something in between.
- * What the world is like, without its fluid: `def->terrain` is a copy, which skv_world_create takes
- * over. */
-SKV_API skv_result skv_scene_world_def(const skv_scene *scene, skv_world_def *def,
-                                       skv_error *error);
+ * What the world is like, without its fluid. Its terrain is the scene's, shared: skv_world_create
+ * takes it over, or skv_terrain_destroy gives it up. */
+SKV_API skv_world_def skv_scene_world_def(const skv_scene *scene);
 /* Puts the scene's fluid into such a world, at its speed. */
 SKV_API skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *error);
 

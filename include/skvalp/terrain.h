@@ -50,11 +50,13 @@ typedef struct skv_terrain skv_terrain;
 SKV_API skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
                                       skv_error *error);
 
-/* Makes an independent copy, in much less time than making a terrain takes; null on failure. */
-SKV_API skv_result skv_terrain_copy(const skv_terrain *source, skv_terrain **terrain,
-                                    skv_error *error);
+/* Shares a terrain: returns the same one, to be given to another world or destroyed like one that
+ * was created. It never changes, so any number of worlds may hold it and step on threads of their
+ * own at the same time. Thread-safe. */
+SKV_API skv_terrain *skv_terrain_share(const skv_terrain *terrain);
 
-/* Frees a terrain that no world has taken over; null is allowed. */
+/* Gives up a terrain that no world has taken over; it is freed when nobody shares it any more. Null
+ * is allowed. Thread-safe. */
 SKV_API void skv_terrain_destroy(skv_terrain *terrain);
 
 /* Size of the picture in metres and in pixels. Thread-safe on a constant terrain, like all
@@ -79,7 +81,9 @@ SKV_API float skv_terrain_normal(const skv_terrain *terrain, float x, float y, f
 
 /* How far a straight move from (x0, y0) to (x1, y1) may go before it comes closer to a wall than
  * `clearance` metres: a fraction 0..1 of the move. A move that starts closer than that may go on as
- * long as it does not get deeper. The swept test that keeps fast particles out of thin walls. */
+ * long as it does not get deeper. A move that begins more than 65536 pixels from the origin, or is
+ * longer than 1e9 pixels, is not made. The swept test that keeps fast particles out of thin walls.
+ */
 SKV_API float skv_terrain_sweep(const skv_terrain *terrain, float x0, float y0, float x1, float y1,
                                 float clearance);
 

@@ -249,10 +249,45 @@ SKV_API skv_stats skv_world_stats(const skv_world *world);
 /* 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order. */
 SKV_API uint64_t skv_world_hash(const skv_world *world);
 
-/* Writes the indices (into the arrays of skv_world_particles) of the particles within `radius` of
- * (x, y), ascending, at most `capacity`; returns how many there are in all. */
-SKV_API int skv_world_query_circle(const skv_world *world, float x, float y, float radius,
-                                   int *indices, int capacity);
+/* A region of the plane, to ask for particles or to act on them. Made by one of the functions
+ * below; what is not finite, and a circle of negative radius, contains nothing. */
+typedef enum skv_area_kind { SKV_AREA_CIRCLE, SKV_AREA_BOX, SKV_AREA_POLYGON } skv_area_kind;
+typedef struct skv_area {
+    skv_area_kind kind;
+    float x0, y0, x1, y1; /* box: two opposite corners; circle: its centre first; m */
+    float radius;         /* of a circle, m */
+    const float *points;  /* of a polygon: x, y, x, y, ..., m */
+    int count;            /* of its points */
+} skv_area;
+
+SKV_API skv_area skv_circle(float x, float y, float radius);
+SKV_API skv_area skv_box(float x0, float y0, float x1, float y1);
+/* `count` corners, at least 3, of two floats each; the last is joined to the first. A point is
+ * inside if a line from it to far away crosses an odd number of sides. The points stay the caller's
+ * and have to be there as long as the area is used. */
+SKV_API skv_area skv_polygon(const float *points, int count);
+
+/* Writes the indices (into the arrays of skv_world_particles) of the particles in an area,
+ * ascending, at most `capacity`; returns how many there are in all. */
+SKV_API int skv_world_query(const skv_world *world, const skv_area *area, int *indices,
+                            int capacity);
+
+/* Where a ray meets something. */
+typedef struct skv_hit {
+    bool found;
+    float share;  /* of the ray's way, 0..1; 1 if nothing was found */
+    float x, y;   /* m */
+    float nx, ny; /* unit normal there, out of what was met; 0 if nothing was */
+    int particle; /* index of the particle met; -1 for a wall or nothing */
+} skv_hit;
+typedef struct skv_ray {
+    skv_hit wall;
+    skv_hit fluid; /* before the wall; a particle counts as a disc of area spacing^2 */
+} skv_ray;
+
+/* What the straight way from (x0, y0) to (x1, y1), m, each within 1000 m, meets first. A ray that
+ * begins in solid or in fluid meets it at share 0. */
+SKV_API skv_ray skv_world_ray(const skv_world *world, float x0, float y0, float x1, float y1);
 
 #ifdef __cplusplus
 }

@@ -116,11 +116,10 @@ static skv_scene *load(stage *s, const stage_plan *plan, double spacing)
 
 static skv_world *make_world(stage *s, const skv_scene *scene)
 {
-    skv_world_def def;
-    skv_world *world = NULL;
-    skv_stage_keep(s, skv_scene_world_def(scene, &def, s->error));
     if (!skv_stage_ok(s))
         return NULL;
+    skv_world_def def = skv_scene_world_def(scene);
+    skv_world *world = NULL;
     def.threads = s->options ? s->options->threads : 0;
     skv_stage_keep(s, skv_world_create(&def, &world, s->error));
     if (!skv_stage_ok(s))

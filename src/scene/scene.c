@@ -69,18 +69,19 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
     return result == SKV_OK ? add_speeds(scene, world, error) : result;
 }
 
-skv_result skv_scene_world_def(const skv_scene *scene, skv_world_def *def, skv_error *error)
+skv_world_def skv_scene_world_def(const skv_scene *scene)
 {
-    SKV_ASSERT_OR(scene != NULL && def != NULL, SKV_ERROR_VALUE);
-    *def = skv_default_world_def();
-    def->fluid = scene->fluid;
-    def->gravity_x = (float)scene->gravity_x;
-    def->gravity_y = (float)scene->gravity_y;
-    def->depth = (float)scene->depth;
-    def->substeps = scene->substeps;
-    def->sleep = scene->sleep;
-    def->capacity = scene->particles;
-    return skv_terrain_copy(scene->terrain, &def->terrain, error);
+    skv_world_def def = skv_default_world_def();
+    SKV_ASSERT_OR(scene != NULL, def);
+    def.terrain = skv_terrain_share(scene->terrain);
+    def.fluid = scene->fluid;
+    def.gravity_x = (float)scene->gravity_x;
+    def.gravity_y = (float)scene->gravity_y;
+    def.depth = (float)scene->depth;
+    def.substeps = scene->substeps;
+    def.sleep = scene->sleep;
+    def.capacity = scene->particles;
+    return def;
 }
 
 skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world **world,
@@ -89,12 +90,9 @@ skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world
     SKV_ASSERT_OR(world != NULL, SKV_ERROR_VALUE);
     *world = NULL;
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
-    skv_world_def def;
-    skv_result result = skv_scene_world_def(scene, &def, error);
-    if (result != SKV_OK)
-        return result;
+    skv_world_def def = skv_scene_world_def(scene);
     def.threads = threads;
-    result = skv_world_create(&def, world, error);
+    skv_result result = skv_world_create(&def, world, error);
     if (result != SKV_OK) {
         skv_terrain_destroy(def.terrain);
         return result;

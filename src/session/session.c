@@ -70,12 +70,9 @@ void skv_session_destroy(skv_session *session)
 static skv_result make_world(const skv_session *session, const skv_scene *scene, skv_world **world,
                              skv_error *error)
 {
-    skv_world_def def;
-    skv_result result = skv_scene_world_def(scene, &def, error);
-    if (result != SKV_OK)
-        return result;
+    skv_world_def def = skv_scene_world_def(scene);
     def.pool = session->pool;
-    result = skv_world_create(&def, world, error);
+    skv_result result = skv_world_create(&def, world, error);
     if (result != SKV_OK) {
         skv_terrain_destroy(def.terrain);
         return result;

@@ -31,6 +31,12 @@
  * such a piece: well above rounding, so that nothing comes to rest exactly in a wall's middle. */
 #define LEAST_SLOPE 1e-3
 
+/* The farthest from the origin that a move may begin, in pixels: eight pictures' width. Farther out
+ * rounding comes near to a thin wall's depth. And how long it may be, in pixels: the fraction of a
+ * longer one does not tell places in a cell apart. */
+#define FARTHEST_START 65536.0
+#define LONGEST        1e9
+
 /* A move in grid coordinates; distances along it in pixels. */
 typedef struct move {
     const skv_terrain *terrain;
@@ -166,6 +172,9 @@ static double march(const move *m, double distance)
     guard held = make_guard(m, distance);
     /* A bound for moves along the outside, which need not come to an end in reasonable time. */
     int pieces = 64 + 4 * (m->terrain->columns + m->terrain->rows);
+    /* Rounding may leave a point on the line that it has just met. Going on by so much takes it
+     * over the line, and by less than anything that matters. */
+    double least = skv_min(1e-9, 1e-6 / m->length);
     double t = 0;
     while (pieces-- > 0) {
         if (distance - m->limit > JUMP_FROM) {
@@ -179,8 +188,7 @@ static double march(const move *m, double distance)
         bool inside = inside_grid(m->terrain, x, y);
         if (inside) {
             end = skv_min(1, skv_min(next_line(m->x0, m->dx, x), next_line(m->y0, m->dy, y)));
-            /* Rounding may leave the point on the line that it has just met. */
-            end = skv_max(end, t + 1e-9);
+            end = skv_max(end, t + least);
             if (held.active)
                 end = skv_min(end, t + GUARDED_PIECE / m->length);
             hit = first_below_in_cell(m, m->limit - m->tolerance, t, end);
@@ -227,7 +235,7 @@ float skv_terrain_sweep(const skv_terrain *terrain, float x0, float y0, float x1
      * keeps them on their side of a wall must not be outrun by many small steps. */
     if (distance >= 0 && distance + m.tolerance - STEEPEST * m.length >= m.limit)
         return 1;
-    if (!(m.length <= 1e30))
+    if (!(fabs(m.x0) <= FARTHEST_START && fabs(m.y0) <= FARTHEST_START && m.length <= LONGEST))
         return 0;
     if (m.length == 0)
         return 1;

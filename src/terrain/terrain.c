@@ -1,4 +1,5 @@
-/* A terrain's lifetime and plain facts. Invariant: a terrain never changes once it is created. */
+/* A terrain's lifetime and plain facts. Invariant: a terrain never changes once it is created, but
+ * for the number of those who share it. */
 #include "terrain/terrain.h"
 
 #include "base/assert.h"
@@ -6,8 +7,6 @@
 #include "base/memory.h"
 #include "terrain/contour.h"
 #include "terrain/distance.h"
-
-#include <string.h>
 
 #define TERRAIN_COOKIE 0x7e44a1
 
@@ -97,6 +96,7 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
     float *field = skv_calloc((size_t)coverage.columns * (size_t)coverage.rows, sizeof *field);
     if (made && field) {
         *made = (skv_terrain){
+            .owners = 1,
             .width = def->width,
             .height = def->height,
             .columns = coverage.columns,
@@ -122,30 +122,17 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
     return SKV_OK;
 }
 
-skv_result skv_terrain_copy(const skv_terrain *source, skv_terrain **terrain, skv_error *error)
+skv_terrain *skv_terrain_share(const skv_terrain *terrain)
 {
-    SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
-    *terrain = NULL;
-    SKV_ASSERT_OR(source, SKV_ERROR_VALUE);
-    size_t samples = (size_t)source->columns * (size_t)source->rows;
-    skv_terrain *made = skv_calloc(1, sizeof *made);
-    float *field = skv_calloc(samples, sizeof *field);
-    if (!made || !field) {
-        skv_free(field);
-        skv_free(made);
-        return skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
-                        source->width, source->height);
-    }
-    memcpy(field, source->field, samples * sizeof *field);
-    *made = *source;
-    made->field = field;
-    *terrain = made;
-    return SKV_OK;
+    SKV_ASSERT_OR(terrain, NULL);
+    skv_terrain *shared = (skv_terrain *)terrain; /* constant but for its owners */
+    atomic_fetch_add(&shared->owners, 1);
+    return shared;
 }
 
 void skv_terrain_destroy(skv_terrain *terrain)
 {
-    if (!terrain)
+    if (!terrain || atomic_fetch_sub(&terrain->owners, 1) > 1)
         return;
     skv_free(terrain->field);
     skv_free(terrain);

@@ -9,10 +9,13 @@
 
 #include "skvalp/terrain.h"
 
+#include <stdatomic.h>
+
 /* Two pixels to sample in, one more for the normals' kernel. */
 #define SKV_TERRAIN_RIM 3
 
 struct skv_terrain {
+    atomic_int owners;
     int width, height; /* the picture, pixels */
     int columns, rows; /* the picture and its rim, pixels */
     float pixel_size;  /* m */

@@ -1,4 +1,4 @@
-/* Reading a world: statistics, hash, circle query. Invariant: nothing here changes the world, and
+/* Reading a world: statistics, hash. Invariant: nothing here changes the world, and
  * every sum runs in creation order, so the same world gives the same bits. */
 #include "base/assert.h"
 #include "base/exact.h"
@@ -165,23 +165,6 @@ uint64_t skv_world_hash(const skv_world *world)
         hash = hash_float(hash, s->vy[i]);
     }
     return hash;
-}
-
-int skv_world_query_circle(const skv_world *world, float x, float y, float radius, int *indices,
-                           int capacity)
-{
-    SKV_ASSERT_OR(world && (indices || capacity <= 0), 0);
-    const skv_state *s = &world->state;
-    int found = 0;
-    for (int i = 0; i < s->count; i++) {
-        float dx = s->x[i] - x, dy = s->y[i] - y;
-        if (!(dx * dx + dy * dy <= radius * radius))
-            continue;
-        if (found < capacity)
-            indices[found] = i;
-        found++;
-    }
-    return found;
 }
 
 const char *skv_instruction_set(void)

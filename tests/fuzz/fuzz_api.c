@@ -148,7 +148,8 @@ static void look(host *h)
 {
     int indices[16], total;
     float x = fuzz_float(&h->in, 0, h->width), y = fuzz_float(&h->in, 0, h->height);
-    total = skv_world_query_circle(h->world, x, y, fuzz_float(&h->in, 0, 1), indices, 16);
+    skv_area circle = skv_circle(x, y, fuzz_float(&h->in, 0, 1));
+    total = skv_world_query(h->world, &circle, indices, 16);
     fuzz_expect(total >= 0 && total <= skv_world_particle_count(h->world), "at most all are found");
     for (int i = 1; i < total && i < 16; i++)
         fuzz_expect(indices[i] > indices[i - 1], "indices ascend");

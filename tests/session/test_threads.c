@@ -66,8 +66,7 @@ static void test_worlds_of_one_pool(void **state)
     assert_int_equal(skv_pool_create(3, &pool, NULL), SKV_OK);
     assert_int_equal(skv_scene_load("dam-break", NULL, &scene, NULL), SKV_OK);
     for (int i = 0; i < 3; i++) {
-        skv_world_def def;
-        assert_int_equal(skv_scene_world_def(scene, &def, NULL), SKV_OK);
+        skv_world_def def = skv_scene_world_def(scene);
         def.pool = i < 2 ? pool : NULL;
         def.threads = 1;
         assert_int_equal(skv_world_create(&def, &worlds[i], NULL), SKV_OK);

@@ -289,36 +289,21 @@ static void odd_points_are_harmless(void **state)
     skv_terrain_destroy(t);
 }
 
-static void a_copy_is_the_same_and_independent(void **state)
+static void a_shared_terrain_lives_as_long_as_one_holds_it(void **state)
 {
     (void)state;
-    static uint8_t picture[48 * 40];
-    const shape disc = disc_shape("disc", 20, 18, 9);
-    paint_shape(&disc, 48, 40, true, picture);
-    skv_terrain *first = make_terrain(48, 40, picture, 0.01f, SKV_SIDE_TOP), *copy;
-    assert_int_equal(skv_terrain_copy(first, &copy, NULL), SKV_OK);
-    float low[2], high[2], probe[2][100];
-    skv_terrain_free_range(first, &low[0], &high[0]);
-    for (int i = 0; i < 100; i++)
-        probe[0][i] = skv_terrain_distance(first, 0.005f * (float)i, 0.004f * (float)i);
-    skv_terrain_destroy(first);
-    skv_terrain_free_range(copy, &low[1], &high[1]);
-    for (int i = 0; i < 100; i++)
-        probe[1][i] = skv_terrain_distance(copy, 0.005f * (float)i, 0.004f * (float)i);
-    assert_memory_equal(probe[0], probe[1], sizeof probe[0]);
-    assert_true(low[0] == low[1] && high[0] == high[1]);
-    assert_int_equal(skv_terrain_open_sides(copy), SKV_SIDE_TOP);
-    assert_int_equal(skv_terrain_pixels_x(copy), 48);
     failing_memory memory;
-    for (int fail_at = 0; fail_at < 2; fail_at++) {
-        skv_terrain *none = copy;
-        failing_memory_start(&memory, fail_at);
-        assert_int_equal(skv_terrain_copy(copy, &none, NULL), SKV_ERROR_MEMORY);
-        assert_null(none);
-        assert_int_equal(memory.live, 0);
-    }
+    failing_memory_start(&memory, -1);
+    skv_terrain *first = make_terrain(48, 40, NULL, 0.01f, SKV_SIDE_TOP);
+    skv_terrain *second = skv_terrain_share(first), *third = skv_terrain_share(second);
+    assert_ptr_equal(second, first);
+    skv_terrain_destroy(first);
+    skv_terrain_destroy(third);
+    assert_true(memory.live > 0);
+    NEAR(skv_terrain_distance(second, 0.24f, 0.1f), 0.1, 1e-5);
+    skv_terrain_destroy(second);
+    assert_int_equal(memory.live, 0);
     failing_memory_stop();
-    skv_terrain_destroy(copy);
 }
 
 static void memory_failures_leave_nothing(void **state)
@@ -387,7 +372,7 @@ int main(void)
         cmocka_unit_test(bad_definitions_are_refused),
         cmocka_unit_test(misuse_is_asserted),
         cmocka_unit_test(odd_points_are_harmless),
-        cmocka_unit_test(a_copy_is_the_same_and_independent),
+        cmocka_unit_test(a_shared_terrain_lives_as_long_as_one_holds_it),
         cmocka_unit_test(memory_failures_leave_nothing),
         cmocka_unit_test(largest_picture),
     };

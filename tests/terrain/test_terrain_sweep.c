@@ -107,6 +107,31 @@ static void thin_walls_hold(void **state)
     assert_true(stopped > 5000);
 }
 
+/* From far outside an open side inwards, and back: a share of the way, from within the grid, and
+ * the wall in the middle holds. */
+static void moves_from_far_away_stay_in_the_grid(void **state)
+{
+    (void)state;
+    const double far[] = {1e3, 3e4, 1e5, 1e7, 1e20, 1e37};
+    dice d = {11};
+    paint_line(90, 1, 255);
+    for (unsigned open = 0; open < 16; open++) {
+        skv_terrain *t = make_terrain(SIDE, SIDE, picture, PIXEL, open);
+        for (int shot = 0; shot < 3000; shot++) {
+            double away = far[shot % 6] * (2 * roll(&d) - 1);
+            double x = SIDE * roll(&d), y = SIDE * (0.1 + 0.8 * roll(&d)),
+                   height = shot % 4 ? y : away;
+            double in = sweep(t, away, height, x, y, 0.3), out = sweep(t, x, y, away, height, 0.3);
+            assert_true(in >= 0 && in <= 1 && out >= 0 && out <= 1);
+            bool to_right = x < SIDE / 2 - 2 && away > SIDE, to_left = x > SIDE / 2 + 3 && away < 0;
+            bool from_air = open & (to_right ? SKV_SIDE_RIGHT : SKV_SIDE_LEFT);
+            if (shot % 4 && (to_right || to_left))
+                assert_true(out < 1 && (in < 1 || !from_air));
+        }
+        skv_terrain_destroy(t);
+    }
+}
+
 /* The regions of air, joined over pixel edges only. */
 static void label_regions(int *labels)
 {
@@ -285,6 +310,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thin_walls_hold),
+        cmocka_unit_test(moves_from_far_away_stay_in_the_grid),
         cmocka_unit_test(nobody_leaves_a_region),
         cmocka_unit_test(nobody_crosses_from_inside),
         cmocka_unit_test(stops_at_the_clearance),

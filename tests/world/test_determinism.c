@@ -119,7 +119,8 @@ static void looking_at_a_world_does_not_change_it(void **unused)
         fixture_run(alone, 1);
         skv_world_stats(watched);
         skv_world_profile(watched, f % 2);
-        skv_world_query_circle(watched, 0.2f, 0.2f, 0.1f, found, 10);
+        skv_area circle = skv_circle(0.2f, 0.2f, 0.1f);
+        skv_world_query(watched, &circle, found, 10);
     }
     assert_int_equal(skv_world_hash(watched), skv_world_hash(alone));
     skv_world_destroy(watched);

@@ -235,7 +235,8 @@ static void a_hand_carries_fluid(void **unused)
     fixture_fill(world, 0, 0, 1.6f, 0.3f);
     fixture_run(world, 60);
     int found[3000];
-    assert_int_equal(skv_world_query_circle(world, 0.8f, 0.6f, 0.1f, found, 3000), 0);
+    skv_area around = skv_circle(0.8f, 0.6f, 0.1f);
+    assert_int_equal(skv_world_query(world, &around, found, 3000), 0);
     skv_hand hand = skv_default_hand();
     for (int f = 0; f < 90; f++) {
         hand.x = 0.8f;
@@ -244,13 +245,13 @@ static void a_hand_carries_fluid(void **unused)
         assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
         fixture_run(world, 1);
     }
-    int held = skv_world_query_circle(world, 0.8f, 0.6f, 0.1f, found, 3000);
+    int held = skv_world_query(world, &around, found, 3000);
     assert_true(held > 40);
     for (int i = 1; i < held; i++)
         assert_true(found[i] > found[i - 1]);
     assert_int_equal(skv_world_set_hands(world, NULL, 0, NULL), SKV_OK);
     fixture_run(world, 120);
-    assert_int_equal(skv_world_query_circle(world, 0.8f, 0.6f, 0.1f, found, 3000), 0);
+    assert_int_equal(skv_world_query(world, &around, found, 3000), 0);
     skv_world_destroy(world);
 }
 
