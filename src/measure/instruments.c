@@ -1,64 +1,12 @@
-/* Readings: what each kind of instrument sees in a survey.
+/* The kinds of instruments: what each sees in a survey, and the table of them all.
  *
- * Invariant: a particle's way between two samples crosses a gate's line exactly when its two ends
- * lie on different sides, a point on the line being on the left; so nobody is counted twice, and
- * who goes back is counted back.
+ * A kind is a function sample_... and a row of the table. Invariant: a particle's way between two
+ * samples crosses a gate's line exactly when its two ends lie on different sides, a point on the
+ * line being on the left; so no particle is counted twice, and one that goes back is counted back.
  */
 #include "measure/instruments.h"
 
 #include <math.h>
-
-static const struct {
-    const char *name;
-    skv_channel channels[SKV_MAX_CHANNELS];
-} kinds[SKV_INSTRUMENT_KINDS] = {
-    [SKV_INSTRUMENT_PRESSURE] = {"pressure probe", {{"pressure", "Pa m"}}},
-    [SKV_INSTRUMENT_VELOCITY] = {"velocity probe",
-                                 {{"vx", "m/s"}, {"vy", "m/s"}, {"speed", "m/s"}}},
-    [SKV_INSTRUMENT_LEVEL] = {"level gauge", {{"distance", "m"}, {"x", "m"}, {"y", "m"}}},
-    [SKV_INSTRUMENT_GATE] = {"flow gate",
-                             {{"flow", "m^2/s"},
-                              {"forward", "m^2/s"},
-                              {"back", "m^2/s"},
-                              {"particles forward", "1/s"},
-                              {"particles back", "1/s"}}},
-    [SKV_INSTRUMENT_FORCE] = {"force meter", {{"fx", "N"}, {"fy", "N"}, {"torque", "N m"}}},
-    [SKV_INSTRUMENT_ENERGY] = {"energy meter",
-                               {{"kinetic", "J"}, {"potential", "J"}, {"rms speed", "m/s"}}},
-    [SKV_INSTRUMENT_REGION] = {"region",
-                               {{"particles", ""},
-                                {"area", "m^2"},
-                                {"mean x", "m"},
-                                {"mean y", "m"},
-                                {"mean vx", "m/s"},
-                                {"mean vy", "m/s"},
-                                {"mean pressure", "Pa m"},
-                                {"rms speed", "m/s"}}},
-    [SKV_INSTRUMENT_RULER] = {"ruler",
-                              {{"length", "m"}, {"dx", "m"}, {"dy", "m"}, {"angle", "rad"}}},
-    [SKV_INSTRUMENT_STOPWATCH] = {"stopwatch", {{"time", "s"}}},
-};
-
-const skv_channel *skv_instrument_channel(skv_instrument_kind kind, int channel)
-{
-    if ((unsigned)kind >= SKV_INSTRUMENT_KINDS || channel < 0 || channel >= SKV_MAX_CHANNELS)
-        return NULL;
-    const skv_channel *found = &kinds[kind].channels[channel];
-    return found->name ? found : NULL;
-}
-
-const char *skv_instrument_kind_name(skv_instrument_kind kind)
-{
-    return (unsigned)kind < SKV_INSTRUMENT_KINDS ? kinds[kind].name : "";
-}
-
-int skv_channel_count(skv_instrument_kind kind)
-{
-    int count = 0;
-    while (skv_instrument_channel(kind, count))
-        count++;
-    return count;
-}
 
 static double speed_squared(const skv_survey *s, int i)
 {
@@ -66,29 +14,37 @@ static double speed_squared(const skv_survey *s, int i)
     return vx * vx + vy * vy;
 }
 
-static void read_probe(const skv_instrument_def *def, const skv_survey *s, double *values)
+static skv_result sample_pressure(instrument *it, const look *seen, double *values)
 {
-    skv_local local = skv_survey_at(s, def->x0, def->y0);
-    if (!local.wet)
-        return;
-    if (def->kind == SKV_INSTRUMENT_PRESSURE) {
+    skv_local local = skv_survey_at(seen->survey, it->def.x0, it->def.y0);
+    if (local.wet)
         values[0] = local.pressure;
-        return;
-    }
+    return SKV_OK;
+}
+
+static skv_result sample_velocity(instrument *it, const look *seen, double *values)
+{
+    skv_local local = skv_survey_at(seen->survey, it->def.x0, it->def.y0);
+    if (!local.wet)
+        return SKV_OK;
     values[0] = local.vx;
     values[1] = local.vy;
     values[2] = sqrt(local.vx * local.vx + local.vy * local.vy);
+    return SKV_OK;
 }
 
-static void read_level(const skv_instrument_def *def, const skv_survey *s, double *values)
+static skv_result sample_level(instrument *it, const look *seen, double *values)
 {
+    const skv_instrument_def *def = &it->def;
+    const skv_survey *s = seen->survey;
     double distance;
     if (!skv_survey_surface(s, def->x0, def->y0, def->x1, def->y1, &distance))
-        return;
+        return SKV_OK;
     double dx = def->x1 - def->x0, dy = def->y1 - def->y0, length = sqrt(dx * dx + dy * dy);
     values[0] = distance;
     values[1] = def->x0 + dx * distance / length;
     values[2] = def->y0 + dy * distance / length;
+    return SKV_OK;
 }
 
 typedef struct crossing {
@@ -135,11 +91,13 @@ static void count_crossings(const skv_survey *s, const skv_instrument_def *def, 
     }
 }
 
-static void read_gate(const skv_instrument_def *def, const skv_survey *s, double *values)
+static skv_result sample_gate(instrument *it, const look *seen, double *values)
 {
+    const skv_instrument_def *def = &it->def;
+    const skv_survey *s = seen->survey;
     double interval = s->time - s->time_before;
     if (s->time_before < 0 || !(interval > 0))
-        return;
+        return SKV_OK;
     crossing c = {def->x0, def->y0, def->x1 - def->x0, def->y1 - def->y0, 0, 0};
     count_crossings(s, def, &c);
     double area = s->spacing * s->spacing;
@@ -148,15 +106,15 @@ static void read_gate(const skv_instrument_def *def, const skv_survey *s, double
     values[2] = c.back * area / interval;
     values[3] = c.forward / interval;
     values[4] = c.back / interval;
+    return SKV_OK;
 }
 
-static skv_result read_force(instrument *it, const skv_world *world, double *values,
-                             skv_error *error)
+static skv_result sample_force(instrument *it, const look *seen, double *values)
 {
     skv_wall_force force;
     const skv_instrument_def *def = &it->def;
-    skv_result result =
-        skv_force_measure(&it->meter, world, def->x0, def->y0, def->x1, def->y1, &force, error);
+    skv_result result = skv_force_measure(&it->meter, seen->world, def->x0, def->y0, def->x1,
+                                          def->y1, &force, seen->error);
     if (result == SKV_OK) {
         values[0] = force.fx;
         values[1] = force.fy;
@@ -165,8 +123,10 @@ static skv_result read_force(instrument *it, const skv_world *world, double *val
     return result;
 }
 
-static void read_energy(const skv_survey *s, double *values)
+static skv_result sample_energy(instrument *it, const look *seen, double *values)
 {
+    (void)it;
+    const skv_survey *s = seen->survey;
     double mass = s->density * s->spacing * s->spacing, speeds = 0, height = 0;
     for (int i = 0; i < s->count; i++) {
         speeds += speed_squared(s, i);
@@ -175,10 +135,13 @@ static void read_energy(const skv_survey *s, double *values)
     values[0] = mass * speeds / 2;
     values[1] = mass * height;
     values[2] = s->count ? sqrt(speeds / s->count) : 0;
+    return SKV_OK;
 }
 
-static void read_region(const skv_instrument_def *def, const skv_survey *s, double *values)
+static skv_result sample_region(instrument *it, const look *seen, double *values)
 {
+    const skv_instrument_def *def = &it->def;
+    const skv_survey *s = seen->survey;
     double x0 = fmin(def->x0, def->x1), x1 = fmax(def->x0, def->x1);
     double y0 = fmin(def->y0, def->y1), y1 = fmax(def->y0, def->y1);
     double sums[5] = {0}, speeds = 0;
@@ -203,51 +166,127 @@ static void read_region(const skv_instrument_def *def, const skv_survey *s, doub
     values[0] = count;
     values[1] = count * s->spacing * s->spacing;
     if (count == 0)
-        return;
+        return SKV_OK;
     for (int k = 0; k < 5; k++)
         values[2 + k] = sums[k] / count;
     values[7] = sqrt(speeds / count);
+    return SKV_OK;
 }
 
-static void read_ruler(const skv_instrument_def *def, double *values)
+static skv_result sample_ruler(instrument *it, const look *seen, double *values)
 {
+    const skv_instrument_def *def = &it->def;
+    (void)seen;
     double dx = def->x1 - def->x0, dy = def->y1 - def->y0;
     values[0] = sqrt(dx * dx + dy * dy);
     values[1] = dx;
     values[2] = dy;
     values[3] = atan2(dy, dx);
+    return SKV_OK;
 }
 
-skv_result skv_instrument_read(instrument *it, const skv_survey *survey, const skv_world *world,
-                               double *values, skv_error *error)
+/* Sums of float frames must not decide at which sample a condition has held long enough. */
+#define HALF_A_MILLISECOND 5e-4
+
+static skv_result sample_stopwatch(instrument *it, const look *seen, double *values)
 {
-    for (int i = 0; i < SKV_MAX_CHANNELS; i++)
-        values[i] = (double)NAN;
-    switch (it->def.kind) {
-    case SKV_INSTRUMENT_PRESSURE:
-    case SKV_INSTRUMENT_VELOCITY:
-        read_probe(&it->def, survey, values);
-        break;
-    case SKV_INSTRUMENT_LEVEL:
-        read_level(&it->def, survey, values);
-        break;
-    case SKV_INSTRUMENT_GATE:
-        read_gate(&it->def, survey, values);
-        break;
-    case SKV_INSTRUMENT_FORCE:
-        return read_force(it, world, values, error);
-    case SKV_INSTRUMENT_ENERGY:
-        read_energy(survey, values);
-        break;
-    case SKV_INSTRUMENT_REGION:
-        read_region(&it->def, survey, values);
-        break;
-    case SKV_INSTRUMENT_RULER:
-        read_ruler(&it->def, values);
-        break;
-    case SKV_INSTRUMENT_STOPWATCH:
-    case SKV_INSTRUMENT_KINDS:
-        break;
+    double time = seen->survey->time;
+    if (isnan(it->stopped_at)) {
+        double now = skv_lab_reading(seen->lab, it->def.watched, it->def.channel);
+        bool holds = it->def.above ? now > it->def.threshold : now < it->def.threshold;
+        if (!holds)
+            it->held_since = -1;
+        else if (it->held_since < 0)
+            it->held_since = time;
+        if (holds && time - it->held_since >= it->def.hold - HALF_A_MILLISECOND)
+            it->stopped_at = it->held_since;
     }
+    values[0] = it->stopped_at;
     return SKV_OK;
+}
+
+static const instrument_kind kinds[SKV_INSTRUMENT_KINDS] = {
+    [SKV_INSTRUMENT_PRESSURE] = {.name = "pressure probe",
+                                 .channels = {{"pressure", "Pa m"}},
+                                 .sample = sample_pressure},
+    [SKV_INSTRUMENT_VELOCITY] = {.name = "velocity probe",
+                                 .channels = {{"vx", "m/s"}, {"vy", "m/s"}, {"speed", "m/s"}},
+                                 .sample = sample_velocity},
+    [SKV_INSTRUMENT_LEVEL] = {.name = "level gauge",
+                              .channels = {{"distance", "m"}, {"x", "m"}, {"y", "m"}},
+                              .is_line = true,
+                              .sample = sample_level},
+    [SKV_INSTRUMENT_GATE] = {.name = "flow gate",
+                             .channels = {{"flow", "m^2/s"},
+                                          {"forward", "m^2/s"},
+                                          {"back", "m^2/s"},
+                                          {"particles forward", "1/s"},
+                                          {"particles back", "1/s"}},
+                             .is_line = true,
+                             .window = 0.25,
+                             .sample = sample_gate},
+    [SKV_INSTRUMENT_FORCE] = {.name = "force meter",
+                              .channels = {{"fx", "N"}, {"fy", "N"}, {"torque", "N m"}},
+                              .sample = sample_force},
+    [SKV_INSTRUMENT_ENERGY] = {.name = "energy meter",
+                               .channels = {{"kinetic", "J"},
+                                            {"potential", "J"},
+                                            {"rms speed", "m/s"}},
+                               .sample = sample_energy},
+    [SKV_INSTRUMENT_REGION] = {.name = "region",
+                               .channels = {{"particles", ""},
+                                            {"area", "m^2"},
+                                            {"mean x", "m"},
+                                            {"mean y", "m"},
+                                            {"mean vx", "m/s"},
+                                            {"mean vy", "m/s"},
+                                            {"mean pressure", "Pa m"},
+                                            {"rms speed", "m/s"}},
+                               .sample = sample_region},
+    [SKV_INSTRUMENT_RULER] =
+        {.name = "ruler",
+         .channels = {{"length", "m"}, {"dx", "m"}, {"dy", "m"}, {"angle", "rad"}},
+         .sample = sample_ruler},
+    [SKV_INSTRUMENT_STOPWATCH] = {.name = "stopwatch",
+                                  .channels = {{"time", "s"}},
+                                  .holds = true,
+                                  .sample = sample_stopwatch},
+};
+
+const instrument_kind *skv_instrument_kind_info(skv_instrument_kind kind)
+{
+    return (unsigned)kind < SKV_INSTRUMENT_KINDS ? &kinds[kind] : NULL;
+}
+
+const skv_channel *skv_instrument_channel(skv_instrument_kind kind, int channel)
+{
+    if ((unsigned)kind >= SKV_INSTRUMENT_KINDS || channel < 0 || channel >= SKV_MAX_CHANNELS)
+        return NULL;
+    const skv_channel *found = &kinds[kind].channels[channel];
+    return found->name ? found : NULL;
+}
+
+const char *skv_instrument_kind_name(skv_instrument_kind kind)
+{
+    return (unsigned)kind < SKV_INSTRUMENT_KINDS ? kinds[kind].name : "";
+}
+
+int skv_channel_count(skv_instrument_kind kind)
+{
+    int count = 0;
+    while (skv_instrument_channel(kind, count))
+        count++;
+    return count;
+}
+
+void skv_instrument_reset(instrument *it)
+{
+    it->next = it->count = 0;
+    it->held_since = -1;
+    it->stopped_at = (double)NAN;
+}
+
+int skv_instrument_slot(const instrument *it, int age)
+{
+    return (it->next - 1 - age + 2 * it->def.capacity) % it->def.capacity;
 }

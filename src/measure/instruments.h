@@ -1,4 +1,4 @@
-/* What the instruments read from one survey; the lab keeps their histories. */
+/* The kinds of instruments, each a row of one table; the lab keeps what they read. */
 #ifndef SKV_MEASURE_INSTRUMENTS_H
 #define SKV_MEASURE_INSTRUMENTS_H
 
@@ -18,10 +18,33 @@ typedef struct instrument {
     double stopped_at; /* stopwatch: NaN while it runs */
 } instrument;
 
+/* What an instrument looks at. */
+typedef struct look {
+    const skv_lab *lab; /* of the instruments sampled before this one, with their new samples */
+    const skv_survey *survey;
+    const skv_world *world;
+    skv_error *error;
+} look;
+
+/* What distinguishes one kind from another. */
+typedef struct instrument_kind {
+    const char *name;
+    skv_channel channels[SKV_MAX_CHANNELS]; /* ends with the first one without a name */
+    bool is_line;                           /* its two points must differ */
+    double window;                          /* by default, s */
+    bool holds;                             /* a reading is the last sample, whatever the window */
+    /* Writes what is seen to `values`, one for each channel, which hold NaN. */
+    skv_result (*sample)(instrument *it, const look *seen, double *values);
+} instrument_kind;
+
+/* Null for an unknown kind. */
+const instrument_kind *skv_instrument_kind_info(skv_instrument_kind kind);
 int skv_channel_count(skv_instrument_kind kind);
 
-/* Reads everything but a stopwatch, which looks at another instrument, into `values`. */
-skv_result skv_instrument_read(instrument *instrument, const skv_survey *survey,
-                               const skv_world *world, double *values, skv_error *error);
+/* Forgets everything. */
+void skv_instrument_reset(instrument *it);
+
+/* The place in the rings of the sample `age` samples before the last. */
+int skv_instrument_slot(const instrument *it, int age);
 
 #endif

@@ -14,8 +14,6 @@
 
 enum { DEF_COOKIE = 0x6c616231, MAX_CAPACITY = 1000000 };
 
-#define GATE_WINDOW 0.25
-
 struct skv_lab {
     skv_survey *survey;
     instrument **instruments;
@@ -26,9 +24,10 @@ struct skv_lab {
 
 skv_instrument_def skv_default_instrument_def(skv_instrument_kind kind)
 {
+    const instrument_kind *info = skv_instrument_kind_info(kind);
     return (skv_instrument_def){
         .kind = kind,
-        .window = kind == SKV_INSTRUMENT_GATE ? GATE_WINDOW : 0,
+        .window = info ? info->window : 0,
         .capacity = 1200,
         .cookie = DEF_COOKIE,
     };
@@ -81,11 +80,10 @@ static int find(const skv_lab *lab, skv_instrument id)
 
 static bool points_are_sane(skv_instrument_kind kind, double x0, double y0, double x1, double y1)
 {
-    bool probe = kind == SKV_INSTRUMENT_PRESSURE || kind == SKV_INSTRUMENT_VELOCITY;
-    bool line = kind == SKV_INSTRUMENT_LEVEL || kind == SKV_INSTRUMENT_GATE;
-    const double far = 1e6;
-    bool near = fabs(x0) <= far && fabs(y0) <= far && fabs(x1) <= far && fabs(y1) <= far;
-    return near && (probe || !line || x0 != x1 || y0 != y1);
+    bool line = skv_instrument_kind_info(kind)->is_line;
+    const double most = 1e6;
+    bool sane = fabs(x0) <= most && fabs(y0) <= most && fabs(x1) <= most && fabs(y1) <= most;
+    return sane && (!line || x0 != x1 || y0 != y1);
 }
 
 static skv_result check_name(const char *name, skv_error *error)
@@ -104,9 +102,7 @@ static skv_result check_name(const char *name, skv_error *error)
 
 static skv_result check_def(const skv_lab *lab, const skv_instrument_def *def, skv_error *error)
 {
-    if (def->cookie != DEF_COOKIE)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "instrument: not initialised; start from skv_default_instrument_def()");
+    SKV_ASSERT_OR(def->cookie == DEF_COOKIE, SKV_ERROR_VALUE);
     if ((unsigned)def->kind >= SKV_INSTRUMENT_KINDS)
         return skv_fail(error, SKV_ERROR_VALUE, "instrument: there is no kind %d", (int)def->kind);
     if (!points_are_sane(def->kind, def->x0, def->y0, def->x1, def->y1))
@@ -127,13 +123,6 @@ static skv_result check_def(const skv_lab *lab, const skv_instrument_def *def, s
                             "stopwatch: it watches no channel of an instrument added before it");
     }
     return check_name(def->name, error);
-}
-
-static void start_anew(instrument *it)
-{
-    it->next = it->count = 0;
-    it->held_since = -1;
-    it->stopped_at = (double)NAN;
 }
 
 static skv_result make_room(skv_lab *lab, skv_error *error)
@@ -177,7 +166,7 @@ skv_result skv_lab_add(skv_lab *lab, const skv_instrument_def *def, skv_instrume
     it->def = *def;
     it->channels = channels;
     it->id = *id = lab->next_id++;
-    start_anew(it);
+    skv_instrument_reset(it);
     lab->instruments[lab->count++] = it;
     return SKV_OK;
 }
@@ -198,7 +187,7 @@ skv_result skv_lab_move(skv_lab *lab, skv_instrument id, double x0, double y0, d
     it->def.y0 = y0;
     it->def.x1 = x1;
     it->def.y1 = y1;
-    start_anew(it);
+    skv_instrument_reset(it);
     return SKV_OK;
 }
 
@@ -233,12 +222,6 @@ const skv_survey *skv_lab_survey(const skv_lab *lab)
     return lab->survey;
 }
 
-/* The place in the ring of the sample `age` samples before the last. */
-static int slot(const instrument *it, int age)
-{
-    return (it->next - 1 - age + 2 * it->def.capacity) % it->def.capacity;
-}
-
 static void remember(instrument *it, double time, const double *values)
 {
     it->times[it->next] = time;
@@ -253,14 +236,13 @@ static double reading(const instrument *it, int channel)
 {
     if (channel < 0 || channel >= it->channels || it->count == 0)
         return (double)NAN;
-    if (it->def.kind == SKV_INSTRUMENT_STOPWATCH)
-        return it->stopped_at;
+    double window = skv_instrument_kind_info(it->def.kind)->holds ? 0 : it->def.window;
     /* Half a millisecond: sums of float frames must not decide which samples count. */
-    double oldest = it->times[slot(it, 0)] - it->def.window + 5e-4;
+    double oldest = it->times[skv_instrument_slot(it, 0)] - window + 5e-4;
     double sum = 0;
     int used = 0;
     for (int age = 0; age < it->count; age++) {
-        int at = slot(it, age);
+        int at = skv_instrument_slot(it, age);
         if (age > 0 && it->times[at] < oldest)
             break;
         double value = it->values[channel * it->def.capacity + at];
@@ -272,22 +254,6 @@ static double reading(const instrument *it, int channel)
     return used ? sum / used : (double)NAN;
 }
 
-static void watch(const skv_lab *lab, instrument *it, double *value)
-{
-    int watched = find(lab, it->def.watched);
-    if (isnan(it->stopped_at) && watched >= 0) {
-        double now = reading(lab->instruments[watched], it->def.channel);
-        bool holds = it->def.above ? now > it->def.threshold : now < it->def.threshold;
-        if (!holds)
-            it->held_since = -1;
-        else if (it->held_since < 0)
-            it->held_since = lab->time;
-        if (holds && lab->time - it->held_since >= it->def.hold - 5e-4)
-            it->stopped_at = it->held_since;
-    }
-    *value = it->stopped_at;
-}
-
 skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error)
 {
     SKV_ASSERT_OR(lab && world, SKV_ERROR_VALUE);
@@ -297,15 +263,16 @@ skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error
     double time = skv_world_time(world);
     if (time < lab->time) {
         for (int i = 0; i < lab->count; i++)
-            start_anew(lab->instruments[i]);
+            skv_instrument_reset(lab->instruments[i]);
     }
     lab->time = time;
     for (int i = 0; i < lab->count && result == SKV_OK; i++) {
         instrument *it = lab->instruments[i];
         double values[SKV_MAX_CHANNELS];
-        result = skv_instrument_read(it, lab->survey, world, values, error);
-        if (it->def.kind == SKV_INSTRUMENT_STOPWATCH)
-            watch(lab, it, values);
+        for (int c = 0; c < SKV_MAX_CHANNELS; c++)
+            values[c] = (double)NAN;
+        const look seen = {lab, lab->survey, world, error};
+        result = skv_instrument_kind_info(it->def.kind)->sample(it, &seen, values);
         if (result == SKV_OK)
             remember(it, time, values);
     }
@@ -329,7 +296,7 @@ int skv_lab_history(const skv_lab *lab, skv_instrument id, int channel, double *
     const instrument *it = lab->instruments[i];
     int wanted = it->count < capacity ? it->count : capacity;
     for (int k = 0; k < wanted; k++) {
-        int at = slot(it, wanted - 1 - k);
+        int at = skv_instrument_slot(it, wanted - 1 - k);
         if (times)
             times[k] = it->times[at];
         if (values)
@@ -395,12 +362,14 @@ skv_result skv_lab_write_csv(const skv_lab *lab, skv_instrument id, skv_write *w
     csv out = {write, user, false};
     write_head(&out, list, count);
     for (int age = rows - 1; age >= 0; age--) {
-        put_number(&out, list[0]->times[slot(list[0], age)], "%.6f");
+        put_number(&out, list[0]->times[skv_instrument_slot(list[0], age)], "%.6f");
         for (int i = 0; i < count; i++) {
             for (int c = 0; c < list[i]->channels; c++) {
                 put(&out, ",");
-                put_number(&out, list[i]->values[c * list[i]->def.capacity + slot(list[i], age)],
-                           "%.9g");
+                put_number(
+                    &out,
+                    list[i]->values[c * list[i]->def.capacity + skv_instrument_slot(list[i], age)],
+                    "%.9g");
             }
         }
         put(&out, "\n");

@@ -365,6 +365,19 @@ static bool has_depth(const ray *r, double distance, double h)
     return true;
 }
 
+/* Cuts the part [*begin, *end] of a ray to where its coordinate lies in [low, high]. */
+static void clip(double from, double direction, double low, double high, double *begin, double *end)
+{
+    if (direction == 0) {
+        if (from < low || from > high)
+            *end = -1;
+        return;
+    }
+    double a = (low - from) / direction, b = (high - from) / direction;
+    *begin = fmax(*begin, fmin(a, b));
+    *end = fmin(*end, fmax(a, b));
+}
+
 bool skv_survey_surface(const skv_survey *s, double x0, double y0, double x1, double y1,
                         double *distance)
 {
@@ -374,13 +387,18 @@ bool skv_survey_surface(const skv_survey *s, double x0, double y0, double x1, do
     if (!s->terrain || !(length > 0))
         return false;
     ray r = {s, x0, y0, dx / length, dy / length};
-    double step = s->h / 4;
-    int steps = (int)ceil(length / step);
+    /* There is no fluid farther than h from the world. */
+    double begin = 0, end = length, step = s->h / 4;
+    clip(x0, r.ux, -s->h, (double)skv_terrain_width(s->terrain) + s->h, &begin, &end);
+    clip(y0, r.uy, -s->h, (double)skv_terrain_height(s->terrain) + s->h, &begin, &end);
+    if (end < begin)
+        return false;
+    int steps = (int)ceil((end - begin) / step);
     for (int k = 0; k <= steps; k++) {
-        double inner = fmax(length - k * step, 0);
+        double inner = fmax(end - k * step, begin);
         if (fill_on_ray(&r, inner) < 0.5 || !has_depth(&r, inner, s->h))
             continue;
-        double outer = fmin(inner + step, length);
+        double outer = fmin(inner + step, end);
         for (int i = 0; i < 24; i++) {
             double middle = (inner + outer) / 2;
             if (fill_on_ray(&r, middle) < 0.5)

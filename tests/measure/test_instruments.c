@@ -89,6 +89,24 @@ static void gates_count_who_passes(void **unused)
     skv_world_destroy(world);
 }
 
+/* Two gates that meet: a particle that passes their common end is counted by one of them. */
+static void gates_share_their_common_end(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.02f, 1);
+    assert_int_equal(skv_world_add_particle(world, 0.75f, 0.25f, 0, 0, NULL), SKV_OK);
+    skv_lab *lab = new_lab();
+    skv_instrument low = add(lab, SKV_INSTRUMENT_GATE, 0.8125, 0, 0.8125, 0.25);
+    skv_instrument high = add(lab, SKV_INSTRUMENT_GATE, 0.8125, 0.25, 0.8125, 0.5);
+    sample(lab, world);
+    rest_shift(world, 0.125f, 0, 0.5);
+    sample(lab, world);
+    assert_near(skv_lab_reading(lab, low, 3), 0, 0);
+    assert_near(skv_lab_reading(lab, high, 3), 2, 1e-9);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
 static void gates_know_particles_by_their_ids(void **unused)
 {
     (void)unused;
@@ -143,6 +161,39 @@ static void readings_are_means_over_the_window(void **unused)
     assert_near(values[0], 100, 1e-3);
     assert_near(values[1], 121, 1e-3);
     assert_int_equal(skv_lab_history(lab, probe, 5, NULL, values, 2), 0);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
+/* Every sample of the window counts and none besides, also where frames are short. */
+static void windows_are_exact(void **unused)
+{
+    (void)unused;
+    skv_world *world = rest_pool(0.02f, 0.5f);
+    skv_lab *lab = new_lab();
+    skv_instrument_def def = skv_default_instrument_def(SKV_INSTRUMENT_PRESSURE);
+    def.x0 = 0.8;
+    def.y0 = 0.25;
+    def.window = 0.25;
+    skv_instrument probe, watch;
+    assert_int_equal(skv_lab_add(lab, &def, &probe, NULL), SKV_OK);
+    def.kind = SKV_INSTRUMENT_STOPWATCH;
+    def.watched = probe;
+    def.threshold = 10;
+    def.above = true;
+    def.hold = 0.25;
+    assert_int_equal(skv_lab_add(lab, &def, &watch, NULL), SKV_OK);
+    for (int i = 0; i <= 40; i++) {
+        rest_set_pressure(world, i, 0, 0);
+        sample(lab, world);
+        /* Fifteen samples: the mean of i-14..i is above 10 from i = 18 on, and has been for a
+         * quarter of a second at i = 33. */
+        bool stopped = !isnan(skv_lab_reading(lab, watch, 0));
+        assert_true(stopped == (i >= 33));
+        rest_shift(world, 0, 0, (double)(1 / 60.0f));
+    }
+    assert_near(skv_lab_reading(lab, probe, 0), 33, 1e-3);
+    assert_near(skv_lab_reading(lab, watch, 0), 18 / 60.0, 1e-6);
     skv_lab_destroy(lab);
     skv_world_destroy(world);
 }
@@ -350,9 +401,6 @@ static void bad_definitions_are_refused(void **unused)
     (void)unused;
     skv_lab *lab = new_lab();
     skv_instrument_def def = skv_default_instrument_def(SKV_INSTRUMENT_PRESSURE);
-    def.cookie = 0;
-    expect_refused(lab, def);
-    def = skv_default_instrument_def(SKV_INSTRUMENT_PRESSURE);
     def.x0 = NAN;
     expect_refused(lab, def);
     def = skv_default_instrument_def(SKV_INSTRUMENT_GATE); /* without length */
@@ -373,6 +421,26 @@ static void bad_definitions_are_refused(void **unused)
     assert_int_equal(skv_lab_move(lab, 5, 0, 0, 1, 1, NULL), SKV_ERROR_VALUE);
     skv_lab_destroy(lab);
     skv_lab_destroy(NULL);
+}
+
+static void count_misuse(const char *condition, const char *file, int line, void *user)
+{
+    assert_true(condition && file && line > 0);
+    ++*(int *)user;
+}
+
+static void uninitialised_definitions_are_asserted(void **unused)
+{
+    (void)unused;
+    int misuses = 0;
+    skv_lab *lab = new_lab();
+    skv_set_assert_handler(count_misuse, &misuses);
+    skv_instrument_def def = {.x0 = 1};
+    skv_instrument id;
+    assert_int_equal(skv_lab_add(lab, &def, &id, NULL), SKV_ERROR_VALUE);
+    skv_set_assert_handler(NULL, NULL);
+    assert_int_equal(misuses, 1);
+    skv_lab_destroy(lab);
 }
 
 static skv_lab *lab_with_everything(void)
@@ -468,8 +536,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gates_count_who_passes),
+        cmocka_unit_test(gates_share_their_common_end),
         cmocka_unit_test(gates_know_particles_by_their_ids),
         cmocka_unit_test(readings_are_means_over_the_window),
+        cmocka_unit_test(windows_are_exact),
         cmocka_unit_test(a_clock_that_goes_back_starts_anew),
         cmocka_unit_test(a_stopwatch_waits_for_the_condition_to_hold),
         cmocka_unit_test(sums_agree_with_the_world),
@@ -477,6 +547,7 @@ int main(void)
         cmocka_unit_test(histories_are_written_as_csv),
         cmocka_unit_test(every_channel_has_a_name_and_a_unit),
         cmocka_unit_test(bad_definitions_are_refused),
+        cmocka_unit_test(uninitialised_definitions_are_asserted),
         cmocka_unit_test(a_warm_sample_allocates_nothing),
         cmocka_unit_test(failing_memory_is_survived),
         cmocka_unit_test(measuring_changes_nothing_and_repeats),
