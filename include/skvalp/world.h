@@ -159,9 +159,9 @@ SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count
 /* Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60. A substep is 1/(60 substeps) long,
  * whatever dt is: as many are taken as the time owed holds, none perhaps, and the rest stays owed
  * to the next call. So frames may have any length; 1/60 s is a frame exactly. Fails with
- * SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY, the particles being those of the
- * last complete substep. A warm world, whose number of particles has not grown, allocates nothing.
- */
+ * SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY: with the fast solver nothing has
+ * happened then; the reference may have taken some of the substeps, and owes the others. A warm
+ * world, whose number of particles has not grown, allocates nothing. */
 SKV_API skv_result skv_world_step(skv_world *world, float dt, skv_error *error);
 
 /* Where the time goes: seconds spent since the last call with `reset`, by phase (the fast solver's

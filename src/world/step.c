@@ -114,6 +114,7 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
                         (double)LEAST_STEP, (double)LONGEST_STEP);
+    double owed = world->due;
     int count = take_due(world, (double)dt);
     float part = 1.0f / 60 / (float)world->substeps;
     if (part != world->constants_dt) {
@@ -126,8 +127,10 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
     for (int done = 0; done < count; done += at_once) {
         double time = at_once / (60.0 * world->substeps);
         skv_result result = take_substeps(world, at_once, (float)time, error);
-        if (result != SKV_OK)
+        if (result != SKV_OK) {
+            world->due = done == 0 ? owed : world->due + count - done;
             return result;
+        }
         if (open)
             remove_leavers(world);
         world->time += time;
