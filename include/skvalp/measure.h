@@ -108,6 +108,13 @@ typedef enum skv_instrument_kind {
     SKV_INSTRUMENT_REGION, /* fluid inside the box: particles, area, mean x, y, vx, vy, pressure,
                               rms speed */
     SKV_INSTRUMENT_RULER,  /* from (x0, y0) to (x1, y1): length, dx, dy, angle */
+    SKV_INSTRUMENT_WAVES,  /* gauge at x0 from y0 in the fluid up to y1 above it: level and slope of
+                              the surface; of the waves that have passed, as far as the history
+                              reaches: mean height from trough to crest, period from one rise
+                              through the mean level to the next, and steepness, height over length;
+                              NaN before a wave has passed. For waves twelve smoothing radii long
+                              or longer, higher than half a spacing, that run or stand anywhere but
+                              at a node or a crest */
     SKV_INSTRUMENT_STOPWATCH, /* time at which another instrument's reading passed a threshold */
     SKV_INSTRUMENT_KINDS
 } skv_instrument_kind;

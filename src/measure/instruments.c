@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+#define PI 3.14159265358979323846
+
 static double speed_squared(const skv_survey *s, int i)
 {
     double vx = (double)s->vx[i], vy = (double)s->vy[i];
@@ -185,6 +187,99 @@ static skv_result sample_ruler(instrument *it, const look *seen, double *values)
     return SKV_OK;
 }
 
+/* ---- Waves ----------------------------------------------------------------------------------- */
+
+enum { LEVEL, SLOPE, HEIGHT, PERIOD, STEEPNESS };
+
+/* What a train of waves adds up to, from one rise through the mean level to the last. */
+typedef struct wave_sums {
+    double lowest, highest;  /* since the last rise */
+    double heights, periods; /* of complete waves */
+    double levels, slopes, since_l,
+        since_s; /* squares: of complete waves, and since the last rise */
+    int waves;
+    double crossed, rise; /* when the level last crossed its mean upwards; the last rise, or NaN */
+    bool low;             /* has been below the mean far enough for a rise to follow */
+    double before, time_before;
+} wave_sums;
+
+/* The next sample, its level and slope against their means. A rise counts when the level has gone
+ * from `noise` below the mean to `noise` above it. */
+static void add_to_waves(wave_sums *w, double time, double level, double slope, double noise)
+{
+    if (w->before < 0 && level >= 0)
+        w->crossed = w->time_before + (time - w->time_before) * w->before / (w->before - level);
+    w->before = level;
+    w->time_before = time;
+    w->low = w->low || level < -noise;
+    if (w->low && level > noise) {
+        if (!isnan(w->rise)) {
+            w->waves++;
+            w->periods += w->crossed - w->rise;
+            w->heights += w->highest - w->lowest;
+            w->levels += w->since_l;
+            w->slopes += w->since_s;
+        }
+        w->rise = w->crossed;
+        w->low = false;
+        w->lowest = w->highest = level;
+        w->since_l = w->since_s = 0;
+    }
+    w->lowest = fmin(w->lowest, level);
+    w->highest = fmax(w->highest, level);
+    w->since_l += level * level;
+    w->since_s += slope * slope;
+}
+
+/* Writes the waves of the remembered levels and slopes. The length follows from both: in a wave of
+ * wave number k the slope swings k times as far as the level. */
+static void read_waves(const instrument *it, double spacing, double *values)
+{
+    const double *levels = it->values + LEVEL * it->def.capacity;
+    const double *slopes = it->values + SLOPE * it->def.capacity;
+    double level = 0, slope = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
+    int count = 0;
+    for (int i = 0; i < it->count; i++) {
+        if (isnan(slopes[i]))
+            continue;
+        level += levels[i];
+        slope += slopes[i];
+        lowest = fmin(lowest, levels[i]);
+        highest = fmax(highest, levels[i]);
+        count++;
+    }
+    double noise = fmax(spacing / 4, (highest - lowest) / 10);
+    wave_sums w = {.rise = (double)NAN};
+    for (int age = it->count - 1; age >= 0; age--) {
+        int at = skv_instrument_slot(it, age);
+        if (!isnan(slopes[at]))
+            add_to_waves(&w, it->times[at], levels[at] - level / count, slopes[at] - slope / count,
+                         noise);
+    }
+    if (w.waves == 0)
+        return;
+    values[HEIGHT] = w.heights / w.waves;
+    values[PERIOD] = w.periods / w.waves;
+    values[STEEPNESS] = values[HEIGHT] * sqrt(w.slopes / w.levels) / (2 * PI);
+}
+
+static skv_result sample_waves(instrument *it, const look *seen, double *values)
+{
+    const skv_survey *s = seen->survey;
+    const skv_instrument_def *d = &it->def;
+    double middle, left, right;
+    if (skv_survey_surface(s, d->x0, d->y0, d->x0, d->y1, &middle))
+        values[LEVEL] = d->y0 + (d->y1 > d->y0 ? middle : -middle);
+    if (skv_survey_surface(s, d->x0 - s->h, d->y0, d->x0 - s->h, d->y1, &left) &&
+        skv_survey_surface(s, d->x0 + s->h, d->y0, d->x0 + s->h, d->y1, &right) &&
+        !isnan(values[LEVEL]))
+        values[SLOPE] = (d->y1 > d->y0 ? right - left : left - right) / (2 * s->h);
+    read_waves(it, s->spacing, values);
+    return SKV_OK;
+}
+
+/* ---- The table ------------------------------------------------------------------------------- */
+
 /* Sums of float frames must not decide at which sample a condition has held long enough. */
 #define HALF_A_MILLISECOND 5e-4
 
@@ -247,6 +342,15 @@ static const instrument_kind kinds[SKV_INSTRUMENT_KINDS] = {
         {.name = "ruler",
          .channels = {{"length", "m"}, {"dx", "m"}, {"dy", "m"}, {"angle", "rad"}},
          .sample = sample_ruler},
+    [SKV_INSTRUMENT_WAVES] =
+        {.name = "wave gauge",
+         .channels = {[LEVEL] = {"level", "m"},
+                      [SLOPE] = {"slope", ""},
+                      [HEIGHT] = {"wave height", "m"},
+                      [PERIOD] = {"wave period", "s"},
+                      [STEEPNESS] = {"steepness", ""}},
+         .is_line = true,
+         .sample = sample_waves},
     [SKV_INSTRUMENT_STOPWATCH] = {.name = "stopwatch",
                                   .channels = {{"time", "s"}},
                                   .holds = true,

@@ -4,6 +4,7 @@
 #include "support/fixture.h"
 #include "world/world_internal.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -35,6 +36,16 @@ void rest_set_velocity(skv_world *world, double centre_x, double centre_y, doubl
         double dx = (double)s->x[i] - centre_x, dy = (double)s->y[i] - centre_y;
         s->vx[i] = (float)(-spin * dy + stretch * dx);
         s->vy[i] = (float)(spin * dx - stretch * dy);
+    }
+}
+
+void rest_set_wave(skv_world *world, const float *still, double depth, double amplitude, double k,
+                   double phase)
+{
+    skv_state *s = &world->state;
+    for (int i = 0; i < s->count; i++) {
+        double rise = amplitude * sin(k * (double)s->x[i] - phase);
+        s->y[i] = (float)((double)still[i] * (1 + rise / depth));
     }
 }
 

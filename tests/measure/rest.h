@@ -14,6 +14,11 @@ void rest_set_pressure(skv_world *world, double at_origin, double slope_x, doubl
 void rest_set_velocity(skv_world *world, double centre_x, double centre_y, double spin,
                        double stretch);
 
+/* Heaves the water above the floor so that its surface is depth + amplitude sin(k x - phase);
+ * `still` are the particles' heights at rest. */
+void rest_set_wave(skv_world *world, const float *still, double depth, double amplitude, double k,
+                   double phase);
+
 /* Moves every particle, and the clock. */
 void rest_shift(skv_world *world, float dx, float dy, double seconds);
 

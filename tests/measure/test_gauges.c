@@ -7,6 +7,9 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -78,11 +81,122 @@ static void gauges_end_with_the_world(void **unused)
     skv_world_destroy(world);
 }
 
+#define PI 3.14159265358979323846
+
+/* A wave of 1.2 m and 0.06 m passes, once in 0.8 s. */
+static void a_wave_of_known_form_is_read(void **unused)
+{
+    (void)unused;
+    skv_world *world = rest_pool(0.02f, 0.5f);
+    int count = skv_world_particle_count(world);
+    float *still = malloc((size_t)count * sizeof *still);
+    assert_non_null(still);
+    memcpy(still, skv_world_particles(world).y, (size_t)count * sizeof *still);
+    skv_lab *lab = new_lab();
+    skv_instrument up = add(lab, SKV_INSTRUMENT_WAVES, 0.8, 0.1, 0, 0.9);
+    skv_instrument down = add(lab, SKV_INSTRUMENT_WAVES, 0.8, 0.1, 5, 0.9);
+    double k = 2 * PI / 1.2, omega = 2 * PI / 0.8;
+    for (int frame = 0; frame < 300; frame++) {
+        double t = frame / 60.0;
+        rest_set_wave(world, still, 0.5, 0.03, k, omega * t);
+        sample(lab, world);
+        assert_near(skv_lab_reading(lab, up, 0), 0.5 + 0.03 * sin(k * 0.8 - omega * t), 0.008);
+        assert_near(skv_lab_reading(lab, up, 1), 0.03 * k * cos(k * 0.8 - omega * t), 0.05);
+        /* The first rise comes within a period, the second one later. */
+        if (t < 0.8)
+            assert_true(isnan(skv_lab_reading(lab, up, 2)));
+        if (t > 1.7)
+            assert_near(skv_lab_reading(lab, up, 3), 0.8, 0.03);
+        rest_shift(world, 0, 0, 1 / 60.0);
+    }
+    assert_near(skv_lab_reading(lab, up, 2), 0.06, 0.004);
+    assert_near(skv_lab_reading(lab, up, 3), 0.8, 0.005);
+    assert_near(skv_lab_reading(lab, up, 4), 0.06 / 1.2, 0.004);
+    assert_near(skv_lab_reading(lab, down, 4), skv_lab_reading(lab, up, 4), 1e-12);
+    free(still);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
+/* Water at rest has no waves, whatever its particles do within a quarter of their spacing. */
+static void still_water_has_no_waves(void **unused)
+{
+    (void)unused;
+    skv_world *world = rest_pool(0.02f, 0.5f);
+    skv_lab *lab = new_lab();
+    skv_instrument gauge = add(lab, SKV_INSTRUMENT_WAVES, 0.8, 0.1, 0.8, 0.9);
+    skv_instrument dry = add(lab, SKV_INSTRUMENT_WAVES, 0.8, 0.7, 0.8, 0.9);
+    for (int frame = 0; frame < 60; frame++) {
+        sample(lab, world);
+        rest_shift(world, 0, frame % 10 < 5 ? 0.001f : -0.001f, 1 / 60.0);
+    }
+    assert_near(skv_lab_reading(lab, gauge, 0), 0.5, 0.015);
+    assert_true(isnan(skv_lab_reading(lab, gauge, 2)));
+    assert_true(isnan(skv_lab_reading(lab, gauge, 4)));
+    assert_true(isnan(skv_lab_reading(lab, dry, 0)));
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
+/* A hand at the end of a tank of 4 m drives waves of 0.9 s over 0.2 m of water. Their length is
+ * that of omega^2 = g k tanh(k d): 1.05 m. Nothing has come back from the far end within eight
+ * seconds.
+ */
+static void a_running_wave_has_its_length(void **unused)
+{
+    (void)unused;
+    enum { MAKER = 480, WATCH = 180 };
+    const double period = 0.9;
+    skv_terrain_def terrain = skv_default_terrain_def();
+    terrain.width = 800;
+    terrain.height = 100;
+    terrain.pixel_size = 0.005f;
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.02f, 1);
+    def.depth = 0.25f;
+    assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
+    skv_world *world;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    skv_fill_def fill = skv_default_fill_def();
+    fill.y1 = 0.2f;
+    assert_int_equal(skv_world_fill(world, &fill, NULL, NULL), SKV_OK);
+    fixture_run(world, 60);
+    skv_lab *lab = new_lab();
+    skv_instrument gauge = add(lab, SKV_INSTRUMENT_WAVES, 1.5, 0.05, 1.5, 0.45);
+    skv_hand maker = skv_default_hand();
+    maker.x = 0.1f;
+    maker.y = 0.1f;
+    maker.radius = 0.3f;
+    maker.attraction = 0;
+    maker.friction = 0;
+    maker.follow = 20;
+    for (int frame = 0; frame < MAKER; frame++) {
+        maker.vx = (float)(0.6 * cos(2 * PI * frame / 60.0 / period));
+        assert_int_equal(skv_world_set_hands(world, &maker, 1, NULL), SKV_OK);
+        fixture_run(world, 1);
+        if (frame >= WATCH)
+            sample(lab, world);
+    }
+    double height = skv_lab_reading(lab, gauge, 2);
+    printf("waves of %.3f m, %.3f s, steepness %.4f\n", height, skv_lab_reading(lab, gauge, 3),
+           skv_lab_reading(lab, gauge, 4));
+    assert_true(height > 0.02 && height < 0.1);
+    assert_near(skv_lab_reading(lab, gauge, 3) / period, 1, 0.03);
+    double k = 5;
+    for (int i = 0; i < 50; i++)
+        k = 4 * PI * PI / (period * period) / (9.81 * tanh(k * 0.2));
+    assert_near(height / skv_lab_reading(lab, gauge, 4) * k / (2 * PI), 1, 0.12);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spray_is_no_surface),
         cmocka_unit_test(gauges_end_with_the_world),
+        cmocka_unit_test(a_wave_of_known_form_is_read),
+        cmocka_unit_test(still_water_has_no_waves),
+        cmocka_unit_test(a_running_wave_has_its_length),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
