@@ -247,10 +247,14 @@ static bench_time summary(const runner *r)
     return (bench_time){sorted[0], (sorted[(r->times - 1) / 2] + sorted[r->times / 2]) / 2};
 }
 
-static void add_rows(const bench *b, bench_report *report)
+static skv_result add_rows(const bench *b, bench_report *report, skv_error *error)
 {
     skv_stats stats = skv_world_stats(b->fast[0].world);
     report->lost += stats.escaped + stats.not_finite;
+    skv_packing packing;
+    skv_result result = skv_world_packing(b->fast[0].world, &packing, error);
+    if (result != SKV_OK)
+        return result;
     for (int t = 0; t < b->counts; t++) {
         const skv_world *world = b->fast[t].world;
         report->row[report->count++] = (bench_row){
@@ -258,7 +262,7 @@ static void add_rows(const bench *b, bench_report *report)
             .particles = stats.particles,
             .threads = skv_world_threads(world),
             .substeps = skv_world_substeps_per_frame(world),
-            .neighbours = stats.neighbours,
+            .neighbours = packing.neighbours,
             .fast = summary(&b->fast[t]),
             .reference = summary(&b->reference[t]),
             .bytes = (double)skv_world_solver_bytes(world) / stats.particles,
@@ -266,6 +270,7 @@ static void add_rows(const bench *b, bench_report *report)
         };
         report->threads = skv_world_threads(world);
     }
+    return SKV_OK;
 }
 
 /* What a case takes, roughly: the same for each, and more for many particles. */
@@ -300,7 +305,7 @@ skv_result bench_measure(const bench_options *options, bench_progress *progress,
         if (result == SKV_OK)
             result = run_rounds(&b, progress, user, past / total, error);
         if (result == SKV_OK)
-            add_rows(&b, report);
+            result = add_rows(&b, report, error);
         close_bench(&b);
     }
     return result;

@@ -129,8 +129,12 @@ static skv_result record(cli_run *run, skv_error *error)
     skv_result result = SKV_OK;
     if (run->csv.stream && (now->at_frame || now->at_end)) {
         skv_stats stats = skv_world_stats(run->world);
-        series_row(&run->csv, &stats, now->time);
-        result = output_file_check(&run->csv, error);
+        skv_packing packing;
+        result = skv_world_packing(run->world, &packing, error);
+        if (!result) {
+            series_row(&run->csv, &stats, &packing, now->time);
+            result = output_file_check(&run->csv, error);
+        }
     }
     if (!result && run->trace.stream && (now->at_trace || now->at_end)) {
         trace_rows(&run->trace, run->world, now->time);
@@ -186,7 +190,7 @@ static skv_result finish(cli_run *run, skv_error *error)
     return result;
 }
 
-static void print_json(const cli_run *run, const skv_stats *stats)
+static void print_json(const cli_run *run, const skv_stats *stats, const skv_packing *packing)
 {
     int64_t steps = skv_world_substep_count(run->world);
     fputs("{\"scene\": ", stdout);
@@ -197,16 +201,16 @@ static void print_json(const cli_run *run, const skv_stats *stats)
     fputs(", \"ms_per_step\": ", stdout);
     json_number(stdout, steps ? 1000 * run->step_seconds / (double)steps : NAN);
     fputs(", \"neighbours\": ", stdout);
-    json_number(stdout, stats->neighbours);
+    json_number(stdout, packing->neighbours);
     printf(", \"hash\": \"%016" PRIx64 "\", \"escaped\": %d, \"nan\": %d, \"kinetic_energy\": ",
            skv_world_hash(run->world), stats->escaped, stats->not_finite);
     json_number(stdout, stats->kinetic_energy);
     fputs(", \"volume_ratio\": ", stdout);
-    json_number(stdout, stats->volume_ratio);
+    json_number(stdout, packing->volume_ratio);
     puts("}");
 }
 
-static void print_summary(const cli_run *run, const skv_stats *stats)
+static void print_summary(const cli_run *run, const skv_stats *stats, const skv_packing *packing)
 {
     double simulated = run->timeline.time;
     int64_t steps = skv_world_substep_count(run->world);
@@ -219,7 +223,7 @@ static void print_summary(const cli_run *run, const skv_stats *stats)
     }
     printf("\n  %.1f neighbours, volume ratio %.3f, speed %.3g m/s (rms), kinetic energy %.4g J/m\n"
            "  %d escaped, %d not finite, hash %016" PRIx64 "\n",
-           stats->neighbours, stats->volume_ratio, stats->rms_speed, stats->kinetic_energy,
+           packing->neighbours, packing->volume_ratio, stats->rms_speed, stats->kinetic_energy,
            stats->escaped, stats->not_finite, skv_world_hash(run->world));
 }
 
@@ -228,10 +232,14 @@ static int report(const cli_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
     skv_stats stats = skv_world_stats(run->world);
+    skv_packing packing;
+    skv_result result = skv_world_packing(run->world, &packing, error);
+    if (result != SKV_OK)
+        return STATUS_FAILED;
     if (options->json)
-        print_json(run, &stats);
+        print_json(run, &stats, &packing);
     else if (!options->quiet && !options_use_stdout(options))
-        print_summary(run, &stats);
+        print_summary(run, &stats, &packing);
     if (stats.escaped || stats.not_finite) {
         skv_fail(error, SKV_ERROR_VALUE,
                  "%s: the fluid went wrong: %d particles escaped, %d are not finite; "

@@ -28,10 +28,10 @@ void series_head(output_file *file)
           file->stream);
 }
 
-void series_row(output_file *file, const skv_stats *stats, double time)
+void series_row(output_file *file, const skv_stats *stats, const skv_packing *packing, double time)
 {
     fprintf(file->stream, "%.9g,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", time,
             stats->particles, stats->kinetic_energy, stats->potential_energy, stats->momentum_x,
-            stats->momentum_y, stats->rms_speed, stats->max_speed, stats->volume_ratio,
+            stats->momentum_y, stats->rms_speed, stats->max_speed, packing->volume_ratio,
             stats->centre_x, stats->centre_y);
 }

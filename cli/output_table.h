@@ -9,6 +9,6 @@ void trace_head(output_file *file);
 void trace_rows(output_file *file, const skv_world *world, double time);
 
 void series_head(output_file *file);
-void series_row(output_file *file, const skv_stats *stats, double time);
+void series_row(output_file *file, const skv_stats *stats, const skv_packing *packing, double time);
 
 #endif

@@ -134,7 +134,7 @@ skv_result skv_settings_make(settings *s, const experiment *e, const skv_lab_opt
         s->own[i] = default_of(&e->parameters[i]);
     if (!options)
         return SKV_OK;
-    SKV_ASSERT_OR(options->cookie == OPTIONS_COOKIE, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(options, OPTIONS_COOKIE);
     for (int i = 0; i < options->setting_count; i++) {
         skv_result result = apply(s, e, &options->settings[i], error);
         if (result != SKV_OK)

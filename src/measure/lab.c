@@ -102,7 +102,7 @@ static skv_result check_name(const char *name, skv_error *error)
 
 static skv_result check_def(const skv_lab *lab, const skv_instrument_def *def, skv_error *error)
 {
-    SKV_ASSERT_OR(def->cookie == DEF_COOKIE, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(def, DEF_COOKIE);
     if ((unsigned)def->kind >= SKV_INSTRUMENT_KINDS)
         return skv_fail(error, SKV_ERROR_VALUE, "instrument: there is no kind %d", (int)def->kind);
     if (!points_are_sane(def->kind, def->x0, def->y0, def->x1, def->y1))

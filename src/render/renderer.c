@@ -188,7 +188,7 @@ skv_result skv_renderer_draw(skv_renderer *renderer, const skv_world *world,
                              const skv_hand *hands, int hand_count, skv_error *error)
 {
     SKV_ASSERT_OR(renderer && world && camera && style, SKV_ERROR_VALUE);
-    SKV_ASSERT_OR(style->cookie == STYLE_COOKIE, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(style, STYLE_COOKIE);
     SKV_ASSERT_OR(hand_count == 0 || (hands && hand_count > 0), SKV_ERROR_VALUE);
     SKV_ASSERT_OR(camera->scale > 0 && camera->width > 0 && camera->height > 0, SKV_ERROR_VALUE);
     if (!isfinite(style->pressure_range) || style->pressure_range < 0)

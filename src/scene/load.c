@@ -120,7 +120,8 @@ skv_result skv_scene_load_memory(const void *data, size_t size, const char *form
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
     *scene = NULL;
     SKV_ASSERT_OR(data != NULL && format != NULL && label != NULL, SKV_ERROR_VALUE);
-    SKV_ASSERT_OR(options == NULL || options->cookie == OPTIONS_COOKIE, SKV_ERROR_VALUE);
+    if (options)
+        SKV_ASSERT_INITIALISED(options, OPTIONS_COOKIE);
     skv_scene_options none = skv_default_scene_options();
     if (options == NULL)
         options = &none;
@@ -167,7 +168,8 @@ skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *opt
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
     *scene = NULL;
     SKV_ASSERT_OR(name_or_path != NULL, SKV_ERROR_VALUE);
-    SKV_ASSERT_OR(options == NULL || options->cookie == OPTIONS_COOKIE, SKV_ERROR_VALUE);
+    if (options)
+        SKV_ASSERT_INITIALISED(options, OPTIONS_COOKIE);
     skv_scene_options none = skv_default_scene_options();
     if (options == NULL)
         options = &none;

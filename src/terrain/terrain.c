@@ -83,7 +83,7 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
 {
     SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
     *terrain = NULL;
-    SKV_ASSERT_OR(def && def->cookie == TERRAIN_COOKIE, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(def, TERRAIN_COOKIE);
     skv_result result = check_def(def, error);
     if (result != SKV_OK)
         return result;

@@ -158,7 +158,8 @@ static skv_result settle(skv_world *world, const walk *w, skv_error *error)
 skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed *placed,
                           skv_error *error)
 {
-    SKV_ASSERT_OR(world && def && def->cookie == FILL_COOKIE, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(def, FILL_COOKIE);
     if (!is_sane(def))
         return skv_fail(error, SKV_ERROR_VALUE, "fill: the box is not finite or beyond 100 m");
     if (!skv_within((double)def->vx, -1000, 1000) || !skv_within((double)def->vy, -1000, 1000))

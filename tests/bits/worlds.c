@@ -196,10 +196,12 @@ static uint64_t hash_of(const skv_world *world)
     skv_particles particles = skv_world_particles(world);
     hash = add_bytes(hash, particles.pressure, particles.count * (int)sizeof(float));
     skv_stats stats = skv_world_stats(world);
+    skv_packing packing = {0};
+    skv_world_packing(world, &packing, NULL);
     const double numbers[] = {
-        stats.particles,  stats.escaped,    stats.not_finite, stats.kinetic_energy,
-        stats.momentum_x, stats.momentum_y, stats.rms_speed,  stats.potential_energy,
-        stats.max_speed,  stats.neighbours, stats.centre_x,   stats.volume_ratio,
+        stats.particles,  stats.escaped,      stats.not_finite, stats.kinetic_energy,
+        stats.momentum_x, stats.momentum_y,   stats.rms_speed,  stats.potential_energy,
+        stats.max_speed,  packing.neighbours, stats.centre_x,   packing.volume_ratio,
         stats.centre_y,
     };
     return add_bytes(hash, numbers, sizeof numbers);

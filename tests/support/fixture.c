@@ -119,6 +119,13 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
     skv_world_destroy(slow);
 }
 
+skv_packing fixture_packing(const skv_world *world)
+{
+    skv_packing packing;
+    assert_int_equal(skv_world_packing(world, &packing, NULL), SKV_OK);
+    return packing;
+}
+
 void fixture_run(skv_world *world, int frames)
 {
     for (int i = 0; i < frames; i++)

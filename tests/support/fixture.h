@@ -32,6 +32,8 @@ double fixture_wall_layer(const skv_world *world, double level);
  * unless they agree to rounding; frees both. */
 void fixture_expect_same_substep(skv_world *fast, skv_world *slow);
 
+skv_packing fixture_packing(const skv_world *world);
+
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);
 
