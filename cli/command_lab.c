@@ -40,7 +40,7 @@ static skv_result find_experiment(const char *name, int *found, skv_error *error
             return SKV_OK;
         }
     }
-    const char *nearest = nearest_name(name, names, count);
+    const char *nearest = skv_nearest_name(name, names, count);
     if (nearest)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "lab: there is no experiment '%s'; did you mean %s?", name, nearest);

@@ -67,7 +67,7 @@ static int help(int count, char **arguments, skv_error *error)
 static int unknown_command(const char *name, skv_error *error)
 {
     static const char *const names[] = {"run", "scenes", "check", "bench", "lab", "help"};
-    const char *nearest = nearest_name(name, names, (int)(sizeof names / sizeof names[0]));
+    const char *nearest = skv_nearest_name(name, names, (int)(sizeof names / sizeof names[0]));
     if (nearest) {
         skv_fail(error, SKV_ERROR_VALUE, "%s: no such command; did you mean %s?", name, nearest);
     } else {

@@ -104,45 +104,6 @@ static const char *command_name(command which)
     return "";
 }
 
-/* Levenshtein distance; names longer than the table are not similar to any option. */
-static int edit_distance(const char *a, const char *b)
-{
-    enum { LONGEST = 40 };
-    size_t length_a = strlen(a), length_b = strlen(b);
-    if (length_a > LONGEST || length_b > LONGEST)
-        return LONGEST;
-    int row[LONGEST + 1];
-    for (size_t j = 0; j <= length_b; j++)
-        row[j] = (int)j;
-    for (size_t i = 1; i <= length_a; i++) {
-        int diagonal = row[0];
-        row[0] = (int)i;
-        for (size_t j = 1; j <= length_b; j++) {
-            int best = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            best = row[j] + 1 < best ? row[j] + 1 : best;
-            row[j] = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
-        }
-    }
-    return row[length_b];
-}
-
-const char *nearest_name(const char *text, const char *const *candidates, int count)
-{
-    const char *best = NULL;
-    int best_distance = 2 + (int)strlen(text) / 3;
-    for (int i = 0; i < count; i++) {
-        /* Whoever stopped typing early means the whole word. */
-        bool begins = strlen(text) >= 2 && strncmp(text, candidates[i], strlen(text)) == 0;
-        int distance = begins ? 1 : edit_distance(text, candidates[i]);
-        if (distance < best_distance) {
-            best_distance = distance;
-            best = candidates[i];
-        }
-    }
-    return best;
-}
-
 static skv_result unknown_option(command which, const char *name, skv_error *error)
 {
     const char *candidates[RULE_COUNT];
@@ -156,7 +117,7 @@ static skv_result unknown_option(command which, const char *name, skv_error *err
                             command_name(which), command_name(which));
         }
     }
-    const char *nearest = nearest_name(name, candidates, count);
+    const char *nearest = skv_nearest_name(name, candidates, count);
     if (nearest) {
         return skv_fail(error, SKV_ERROR_VALUE, "--%s: no such option; did you mean --%s?", name,
                         nearest);
@@ -172,16 +133,10 @@ static skv_result out_of_range(const option_rule *rule, const char *text, skv_er
                     rule->minimum, rule->maximum, rule->unit);
 }
 
-/* Plain decimal numbers only: strtod alone would take "nan", "0x1p3" and leading spaces. */
 static skv_result parse_number(const option_rule *rule, const char *text, double *value,
                                skv_error *error)
 {
-    char *end;
-    if (!*text || text[strspn(text, "+-.0123456789eE")] != '\0')
-        end = (char *)text;
-    else
-        *value = strtod(text, &end);
-    if (end == text || *end != '\0') {
+    if (!skv_parse_number(text, value)) {
         return skv_fail(error, SKV_ERROR_VALUE,
                         "--%s: '%s' is not a number; allowed is %.10g to %.10g%s", rule->name, text,
                         rule->minimum, rule->maximum, rule->unit);

@@ -52,7 +52,4 @@ bool options_use_stdout(const cli_options *options);
 /* One line per option of a command, for its help. */
 void options_print_help(command which, FILE *out);
 
-/* The candidate that `text` is probably a misspelling of, or null. */
-const char *nearest_name(const char *text, const char *const *candidates, int count);
-
 #endif

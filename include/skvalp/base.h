@@ -8,6 +8,7 @@
 #ifndef SKVALP_BASE_H
 #define SKVALP_BASE_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -75,6 +76,25 @@ SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *forma
 /* Receives text piece by piece; returns false to stop, which the writing function reports as
  * SKV_ERROR_FILE. */
 typedef bool skv_write(const char *text, size_t length, void *user);
+
+/* Formats like snprintf in the C locale, whatever the program's locale is: at most `room` bytes
+ * with the zero at the end; returns the length that the whole text has. Knows the conversions d i u
+ * x X c s f e g and %, the flags - 0 + and # (of x), width, precision and the lengths hh h l ll z;
+ * a directive beyond that and what follows it is copied as it stands. Thread-safe. */
+SKV_API size_t skv_format(char *text, size_t room, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+SKV_API size_t skv_format_list(char *text, size_t room, const char *format, va_list arguments)
+    __attribute__((format(printf, 3, 0)));
+
+/* Reads all of `text` as a plain decimal number ("-2.5", "1e-3"), whatever the program's locale is,
+ * rounded to the nearest double. False, and *value untouched, for anything else: an empty text,
+ * spaces, "nan", "0x1p3", what is too large for a double or longer than 60 characters.
+ * Thread-safe. */
+SKV_API bool skv_parse_number(const char *text, double *value);
+
+/* The one of `count` names that a mistyped one is most like, for "did you mean"; null if none is
+ * near. The beginning of a name is near it. Thread-safe. */
+SKV_API const char *skv_nearest_name(const char *text, const char *const *names, int count);
 
 /* Memory hooks. `allocate` returns memory aligned to `alignment` (a power of two, at most 4096)
  * or null; `release` takes what allocate returned, never null. Both may be called from the thread

@@ -9,6 +9,7 @@
 #define SKVALP_SCENE_H
 
 #include "skvalp/base.h"
+#include "skvalp/fields.h"
 #include "skvalp/world.h"
 
 #ifdef __cplusplus
@@ -17,34 +18,9 @@ extern "C" {
 
 typedef struct skv_scene skv_scene;
 
-/* What a field holds. */
-typedef enum skv_field_type {
-    SKV_FIELD_NUMBER,  /* finite, minimum..maximum */
-    SKV_FIELD_INTEGER, /* whole, minimum..maximum */
-    SKV_FIELD_TEXT,    /* at most `maximum` bytes of UTF-8 */
-    SKV_FIELD_CHOICE,  /* one of `choices`, separated by '|' */
-    SKV_FIELD_BOOLEAN
-} skv_field_type;
-
-/* One parameter of a scene file. */
-typedef struct skv_field {
-    const char *path; /* "fluid.spacing"; a list's elements read "water[].x" */
-    skv_field_type type;
-    const char *unit; /* "m", "m/s^2", ""; never null */
-    double minimum, maximum;
-    const char *choices;      /* null unless SKV_FIELD_CHOICE */
-    const char *default_text; /* as written in a file; "" if there is none */
-    const char *help;         /* one line */
-} skv_field;
-
-/* The registry: all fields in documentation order. Static. */
+/* All that a scene file may say, in documentation order; among it all parameters of
+ * skv_world_fields but those that are the host's (threads, capacity, solver). Static. */
 SKV_API const skv_field *skv_scene_fields(int *count);
-
-/* One "path=value" that overrides what the file says, as the command line's --set does. */
-typedef struct skv_setting {
-    const char *path;
-    const char *value;
-} skv_setting;
 
 /* Options that override a scene while it is loaded. Initialise with skv_default_scene_options. */
 typedef struct skv_scene_options {

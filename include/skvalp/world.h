@@ -10,6 +10,7 @@
 #define SKVALP_WORLD_H
 
 #include "skvalp/base.h"
+#include "skvalp/fields.h"
 #include "skvalp/terrain.h"
 
 #ifdef __cplusplus
@@ -29,26 +30,26 @@ typedef enum skv_law {
 /* "calibrated" or "clavet". */
 SKV_API const char *skv_law_name(skv_law law);
 
-/* A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. */
+/* A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. Ranges and
+ * defaults are those of skv_world_fields. */
 typedef struct skv_fluid_def {
     skv_law law;
-    float spacing;          /* s: one particle per s*s square metres at rest; 0.0005..0.1 m */
-    float radius_ratio;     /* h/s: smoothing radius in spacings, 2..4; default 3 (clavet: 2.85) */
-    float density;          /* kg/m^2 of the sheet, 1..20000; default 1000 */
-    float viscosity;        /* kinematic, m^2/s, on top of the method's own; 0..0.05; default 0 */
-    float viscosity_linear; /* sigma, 1/s: removes a pair's approach speed; 0..1000 */
-    float viscosity_quadratic; /* beta, 1/m: the same, growing with the speed; 0..1000 */
-    float near_stiffness;      /* k_near, m/s^2, calibrated law; 0..200; default 10 x 9.81 */
-    float cohesion;            /* k_coh, m/s^2, calibrated law; 0..500; default 8 x 9.81 */
-    float relaxation;          /* omega, share of the correction applied, 0.05..0.4; default 0.35 */
-    int iterations;            /* relaxation rounds a substep, 1..8; default 2 (clavet: 1) */
-    float clavet_stiffness;    /* k h^-1 dt^2, dimensionless, 0..0.02; default 0.004 */
-    float clavet_near_stiffness; /* k_near h^-1 dt^2, dimensionless, 0..0.2; default 0.04 */
-    float clavet_rest_density;   /* rho0, dimensionless, 1..40; default 10 */
-    float wall_friction;    /* share of the tangential speed lost at a wall in 1/60 s, 0..1; 0.05 */
-    float wall_softness;    /* share of the penetration corrected in 1/60 s, 0.1..1; default 1 */
-    float contact_distance; /* in spacings: closer than this to a wall is contact; 0..1; 0.2
-                               (clavet: 0.3) */
+    float spacing;               /* s: one particle per s*s square metres at rest, m */
+    float radius_ratio;          /* h/s: smoothing radius in spacings */
+    float density;               /* kg/m^2 of the sheet */
+    float viscosity;             /* kinematic, m^2/s, on top of the method's own */
+    float viscosity_linear;      /* sigma, 1/s: removes a pair's approach speed */
+    float viscosity_quadratic;   /* beta, 1/m: the same, growing with the speed */
+    float near_stiffness;        /* k_near, m/s^2, calibrated law */
+    float cohesion;              /* k_coh, m/s^2, calibrated law */
+    float relaxation;            /* omega, share of the correction applied, calibrated law */
+    int iterations;              /* relaxation rounds a substep */
+    float clavet_stiffness;      /* k h^-1 dt^2, dimensionless */
+    float clavet_near_stiffness; /* k_near h^-1 dt^2, dimensionless */
+    float clavet_rest_density;   /* rho0, dimensionless */
+    float wall_friction;         /* share of the tangential speed lost at a wall in 1/60 s */
+    float wall_softness;         /* share of the penetration corrected in 1/60 s */
+    float contact_distance;      /* in spacings: closer than this to a wall is contact */
     int cookie;
 } skv_fluid_def;
 
@@ -69,13 +70,14 @@ SKV_API const skv_material *skv_materials(int *count);
  * the moment at which viscosity is read (docs/model.md). */
 typedef enum skv_solver_kind { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solver_kind;
 
-/* How to make a world. Initialise with skv_default_world_def. */
+/* How to make a world. Initialise with skv_default_world_def. Ranges and defaults of what is not
+ * explained here are those of skv_world_fields. */
 typedef struct skv_world_def {
     /* Taken over by the world if skv_world_create succeeds, left to the caller if it fails. Null:
      * the default terrain, a closed tank of 1.6 x 0.9 m. */
     skv_terrain *terrain;
     skv_fluid_def fluid;
-    float gravity_x, gravity_y; /* m/s^2, each -1000..1000; default 0, -9.81 */
+    float gravity_x, gravity_y; /* m/s^2 */
     float depth;  /* m: the deepest fluid to expect along this gravity, for the substep rule; 0: all
                      the free height. Along another gravity as much of the way counts as filled. */
     int substeps; /* a 1/60 s frame, at most 1000; 0: by the rule of docs/model.md */
@@ -91,6 +93,22 @@ typedef struct skv_world_def {
 } skv_world_def;
 
 SKV_API skv_world_def skv_default_world_def(void);
+
+/* The parameters of a definition, its fluid's included, by path: "gravity.y", "fluid.viscosity".
+ * The fields in documentation order; static. */
+SKV_API const skv_field *skv_world_fields(int *count);
+
+/* Sets a parameter of a definition from text: "0.001", "clavet", "true". Setting fluid.law gives
+ * the new law's defaults to what has the old law's; fluid.material sets density and viscosity.
+ * SKV_ERROR_VALUE, and nothing changed, for an unknown path or a value that its field does not
+ * allow; the message says what it does. */
+SKV_API skv_result skv_world_def_set(skv_world_def *def, const char *path, const char *text,
+                                     skv_error *error);
+
+/* Writes a parameter as text that would set it, cut to `size`; 32 bytes hold any. fluid.material is
+ * empty if no material has this density and viscosity. SKV_ERROR_VALUE for an unknown path. */
+SKV_API skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *text,
+                                     size_t size, skv_error *error);
 
 typedef struct skv_world skv_world;
 
@@ -204,6 +222,15 @@ SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, 
  * gave their number, the substeps follow it by the rule: up at once, down when a third of them can
  * be spared. */
 SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error);
+
+/* The same as skv_world_def_set and _get for a world that runs. What skv_world_can_change denies is
+ * refused with SKV_ERROR_VALUE. The substeps follow as they follow gravity. Fluid that sleeps wakes
+ * up. */
+SKV_API bool skv_world_can_change(const char *path);
+SKV_API skv_result skv_world_set(skv_world *world, const char *path, const char *text,
+                                 skv_error *error);
+SKV_API skv_result skv_world_get(const skv_world *world, const char *path, char *text, size_t size,
+                                 skv_error *error);
 
 /* Plain facts. Reading functions may run on several threads at once, never beside a step. */
 SKV_API int skv_world_particle_count(const skv_world *world);

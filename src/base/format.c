@@ -1,13 +1,11 @@
-/* printf's formatting without stdio. Invariant: a double is turned into its exact decimal digits
- * (halving and doubling digit by digit) and rounded once, half to even, so the text is that of a
- * correct vsnprintf. Speed does not matter: it writes error messages. */
-#include "base/format.h"
+/* printf's formatting without stdio and locale: the core is freestanding, and a host may have set a
+ * locale that writes numbers with a comma. Invariant: a double is turned into its exact decimal
+ * digits and rounded once, half to even, so the text is that of a correct vsnprintf. */
+#include "skvalp/base.h"
 
-#include <stdbool.h>
-#include <stdint.h>
 #include <string.h>
 
-/* Where text goes; `used` never exceeds room - 1. */
+/* Where text goes; what is beyond its room is counted but not kept. */
 typedef struct sink {
     char *text;
     size_t room, used;
@@ -23,8 +21,11 @@ typedef struct directive {
 
 static void put(sink *s, const char *text, size_t length)
 {
-    for (size_t i = 0; i < length && s->used + 1 < s->room; i++)
-        s->text[s->used++] = text[i];
+    if (s->used < s->room) {
+        size_t left = s->room - s->used;
+        memcpy(s->text + s->used, text, length < left ? length : left);
+    }
+    s->used += length;
 }
 
 static void repeat(sink *s, char c, int count)
@@ -64,8 +65,11 @@ static void put_integer(sink *s, const directive *d, uint64_t value, bool negati
     put_padded(s, d, prefix, digits + at, sizeof digits - at, d->zeros && d->precision < 0);
 }
 
+#define LIMB 1000000000u
+
 /* An exact decimal number 0.d1 d2 d3 ... * 10^point, without leading or trailing zeros. A double
- * has at most 767 digits. */
+ * has at most 767 digits, which are 86 limbs in base 10^9. */
+enum { MOST_LIMBS = 86 };
 typedef struct decimal {
     int count, point;
     uint8_t digit[800];
@@ -77,40 +81,34 @@ static void drop_trailing_zeros(decimal *n)
         n->count--;
 }
 
-static void double_it(decimal *n)
+/* Multiplies a whole number in base 10^9, lowest limb first; returns its new length. */
+static int multiply(uint32_t *limb, int count, uint32_t factor)
 {
-    int carry = 0;
-    for (int i = n->count - 1; i >= 0; i--) {
-        int value = 2 * n->digit[i] + carry;
-        n->digit[i] = (uint8_t)(value % 10);
-        carry = value / 10;
+    uint64_t carry = 0;
+    for (int i = 0; i < count; i++) {
+        carry += (uint64_t)limb[i] * factor;
+        limb[i] = (uint32_t)(carry % LIMB);
+        carry /= LIMB;
     }
-    if (carry) {
-        memmove(n->digit + 1, n->digit, (size_t)n->count);
-        n->digit[0] = 1;
-        n->count++;
-        n->point++;
-    }
-    drop_trailing_zeros(n);
+    if (carry)
+        limb[count++] = (uint32_t)carry;
+    return count;
 }
 
-static void halve(decimal *n)
+static void write_limbs(const uint32_t *limb, int count, decimal *n)
 {
-    int rest = 0;
-    for (int i = 0; i < n->count; i++) {
-        int value = 10 * rest + n->digit[i];
-        n->digit[i] = (uint8_t)(value / 2);
-        rest = value % 2;
-    }
-    if (rest)
-        n->digit[n->count++] = 5;
-    if (n->count && n->digit[0] == 0) {
-        memmove(n->digit, n->digit + 1, (size_t)--n->count);
-        n->point--;
+    bool leading = true;
+    for (int i = count - 1; i >= 0; i--) {
+        for (uint32_t place = LIMB / 10; place; place /= 10) {
+            uint8_t digit = (uint8_t)(limb[i] / place % 10);
+            leading = leading && digit == 0;
+            if (!leading)
+                n->digit[n->count++] = digit;
+        }
     }
 }
 
-/* The digits of a finite, positive number. */
+/* The digits of a finite, positive number m 2^e: those of m 2^e or of m 5^-e. */
 static void make_decimal(double value, decimal *n)
 {
     uint64_t bits;
@@ -121,17 +119,22 @@ static void make_decimal(double value, decimal *n)
     exponent = (exponent ? exponent : 1) - 1075;
     for (; mantissa && mantissa % 2 == 0; mantissa /= 2)
         exponent++;
-    n->count = n->point = 0;
-    for (uint64_t rest = mantissa; rest; rest /= 10)
-        n->count++;
-    n->point = n->count;
-    for (int i = n->count - 1; i >= 0; i--, mantissa /= 10)
-        n->digit[i] = (uint8_t)(mantissa % 10);
+    uint32_t limb[MOST_LIMBS];
+    int count = 0, behind = exponent < 0 ? -exponent : 0;
+    for (; mantissa; mantissa /= LIMB)
+        limb[count++] = (uint32_t)(mantissa % LIMB);
+    for (int left = exponent; left > 0; left -= 29)
+        count = multiply(limb, count, 1u << (left < 29 ? left : 29));
+    for (int left = behind; left > 0; left -= 12) {
+        uint32_t factor = 1;
+        for (int i = 0; i < left && i < 12; i++)
+            factor *= 5;
+        count = multiply(limb, count, factor);
+    }
+    n->count = 0;
+    write_limbs(limb, count, n);
+    n->point = n->count - behind;
     drop_trailing_zeros(n);
-    for (; exponent > 0; exponent--)
-        double_it(n);
-    for (; exponent < 0; exponent++)
-        halve(n);
 }
 
 /* Keeps `digits` digits, rounding half to even. */
@@ -359,9 +362,9 @@ static bool convert(sink *s, directive *d, va_list *arguments)
     }
 }
 
-void skv_format(char *text, size_t room, const char *format, va_list arguments)
+size_t skv_format_list(char *text, size_t room, const char *format, va_list arguments)
 {
-    sink s = {text, room, 0};
+    sink s = {text, room > 0 ? room - 1 : 0, 0};
     /* A va_list may be an array, which as a parameter is none any more. */
     va_list list;
     va_copy(list, arguments);
@@ -383,5 +386,15 @@ void skv_format(char *text, size_t room, const char *format, va_list arguments)
     }
     va_end(list);
     if (room)
-        text[s.used] = 0;
+        text[s.used < s.room ? s.used : s.room] = 0;
+    return s.used;
+}
+
+size_t skv_format(char *text, size_t room, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    size_t length = skv_format_list(text, room, format, arguments);
+    va_end(arguments);
+    return length;
 }

@@ -1,5 +1,4 @@
 /* Result codes and one-line messages. Invariant: a message never holds a control character. */
-#include "base/format.h"
 #include "skvalp/base.h"
 
 #define TEXT_OF(number)  #number
@@ -39,7 +38,7 @@ skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
         return code;
     va_list arguments;
     va_start(arguments, format);
-    skv_format(error->text, sizeof error->text, format, arguments);
+    skv_format_list(error->text, sizeof error->text, format, arguments);
     va_end(arguments);
     error->code = code;
     for (char *c = error->text; *c; c++) {

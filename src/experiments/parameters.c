@@ -7,10 +7,9 @@
 #include "experiments/parameters.h"
 
 #include "base/assert.h"
+#include "base/fields.h"
 #include "experiments/experiment.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { OPTIONS_COOKIE = 0x6c616f31 };
@@ -57,48 +56,38 @@ skv_lab_options skv_default_lab_options(void)
     return (skv_lab_options){.cookie = OPTIONS_COOKIE};
 }
 
-static bool read_number(const char *text, double *value)
-{
-    /* strtod alone would take "nan", "0x1p3" and leading spaces. */
-    if (!*text || text[strspn(text, "+-.0123456789eE")] != '\0')
-        return false;
-    char *end;
-    *value = strtod(text, &end);
-    return end != text && *end == '\0';
-}
-
-/* Defaults are numbers, too. */
 static double default_of(const skv_field *field)
 {
     double value = 0;
-    read_number(field->default_text, &value);
+    skv_field_read(field, field->default_text, &value);
     return value;
 }
 
 static skv_result read_value(const skv_field *field, const char *text, double *value,
                              skv_error *error)
 {
-    bool whole = field->type == SKV_FIELD_INTEGER;
     double read;
-    if (read_number(text, &read) && read >= field->minimum && read <= field->maximum &&
-        (!whole || read == floor(read))) {
-        *value = read;
-        return SKV_OK;
-    }
-    return skv_fail(error, SKV_ERROR_VALUE, "%s: '%.60s' is no %snumber in %.10g to %.10g%s%s",
-                    field->path, text, whole ? "whole " : "", field->minimum, field->maximum,
-                    *field->unit ? " " : "", field->unit);
+    const char *wrong = skv_field_read(field, text, &read);
+    if (wrong)
+        return skv_field_refuse(field, text, wrong, error);
+    *value = read;
+    return SKV_OK;
 }
 
-/* Keeps a setting of the fluid; what it may be is for the scene to say. */
-static skv_result keep(settings *s, const skv_setting *setting, skv_error *error)
+/* Keeps a setting of the fluid for the scene. */
+static skv_result keep(settings *s, const skv_field *field, const skv_setting *setting,
+                       skv_error *error)
 {
+    double value = 0;
+    skv_result result = read_value(field, setting->value, &value, error);
+    if (result != SKV_OK)
+        return result;
     if (s->fluid_count == MAX_FLUID_SETTINGS)
         return skv_fail(error, SKV_ERROR_LIMIT, "%.60s: more than %d settings of the fluid",
                         setting->path, MAX_FLUID_SETTINGS);
     s->fluid[s->fluid_count++] = *setting;
-    if (strcmp(setting->path, "fluid.spacing") == 0 && !read_number(setting->value, &s->spacing))
-        s->spacing = 0;
+    if (strcmp(setting->path, "fluid.spacing") == 0)
+        s->spacing = value;
     return SKV_OK;
 }
 
@@ -117,7 +106,7 @@ static skv_result apply(settings *s, const experiment *e, const skv_setting *set
     if (field >= common && field < common + COMMON_PARAMETERS)
         return read_value(field, setting->value, &s->common[field - common], error);
     if (is_general(field))
-        return keep(s, setting, error);
+        return keep(s, field, setting, error);
     double unused;
     bool is_own = e && field >= e->parameters && field < e->parameters + MAX_OWN;
     return read_value(field, setting->value, is_own ? &s->own[field - e->parameters] : &unused,
@@ -143,26 +132,8 @@ skv_result skv_settings_make(settings *s, const experiment *e, const skv_lab_opt
     return SKV_OK;
 }
 
-/* A pool of nothing in particular, for the scene to say what it thinks of the fluid. */
-static skv_result try_fluid(const settings *s, skv_error *error)
-{
-    static const char pool[] =
-        "{\"world\": {\"width\": 0.8, \"height\": 0.4, \"pixel\": 0.02}, \"particles\": 100,"
-        " \"water\": [{\"shape\": \"box\"}]}";
-    skv_scene_options options = skv_default_scene_options();
-    options.settings = s->fluid;
-    options.setting_count = s->fluid_count;
-    skv_scene *scene;
-    skv_result result =
-        skv_scene_load_memory(pool, sizeof pool - 1, "json", "lab", &options, &scene, error);
-    if (result == SKV_OK)
-        skv_scene_destroy(scene);
-    return result;
-}
-
 skv_result skv_lab_check(const skv_lab_options *options, skv_error *error)
 {
     settings s;
-    skv_result result = skv_settings_make(&s, NULL, options, error);
-    return result == SKV_OK ? try_fluid(&s, error) : result;
+    return skv_settings_make(&s, NULL, options, error);
 }

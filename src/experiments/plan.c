@@ -5,7 +5,6 @@
  */
 #include "experiments/plan.h"
 
-#include "base/format.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -74,7 +73,7 @@ static void __attribute__((format(printf, 2, 3))) say(text *t, const char *forma
 {
     va_list arguments;
     va_start(arguments, format);
-    skv_format(t->bytes + t->length, ROOM - t->length, format, arguments);
+    skv_format_list(t->bytes + t->length, ROOM - t->length, format, arguments);
     va_end(arguments);
     t->length += strlen(t->bytes + t->length);
 }

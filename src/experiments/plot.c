@@ -10,8 +10,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 void skv_plot_begin(skv_plot *p, const char *label, curve_style style)
@@ -21,7 +19,7 @@ void skv_plot_begin(skv_plot *p, const char *label, curve_style style)
         return;
     }
     curve *c = &p->curves[p->count++];
-    snprintf(c->label, sizeof c->label, "%s", label);
+    skv_format(c->label, sizeof c->label, "%s", label);
     c->style = style;
 }
 
@@ -91,12 +89,12 @@ static void __attribute__((format(printf, 2, 3))) say(sink *out, const char *for
     char text[512];
     va_list arguments;
     va_start(arguments, format);
-    int length = vsnprintf(text, sizeof text, format, arguments);
+    size_t length = skv_format_list(text, sizeof text, format, arguments);
     va_end(arguments);
-    if (length < 0 || length >= (int)sizeof text)
+    if (length >= sizeof text)
         out->failed = true;
     if (!out->failed)
-        out->failed = !out->write(text, (size_t)length, out->user);
+        out->failed = !out->write(text, length, out->user);
 }
 
 /* Text inside an element. */

@@ -5,12 +5,10 @@
  */
 #include "experiments/stage.h"
 
-#include "base/format.h"
 #include "base/memory.h"
 #include "experiments/experiment.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
 #define FRAME (1.0f / 60)
@@ -68,14 +66,6 @@ double skv_stage_gravity(const stage *s)
     return s->settings.common[PARAM_GRAVITY];
 }
 
-static void write_number(char *text, size_t room, ...)
-{
-    va_list arguments;
-    va_start(arguments, room);
-    skv_format(text, room, "%.9g", arguments);
-    va_end(arguments);
-}
-
 void skv_stage_set(stage *s, const char *path, double value)
 {
     int i = 0;
@@ -87,7 +77,7 @@ void skv_stage_set(stage *s, const char *path, double value)
     }
     s->override_count = i == s->override_count ? i + 1 : s->override_count;
     s->overrides[i].path = path;
-    write_number(s->overrides[i].value, sizeof s->overrides[i].value, value);
+    skv_format(s->overrides[i].value, sizeof s->overrides[i].value, "%.9g", value);
 }
 
 /* ---- Worlds ---------------------------------------------------------------------------------- */
@@ -104,7 +94,7 @@ static skv_scene *load(stage *s, const stage_plan *plan, double spacing)
     char particles[32];
     if (!(spacing > 0)) {
         double wanted = s->settings.common[PARAM_PARTICLES] * (plan->share > 0 ? plan->share : 1);
-        write_number(particles, sizeof particles, floor(wanted));
+        skv_format(particles, sizeof particles, "%.9g", floor(wanted));
         list[count++] = (skv_setting){"particles", particles};
         spacing = sqrt(skv_plan_area(plan) / wanted);
     }

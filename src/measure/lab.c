@@ -9,7 +9,6 @@
 #include "measure/instruments.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { DEF_COOKIE = 0x6c616231, MAX_CAPACITY = 1000000 };
@@ -322,7 +321,7 @@ static void put_number(csv *out, double value, const char *format)
 {
     char text[40] = "";
     if (isfinite(value))
-        snprintf(text, sizeof text, format, value);
+        skv_format(text, sizeof text, format, value);
     put(out, text);
 }
 

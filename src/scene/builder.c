@@ -18,7 +18,7 @@ skv_result skv_builder_fail(const skv_builder *builder, skv_origin origin, const
     char message[400];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    skv_format_list(message, sizeof message, format, arguments);
     va_end(arguments);
     if (origin.source == SKV_FROM_SETTING)
         return skv_fail(error, code, "--set %s: %s", path, message);
@@ -48,11 +48,8 @@ static bool set_text(char **text, const char *source)
 static void set_default(skv_value *value, const skv_field *field)
 {
     value->origin = (skv_origin){SKV_FROM_DEFAULT, 0};
-    if (field->type == SKV_FIELD_CHOICE)
-        value->number = skv_field_choice(field->choices, field->default_text);
-    else if (field->type == SKV_FIELD_BOOLEAN)
-        value->number = strcmp(field->default_text, "true") == 0;
-    else if (!skv_parse_number(field->default_text, &value->number))
+    if (field->type == SKV_FIELD_TEXT || field->default_text[0] == '\0' ||
+        skv_field_read(field, field->default_text, &value->number) != NULL)
         value->number = 0.0;
 }
 
@@ -99,7 +96,7 @@ static void quote(const char *source, char text[64])
         for (cut = 40; cut > 36 && ((unsigned char)source[cut] & 0xc0) == 0x80; cut--)
             continue;
     }
-    snprintf(text, 64, "\"%.*s%s\"", (int)cut, source, cut < length ? "..." : "");
+    skv_format(text, 64, "\"%.*s%s\"", (int)cut, source, cut < length ? "..." : "");
 }
 
 /* Names an entry in a message: "null", "3.5", "\"abc\"", "a list". */
@@ -107,10 +104,10 @@ static void describe(const skv_entry *entry, char text[64])
 {
     switch (entry->kind) {
     case SKV_ENTRY_NULL:
-        snprintf(text, 64, "null");
+        skv_format(text, 64, "null");
         break;
     case SKV_ENTRY_BOOLEAN:
-        snprintf(text, 64, "%s", entry->boolean ? "true" : "false");
+        skv_format(text, 64, "%s", entry->boolean ? "true" : "false");
         break;
     case SKV_ENTRY_NUMBER:
         skv_format_number(entry->number, text);
@@ -119,10 +116,10 @@ static void describe(const skv_entry *entry, char text[64])
         quote(entry->text, text);
         break;
     case SKV_ENTRY_LIST:
-        snprintf(text, 64, "a list");
+        skv_format(text, 64, "a list");
         break;
     case SKV_ENTRY_OBJECT:
-        snprintf(text, 64, "an object");
+        skv_format(text, 64, "an object");
         break;
     }
 }
@@ -139,25 +136,24 @@ static bool has_control_character(const char *text)
 /* What is wrong with an entry for a field; null if nothing is. */
 static const char *complaint(const skv_field *field, const skv_entry *entry)
 {
-    bool number = field->type == SKV_FIELD_NUMBER || field->type == SKV_FIELD_INTEGER;
-    if (number && entry->kind != SKV_ENTRY_NUMBER)
-        return "is not a number";
-    if (field->type == SKV_FIELD_BOOLEAN && entry->kind != SKV_ENTRY_BOOLEAN)
-        return "is not true or false";
-    bool text = field->type == SKV_FIELD_TEXT || field->type == SKV_FIELD_CHOICE;
-    if (text && entry->kind != SKV_ENTRY_TEXT)
-        return "is not text";
-
-    if (number && !(entry->number >= field->minimum && entry->number <= field->maximum))
-        return "is out of range";
-    if (field->type == SKV_FIELD_INTEGER && entry->number != floor(entry->number))
-        return "is not a whole number";
-    if (field->type == SKV_FIELD_CHOICE && skv_field_choice(field->choices, entry->text) < 0)
-        return "is not known";
-    if (field->type == SKV_FIELD_TEXT && (double)strlen(entry->text) > field->maximum)
-        return "is too long";
-    if (field->type == SKV_FIELD_TEXT && has_control_character(entry->text))
-        return "holds a control character";
+    switch (field->type) {
+    case SKV_FIELD_NUMBER:
+    case SKV_FIELD_INTEGER:
+        return entry->kind == SKV_ENTRY_NUMBER ? skv_field_complaint(field, entry->number)
+                                               : "is not a number";
+    case SKV_FIELD_BOOLEAN:
+        return entry->kind == SKV_ENTRY_BOOLEAN ? NULL : "is not true or false";
+    case SKV_FIELD_CHOICE:
+        if (entry->kind != SKV_ENTRY_TEXT)
+            return "is not text";
+        return skv_field_choice(field->choices, entry->text) < 0 ? "is not known" : NULL;
+    case SKV_FIELD_TEXT:
+        if (entry->kind != SKV_ENTRY_TEXT)
+            return "is not text";
+        if ((double)strlen(entry->text) > field->maximum)
+            return "is too long";
+        return has_control_character(entry->text) ? "holds a control character" : NULL;
+    }
     return NULL;
 }
 
@@ -287,9 +283,10 @@ static skv_result accept_group(skv_builder *builder, const skv_field_path *path,
     if (!object && !list) {
         char hint[200];
         if (strchr(text, '"') != NULL)
-            snprintf(hint, sizeof hint, "; a key is one word, a group is { ... }");
+            skv_format(hint, sizeof hint, "; a key is one word, a group is { ... }");
         else
-            skv_field_suggest(path->pattern, hint, sizeof hint);
+            skv_field_suggest(skv_scene_fields(NULL), SKV_F_COUNT, path->pattern, hint,
+                              sizeof hint);
         return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "unknown field%s",
                                 hint);
     }
@@ -312,7 +309,7 @@ static skv_result accept(skv_builder *builder, const char *text, const skv_entry
     skv_field_path path;
     if (!skv_field_parse_path(text, &path))
         return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "unknown field");
-    int id = skv_field_find(path.pattern);
+    int id = skv_field_find(skv_scene_fields(NULL), SKV_F_COUNT, path.pattern);
     if (id < 0)
         return accept_group(builder, &path, text, entry, origin, error);
     if (id >= SKV_F_SINGLE)
@@ -326,26 +323,23 @@ skv_result skv_builder_accept(skv_builder *builder, const char *path, const skv_
     return accept(builder, path, entry, (skv_origin){SKV_FROM_FILE, line}, error);
 }
 
-/* What a setting's text means for a field of this type. */
-static skv_entry read_setting(skv_field_type type, const char *text)
-{
-    skv_entry entry = {.kind = SKV_ENTRY_TEXT, .text = text};
-    bool number = type == SKV_FIELD_NUMBER || type == SKV_FIELD_INTEGER;
-    if (number && skv_parse_number(text, &entry.number))
-        entry.kind = SKV_ENTRY_NUMBER;
-    if (type == SKV_FIELD_BOOLEAN && (strcmp(text, "true") == 0 || strcmp(text, "false") == 0)) {
-        entry.kind = SKV_ENTRY_BOOLEAN;
-        entry.boolean = text[0] == 't';
-    }
-    return entry;
-}
-
 skv_result skv_builder_set(skv_builder *builder, const skv_setting *setting, skv_error *error)
 {
     skv_field_path path;
-    int id = skv_field_parse_path(setting->path, &path) ? skv_field_find(path.pattern) : -1;
-    skv_field_type type = id >= 0 ? skv_scene_fields(NULL)[id].type : SKV_FIELD_TEXT;
-    skv_entry entry = read_setting(type, setting->value);
+    const skv_field *fields = skv_scene_fields(NULL);
+    skv_entry entry = {.kind = SKV_ENTRY_TEXT, .text = setting->value};
+    int id = -1;
+    if (skv_field_parse_path(setting->path, &path))
+        id = skv_field_find(fields, SKV_F_COUNT, path.pattern);
+    bool number =
+        id >= 0 && (fields[id].type == SKV_FIELD_NUMBER || fields[id].type == SKV_FIELD_INTEGER);
+    if (number && skv_parse_number(setting->value, &entry.number)) {
+        entry.kind = SKV_ENTRY_NUMBER;
+    } else if (id >= 0 && fields[id].type == SKV_FIELD_BOOLEAN &&
+               skv_field_read(&fields[id], setting->value, &entry.number) == NULL) {
+        entry.kind = SKV_ENTRY_BOOLEAN;
+        entry.boolean = entry.number != 0.0;
+    }
     return accept(builder, setting->path, &entry, (skv_origin){SKV_FROM_SETTING, 0}, error);
 }
 

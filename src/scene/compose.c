@@ -5,13 +5,13 @@
  */
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "scene/raster.h"
 #include "scene/scene_data.h"
 #include "scene/shapes.h"
+#include "world/parameters.h"
 
 /* Everything a composing function needs. */
 typedef struct composer {
@@ -53,7 +53,7 @@ void skv_scene_note(skv_scene *scene, const char *format, ...)
     char text[200];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    skv_format_list(text, sizeof text, format, arguments);
     va_end(arguments);
     for (int i = 0; i < SKV_MAX_NOTICES; i++) {
         if (scene->notices[i] == NULL) {
@@ -104,9 +104,9 @@ static skv_result scale_picture(composer *c)
     if (width * scene->height / scene->width > most) {
         skv_format_number(width * scene->height / scene->width, text);
         if (is_given(c, SKV_F_WORLD_WIDTH)) {
-            snprintf(message, sizeof message,
-                     "makes the picture %s m high; allowed are 16 m, so choose a smaller width",
-                     text);
+            skv_format(message, sizeof message,
+                       "makes the picture %s m high; allowed are 16 m, so choose a smaller width",
+                       text);
             return fail(c, SKV_F_WORLD_WIDTH, SKV_ERROR_VALUE, message);
         }
         width = most * scene->width / scene->height;
@@ -156,9 +156,9 @@ static skv_result compose_blank(composer *c)
     double least = columns < rows ? columns : rows, most = columns > rows ? columns : rows;
     if (least < SKV_TERRAIN_MIN_PIXELS || most > SKV_TERRAIN_MAX_PIXELS) {
         char message[120];
-        snprintf(message, sizeof message,
-                 "makes the world %.0f x %.0f pixels; allowed are %d to %d each way", columns, rows,
-                 SKV_TERRAIN_MIN_PIXELS, SKV_TERRAIN_MAX_PIXELS);
+        skv_format(message, sizeof message,
+                   "makes the world %.0f x %.0f pixels; allowed are %d to %d each way", columns,
+                   rows, SKV_TERRAIN_MIN_PIXELS, SKV_TERRAIN_MAX_PIXELS);
         return fail(c, SKV_F_WORLD_PIXEL, SKV_ERROR_VALUE, message);
     }
     skv_scene *scene = c->scene;
@@ -256,48 +256,17 @@ static skv_result compose_terrain(composer *c)
 
 /* ---- Fluid ----------------------------------------------------------------------------------- */
 
-/* The law's own defaults, then what was given. */
-static void compose_fluid(composer *c)
+/* The parameters that were given, over the defaults: first those that set others. */
+static void compose_parameters(composer *c)
 {
-    skv_law law = (skv_law)c->value[SKV_F_FLUID_LAW].number;
-    skv_fluid_def fluid = skv_default_fluid_def(law);
-    /* The field's choices are the names of skv_materials, in their order; a test compares them. */
-    int materials;
-    const skv_material *material =
-        &skv_materials(&materials)[(int)c->value[SKV_F_FLUID_MATERIAL].number];
-    fluid.density = material->density;
-    fluid.viscosity = material->viscosity;
-    const struct {
-        skv_field_id id;
-        float *target;
-    } numbers[] = {
-        {SKV_F_FLUID_SPACING, &fluid.spacing},
-        {SKV_F_FLUID_RADIUS_RATIO, &fluid.radius_ratio},
-        {SKV_F_FLUID_DENSITY, &fluid.density},
-        {SKV_F_FLUID_VISCOSITY, &fluid.viscosity},
-        {SKV_F_FLUID_VISCOSITY_LINEAR, &fluid.viscosity_linear},
-        {SKV_F_FLUID_VISCOSITY_QUADRATIC, &fluid.viscosity_quadratic},
-        {SKV_F_FLUID_NEAR_STIFFNESS, &fluid.near_stiffness},
-        {SKV_F_FLUID_COHESION, &fluid.cohesion},
-        {SKV_F_FLUID_RELAXATION, &fluid.relaxation},
-        {SKV_F_FLUID_CLAVET_STIFFNESS, &fluid.clavet_stiffness},
-        {SKV_F_FLUID_CLAVET_NEAR_STIFFNESS, &fluid.clavet_near_stiffness},
-        {SKV_F_FLUID_CLAVET_REST_DENSITY, &fluid.clavet_rest_density},
-        {SKV_F_FLUID_WALL_FRICTION, &fluid.wall_friction},
-        {SKV_F_FLUID_WALL_SOFTNESS, &fluid.wall_softness},
-        {SKV_F_FLUID_CONTACT_DISTANCE, &fluid.contact_distance},
-    };
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        if (is_given(c, numbers[i].id))
-            *numbers[i].target = (float)c->value[numbers[i].id].number;
+    skv_world_def *def = &c->scene->def;
+    *def = skv_default_world_def();
+    skv_parameter_store(def, SKV_P_FLUID_LAW, c->value[SKV_F_FLUID_LAW].number);
+    skv_parameter_store(def, SKV_P_FLUID_MATERIAL, c->value[SKV_F_FLUID_MATERIAL].number);
+    for (int i = SKV_F_WORLDS; i < SKV_F_SINGLE; i++) {
+        if (i != SKV_F_FLUID_LAW && i != SKV_F_FLUID_MATERIAL && is_given(c, (skv_field_id)i))
+            skv_parameter_store(def, (skv_parameter)(i - SKV_F_WORLDS), c->value[i].number);
     }
-    if (is_given(c, SKV_F_FLUID_ITERATIONS))
-        fluid.iterations = (int)c->value[SKV_F_FLUID_ITERATIONS].number;
-    c->scene->fluid = fluid;
-    c->scene->gravity_x = c->value[SKV_F_GRAVITY_X].number;
-    c->scene->gravity_y = c->value[SKV_F_GRAVITY_Y].number;
-    c->scene->substeps = (int)c->value[SKV_F_SUBSTEPS].number;
-    c->scene->sleep = !is_given(c, SKV_F_SLEEP) || c->value[SKV_F_SLEEP].number != 0;
 }
 
 /* Where the fluid starts. */
@@ -347,12 +316,12 @@ static skv_result fail_no_fit(const composer *c)
 static skv_result count_particles(composer *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
-    scene->particles = skv_water_count(&scene->water, terrain, scene->fluid.spacing);
+    scene->particles = skv_water_count(&scene->water, terrain, scene->def.fluid.spacing);
     if (scene->particles <= SKV_MAX_PARTICLES)
         return scene->particles > 0 ? SKV_OK : fail_no_fit(c);
     char message[120];
-    snprintf(message, sizeof message, "makes %d particles; allowed are %d", scene->particles,
-             SKV_MAX_PARTICLES);
+    skv_format(message, sizeof message, "makes %d particles; allowed are %d", scene->particles,
+               SKV_MAX_PARTICLES);
     return fail(c, SKV_F_FLUID_SPACING, SKV_ERROR_LIMIT, message);
 }
 
@@ -367,7 +336,7 @@ static skv_result choose_freely(composer *c, const skv_terrain *terrain, float l
     skv_result result = SKV_OK;
     for (int i = coarse > least ? 0 : 1; i < 2 && count == 0; i++)
         result = skv_water_choose_spacing(&scene->water, terrain, wanted, i == 0 ? coarse : least,
-                                          &scene->fluid.spacing, &count);
+                                          &scene->def.fluid.spacing, &count);
     scene->particles = result == SKV_OK && count > wanted ? wanted : count;
     return count > 0 ? SKV_OK : fail_no_fit(c);
 }
@@ -381,19 +350,19 @@ static skv_result choose_spacing(composer *c, const skv_terrain *terrain)
     if (!is_given(c, SKV_F_PARTICLES))
         return choose_freely(c, terrain, least, wanted);
     skv_result result = skv_water_choose_spacing(&scene->water, terrain, wanted, least,
-                                                 &scene->fluid.spacing, &count);
+                                                 &scene->def.fluid.spacing, &count);
     char message[160];
     if (count == 0)
         return fail_no_fit(c);
     if (result != SKV_OK) {
-        snprintf(message, sizeof message,
-                 "%d are too few for this much fluid; allowed are %d to %d", wanted, count,
-                 SKV_MAX_PARTICLES);
+        skv_format(message, sizeof message,
+                   "%d are too few for this much fluid; allowed are %d to %d", wanted, count,
+                   SKV_MAX_PARTICLES);
         return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE, message);
     }
     if (count < wanted) {
-        snprintf(message, sizeof message,
-                 "%d do not fit into this little fluid; allowed are 1 to %d", wanted, count);
+        skv_format(message, sizeof message,
+                   "%d do not fit into this little fluid; allowed are 1 to %d", wanted, count);
         return fail(c, SKV_F_PARTICLES, SKV_ERROR_LIMIT, message);
     }
     scene->particles = wanted;
@@ -419,13 +388,13 @@ static void compose_depth(composer *c, const skv_terrain *terrain)
     skv_terrain_free_range(terrain, &low, &high);
     double width = scene->width * scene->pixel_size, height = scene->height * scene->pixel_size;
     double depth = c->value[SKV_F_DEPTH].number;
-    if (depth == 0.0 && scene->gravity_x != 0.0)
+    if (depth == 0.0 && scene->def.gravity_x != 0)
         depth = width > height ? width : height;
     else if (depth == 0.0)
-        depth = scene->gravity_y <= 0.0 ? (double)scene->water.y1 - (double)low
-                                        : (double)high - (double)scene->water.y0;
-    double least = (double)scene->fluid.spacing;
-    scene->depth = depth > least ? depth : least;
+        depth = scene->def.gravity_y <= 0 ? (double)scene->water.y1 - (double)low
+                                          : (double)high - (double)scene->water.y0;
+    double least = (double)scene->def.fluid.spacing;
+    scene->def.depth = (float)(depth > least ? depth : least);
 }
 
 static void note_marks(skv_scene *scene)
@@ -456,7 +425,7 @@ static skv_result compose(composer *c, const uint8_t *picture, size_t picture_si
     if (result != SKV_OK)
         return result;
     const skv_terrain *terrain = c->scene->terrain;
-    compose_fluid(c);
+    compose_parameters(c);
     result = compose_water(c, terrain);
     if (result == SKV_OK)
         result = compose_particles(c, terrain);

@@ -1,145 +1,161 @@
-/* The field registry: one table of everything a scene file may say.
+/* The registry of a scene's fields, and paths into it.
  *
- * Invariant: the table is the only place that knows a field's type, range, choices and default.
- * Readers, messages, --set, panels and docs/scenes.md all derive from it.
+ * Invariant: the table, with the world's rows in it, is the only place that knows a field's type,
+ * range, choices and default. Readers, messages, --set, panels and docs/scenes.md derive from it.
  */
 #include "scene/fields.h"
 
-#include <assert.h>
+#include <string.h>
 
-#include "skvalp/terrain.h"
+/* Rows of the scene's own. */
+#define OWN_TEXT(id, path, most, help) [id] = {path, SKV_FIELD_TEXT, "", 0, most, NULL, "", help},
+#define OWN_NUMBER(id, path, unit, least, most, standard, help)                                    \
+    [id] = {path, SKV_FIELD_NUMBER, unit, least, most, NULL, standard, help},
+#define OWN_WHOLE(id, path, least, most, standard, help)                                           \
+    [id] = {path, SKV_FIELD_INTEGER, "", least, most, NULL, standard, help},
+#define OWN_FLAG(id, path, standard, help)                                                         \
+    [id] = {path, SKV_FIELD_BOOLEAN, "", 0, 1, NULL, standard, help},
+#define OWN_CHOICE(id, path, choices, standard, help)                                              \
+    [id] = {path, SKV_FIELD_CHOICE, "", 0, 0, choices, standard, help},
 
-#define NUMBER SKV_FIELD_NUMBER
-#define WHOLE  SKV_FIELD_INTEGER
-#define TEXT   SKV_FIELD_TEXT
-#define CHOICE SKV_FIELD_CHOICE
-#define FLAG   SKV_FIELD_BOOLEAN
+/* Rows of the world's; the host's parameters are no scene's. */
+#define NUMBER(id, path, member, unit, least, most, standard, live, help)                          \
+    OWN_NUMBER(SKV_F_##id, path, unit, least, most, #standard, help)
+#define FOUND_NUMBER(id, path, member, unit, least, most, standard, live, help)                    \
+    OWN_NUMBER(SKV_F_##id, path, unit, least, most, "", help)
+#define WHOLE(id, path, member, unit, least, most, standard, live, help)                           \
+    OWN_WHOLE(SKV_F_##id, path, least, most, #standard, help)
+#define FLAG(id, path, member, standard, live, help) OWN_FLAG(SKV_F_##id, path, #standard, help)
+#define CHOICE(id, path, member, choices, standard, help)                                          \
+    OWN_CHOICE(SKV_F_##id, path, choices, #standard, help)
+#define PRESET(id, path, choices, standard, live, help)                                            \
+    OWN_CHOICE(SKV_F_##id, path, choices, #standard, help)
+#define HOST_WHOLE(...)
+#define HOST_CHOICE(...)
 
+/* clang-format off */
 /* The fields that every shape has. `list` is "solid[]" or "water[]". */
 #define SHAPE_FIELDS(base, list)                                                                   \
-    [base +                                                                                        \
-        SKV_SHAPE_KIND] =                                                                          \
-        {list ".shape", CHOICE, "", 0, 0, "box|circle|polygon|line", "", "kind of shape; needed"}, \
-        [base + SKV_SHAPE_X0] = {list ".x0", NUMBER, "m", -100, 100, NULL, "0", "box: left side"}, \
-        [base +                                                                                    \
-            SKV_SHAPE_Y0] = {list ".y0", NUMBER, "m", -100, 100, NULL, "0", "box: lower side"},    \
-        [base +                                                                                    \
-            SKV_SHAPE_X1] = {list ".x1", NUMBER, "m", -100,                                        \
-                             100,        NULL,   "",  "box: right side; else the world's width"},  \
-        [base +                                                                                    \
-            SKV_SHAPE_Y1] = {list ".y1", NUMBER, "m", -100,                                        \
-                             100,        NULL,   "",  "box: upper side; else the world's height"}, \
-        [base + SKV_SHAPE_X] = {list ".x", NUMBER, "m", -100,                                      \
-                                100,       NULL,   "",  "circle: centre; needed"},                 \
-        [base + SKV_SHAPE_Y] = {list ".y", NUMBER, "m", -100,                                      \
-                                100,       NULL,   "",  "circle: centre; needed"},                 \
-        [base + SKV_SHAPE_RADIUS] = {list ".radius",          NUMBER, "m", 0.0001, 100, NULL, "",  \
-                                     "circle: radius; needed"},                                    \
-        [base + SKV_SHAPE_POINTS] = {list ".points[][]",                                           \
-                                     NUMBER,                                                       \
-                                     "m",                                                          \
-                                     -100,                                                         \
-                                     100,                                                          \
-                                     NULL,                                                         \
-                                     "",                                                           \
-                                     "polygon, line: corners [[x, y], ...]; needed"},              \
-        [base + SKV_SHAPE_THICKNESS] = {list ".thickness",                                         \
-                                        NUMBER,                                                    \
-                                        "m",                                                       \
-                                        0.0001,                                                    \
-                                        10,                                                        \
-                                        NULL,                                                      \
-                                        "0.02",                                                    \
-                                        "line: its width; ends and bends are round"}
+    OWN_CHOICE(base + SKV_SHAPE_KIND, list ".shape", "box|circle|polygon|line", "",                \
+               "kind of shape; needed")                                                            \
+    OWN_NUMBER(base + SKV_SHAPE_X0, list ".x0", "m", -100, 100, "0", "box: left side")             \
+    OWN_NUMBER(base + SKV_SHAPE_Y0, list ".y0", "m", -100, 100, "0", "box: lower side")            \
+    OWN_NUMBER(base + SKV_SHAPE_X1, list ".x1", "m", -100, 100, "",                                \
+               "box: right side; else the world's width")                                          \
+    OWN_NUMBER(base + SKV_SHAPE_Y1, list ".y1", "m", -100, 100, "",                                \
+               "box: upper side; else the world's height")                                         \
+    OWN_NUMBER(base + SKV_SHAPE_X, list ".x", "m", -100, 100, "", "circle: centre; needed")        \
+    OWN_NUMBER(base + SKV_SHAPE_Y, list ".y", "m", -100, 100, "", "circle: centre; needed")        \
+    OWN_NUMBER(base + SKV_SHAPE_RADIUS, list ".radius", "m", 0.0001, 100, "",                      \
+               "circle: radius; needed")                                                           \
+    OWN_NUMBER(base + SKV_SHAPE_POINTS, list ".points[][]", "m", -100, 100, "",                    \
+               "polygon, line: corners [[x, y], ...]; needed")                                     \
+    OWN_NUMBER(base + SKV_SHAPE_THICKNESS, list ".thickness", "m", 0.0001, 10, "0.02",             \
+               "line: its width; ends and bends are round")
 
 static const skv_field fields[SKV_F_COUNT] = {
-    [SKV_F_NAME] = {"name", TEXT, "", 0, 64, NULL, "", "short name; else the file's name"},
-    [SKV_F_TITLE] = {"title", TEXT, "", 0, 100, NULL, "", "heading; else the name"},
-    [SKV_F_DESCRIPTION] = {"description", TEXT, "", 0, 1000, NULL, "",
-                           "one or two sentences about what there is to see"},
-    [SKV_F_SECONDS] = {"seconds", NUMBER, "s", 0.1, 3600, NULL, "10",
-                       "a fitting length of a recording"},
-    [SKV_F_PARTICLES] = {"particles", WHOLE, "", 1, SKV_MAX_PARTICLES, NULL, "3000",
-                         "number of particles; the spacing follows from it"},
-    [SKV_F_SUBSTEPS] = {"substeps", WHOLE, "", 0, 1000, NULL, "0",
-                        "substeps in 1/60 s; 0: by depth and gravity"},
-    [SKV_F_SLEEP] = {"sleep", FLAG, "", 0, 1, NULL, "true",
-                     "fluid at rest is not stepped until something disturbs it"},
-    [SKV_F_DEPTH] = {"depth", NUMBER, "m", 0, 100, NULL, "0",
-                     "deepest fluid to expect, for the substeps; 0: from the start"},
-
-    [SKV_F_WORLD_WIDTH] = {"world.width", NUMBER, "m", 0.01, 16, NULL, "1.6", "width of the world"},
-    [SKV_F_WORLD_HEIGHT] = {"world.height", NUMBER, "m", 0.01, 16, NULL, "0.9",
-                            "height of the world; not beside a picture, which has its own"},
-    [SKV_F_WORLD_PIXEL] = {"world.pixel", NUMBER, "m", 0.0001, 0.1, NULL, "0.0025",
-                           "grain of the walls; not beside a picture"},
-    [SKV_F_WORLD_PICTURE] = {"world.picture", TEXT, "", 0, 255, NULL, "",
-                             "painted PNG, in the scene file's folder or below it"},
-    [SKV_F_OPEN_LEFT] = {"world.open.left", FLAG, "", 0, 1, NULL, "false",
-                         "fluid leaves through the left side"},
-    [SKV_F_OPEN_RIGHT] = {"world.open.right", FLAG, "", 0, 1, NULL, "false",
-                          "fluid leaves through the right side"},
-    [SKV_F_OPEN_BOTTOM] = {"world.open.bottom", FLAG, "", 0, 1, NULL, "false",
-                           "fluid leaves through the bottom"},
-    [SKV_F_OPEN_TOP] = {"world.open.top", FLAG, "", 0, 1, NULL, "false",
-                        "fluid leaves through the top"},
-    [SKV_F_GRAVITY_X] = {"gravity.x", NUMBER, "m/s^2", -1000, 1000, NULL, "0",
-                         "gravity to the right"},
-    [SKV_F_GRAVITY_Y] = {"gravity.y", NUMBER, "m/s^2", -1000, 1000, NULL, "-9.81",
-                         "gravity upwards"},
-
-    [SKV_F_FLUID_LAW] = {"fluid.law", CHOICE, "", 0, 0, "calibrated|clavet", "calibrated",
-                         "pressure law: like a real liquid, or the thesis' own"},
-    [SKV_F_FLUID_MATERIAL] = {"fluid.material", CHOICE, "", 0, 0, "water|oil|honey|mercury",
-                              "water", "sets density and viscosity as of that liquid at 20 C"},
-    [SKV_F_FLUID_SPACING] = {"fluid.spacing", NUMBER, "m", 0.0005, 0.1, NULL, "",
-                             "one particle per spacing^2; instead of particles"},
-    [SKV_F_FLUID_RADIUS_RATIO] = {"fluid.radius_ratio", NUMBER, "", 2, 4, NULL, "3",
-                                  "smoothing radius in spacings (clavet: 2.85)"},
-    [SKV_F_FLUID_DENSITY] = {"fluid.density", NUMBER, "kg/m^2", 1, 20000, NULL, "1000",
-                             "mass of a square metre of the sheet"},
-    [SKV_F_FLUID_VISCOSITY] =
-        {"fluid.viscosity", NUMBER, "m^2/s", 0, 0.05, NULL, "0.000001",
-         "kinematic viscosity; else the material's (oil 0.000092, honey 0.007)"},
-    [SKV_F_FLUID_VISCOSITY_LINEAR] = {"fluid.viscosity_linear", NUMBER, "1/s", 0, 1000, NULL, "0",
-                                      "removes a pair's approach speed"},
-    [SKV_F_FLUID_VISCOSITY_QUADRATIC] = {"fluid.viscosity_quadratic", NUMBER, "1/m", 0, 1000, NULL,
-                                         "0", "the same, growing with the speed"},
-    [SKV_F_FLUID_NEAR_STIFFNESS] = {"fluid.near_stiffness", NUMBER, "m/s^2", 0, 200, NULL, "98.1",
-                                    "calibrated law: keeps particles apart"},
-    [SKV_F_FLUID_COHESION] = {"fluid.cohesion", NUMBER, "m/s^2", 0, 500, NULL, "78.48",
-                              "calibrated law: 39 splashes, 235 clings"},
-    [SKV_F_FLUID_RELAXATION] = {"fluid.relaxation", NUMBER, "", 0.05, 0.4, NULL, "0.35",
-                                "calibrated law: share of the correction applied in a round"},
-    [SKV_F_FLUID_ITERATIONS] = {"fluid.iterations", WHOLE, "", 1, 8, NULL, "2",
-                                "relaxation rounds a substep (clavet: 1)"},
-    [SKV_F_FLUID_CLAVET_STIFFNESS] = {"fluid.clavet_stiffness", NUMBER, "", 0, 0.02, NULL, "0.004",
-                                      "clavet law: k, with h = dt = 1"},
-    [SKV_F_FLUID_CLAVET_NEAR_STIFFNESS] = {"fluid.clavet_near_stiffness", NUMBER, "", 0, 0.2, NULL,
-                                           "0.04", "clavet law: k_near, with h = dt = 1"},
-    [SKV_F_FLUID_CLAVET_REST_DENSITY] = {"fluid.clavet_rest_density", NUMBER, "", 1, 40, NULL, "10",
-                                         "clavet law: rho0, a sum over neighbours"},
-    [SKV_F_FLUID_WALL_FRICTION] = {"fluid.wall_friction", NUMBER, "", 0, 1, NULL, "0.05",
-                                   "share of the speed along a wall lost in 1/60 s"},
-    [SKV_F_FLUID_WALL_SOFTNESS] = {"fluid.wall_softness", NUMBER, "", 0.1, 1, NULL, "1",
-                                   "share of a penetration corrected in 1/60 s"},
-    [SKV_F_FLUID_CONTACT_DISTANCE] =
-        {"fluid.contact_distance", NUMBER, "", 0, 1, NULL, "0.2",
-         "contact with a wall begins so many spacings away (clavet: 0.3)"},
-
-    SHAPE_FIELDS(SKV_F_SOLID, "solid[]"),
-    [SKV_F_SOLID + SKV_SHAPE_CARVE] = {"solid[].carve", FLAG, "", 0, 1, NULL, "false",
-                                       "cut the shape out of the solid before it in the list"},
-    SHAPE_FIELDS(SKV_F_WATER, "water[]"),
-    [SKV_F_WATER + SKV_SHAPE_VX] = {"water[].vx", NUMBER, "m/s", -20, 20, NULL, "0",
-                                    "speed to the right at the start"},
-    [SKV_F_WATER + SKV_SHAPE_VY] = {"water[].vy", NUMBER, "m/s", -20, 20, NULL, "0",
-                                    "speed upwards at the start"},
+    OWN_TEXT(SKV_F_NAME, "name", 64, "short name; else the file's name")
+    OWN_TEXT(SKV_F_TITLE, "title", 100, "heading; else the name")
+    OWN_TEXT(SKV_F_DESCRIPTION, "description", 1000,
+             "one or two sentences about what there is to see")
+    OWN_NUMBER(SKV_F_SECONDS, "seconds", "s", 0.1, 3600, "10", "a fitting length of a recording")
+    OWN_NUMBER(SKV_F_WORLD_WIDTH, "world.width", "m", 0.01, 16, "1.6", "width of the world")
+    OWN_NUMBER(SKV_F_WORLD_HEIGHT, "world.height", "m", 0.01, 16, "0.9",
+               "height of the world; not beside a picture, which has its own")
+    OWN_NUMBER(SKV_F_WORLD_PIXEL, "world.pixel", "m", 0.0001, 0.1, "0.0025",
+               "grain of the walls; not beside a picture")
+    OWN_TEXT(SKV_F_WORLD_PICTURE, "world.picture", 255,
+             "painted PNG, in the scene file's folder or below it")
+    OWN_FLAG(SKV_F_OPEN_LEFT, "world.open.left", "false", "fluid leaves through the left side")
+    OWN_FLAG(SKV_F_OPEN_RIGHT, "world.open.right", "false", "fluid leaves through the right side")
+    OWN_FLAG(SKV_F_OPEN_BOTTOM, "world.open.bottom", "false", "fluid leaves through the bottom")
+    OWN_FLAG(SKV_F_OPEN_TOP, "world.open.top", "false", "fluid leaves through the top")
+    OWN_WHOLE(SKV_F_PARTICLES, "particles", 1, SKV_MAX_PARTICLES, "3000",
+              "number of particles; the spacing follows from it")
+#include "world/parameter_rows.h"
+    SHAPE_FIELDS(SKV_F_SOLID, "solid[]")
+    OWN_FLAG(SKV_F_SOLID + SKV_SHAPE_CARVE, "solid[].carve", "false",
+             "cut the shape out of the solid before it in the list")
+    SHAPE_FIELDS(SKV_F_WATER, "water[]")
+    OWN_NUMBER(SKV_F_WATER + SKV_SHAPE_VX, "water[].vx", "m/s", -20, 20, "0",
+               "speed to the right at the start")
+    OWN_NUMBER(SKV_F_WATER + SKV_SHAPE_VY, "water[].vy", "m/s", -20, 20, "0",
+               "speed upwards at the start")
 };
+/* clang-format on */
 
 const skv_field *skv_scene_fields(int *count)
 {
     if (count != NULL)
         *count = SKV_F_COUNT;
     return fields;
+}
+
+/* ---- Paths ----------------------------------------------------------------------------------- */
+
+#define MAX_INDEX 1000000
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* Reads "[12]" at `text`; returns what follows it, or null. */
+static const char *parse_index(const char *text, int *index)
+{
+    if (*text != '[' || !is_digit(text[1]))
+        return NULL;
+    long value = 0;
+    for (text++; is_digit(*text); text++) {
+        value = value * 10 + (*text - '0');
+        if (value > MAX_INDEX)
+            return NULL;
+    }
+    *index = (int)value;
+    return *text == ']' ? text + 1 : NULL;
+}
+
+bool skv_field_parse_path(const char *text, skv_field_path *path)
+{
+    size_t length = 0;
+    path->index_count = 0;
+    while (*text != '\0') {
+        if (length + 3 > sizeof path->pattern)
+            return false;
+        if (*text == '[') {
+            if (path->index_count == 3)
+                return false;
+            text = parse_index(text, &path->index[path->index_count++]);
+            if (text == NULL)
+                return false;
+            path->pattern[length++] = '[';
+            path->pattern[length++] = ']';
+        } else {
+            path->pattern[length++] = *text++;
+        }
+    }
+    path->pattern[length] = '\0';
+    return true;
+}
+
+/* Whether some field's path is `pattern`, then `next`, then more. */
+static bool has_below(const char *pattern, const char *next)
+{
+    size_t length = strlen(pattern), next_length = strlen(next);
+    for (int i = 0; i < SKV_F_COUNT; i++) {
+        if (strncmp(fields[i].path, pattern, length) == 0 &&
+            strncmp(fields[i].path + length, next, next_length) == 0)
+            return true;
+    }
+    return false;
+}
+
+bool skv_field_is_object(const char *pattern)
+{
+    return pattern[0] == '\0' || has_below(pattern, ".");
+}
+
+bool skv_field_is_list(const char *pattern)
+{
+    return pattern[0] != '\0' && has_below(pattern, "[]");
 }

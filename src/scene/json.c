@@ -24,15 +24,15 @@ static size_t push_key(visitor *v, const char *key)
 {
     size_t length = strlen(v->path);
     bool plain = key[0] != '\0' && strpbrk(key, ".[]\"") == NULL;
-    snprintf(v->path + length, sizeof v->path - length, plain ? "%s%s" : "%s\"%s\"",
-             length > 0 ? "." : "", key);
+    skv_format(v->path + length, sizeof v->path - length, plain ? "%s%s" : "%s\"%s\"",
+               length > 0 ? "." : "", key);
     return length;
 }
 
 static size_t push_index(visitor *v, size_t index)
 {
     size_t length = strlen(v->path);
-    snprintf(v->path + length, sizeof v->path - length, "[%zu]", index);
+    skv_format(v->path + length, sizeof v->path - length, "[%zu]", index);
     return length;
 }
 
@@ -112,7 +112,9 @@ static skv_result report(const skv_builder *builder, const char *text, size_t si
     char path[SKV_PATH_SIZE], allowed[160] = "allowed are finite numbers";
     skv_json_path_at(text, size, (size_t)failure->position, path, sizeof path);
     skv_field_path field;
-    int id = skv_field_parse_path(path, &field) ? skv_field_find(field.pattern) : -1;
+    int id = -1;
+    if (skv_field_parse_path(path, &field))
+        id = skv_field_find(skv_scene_fields(NULL), SKV_F_COUNT, field.pattern);
     if (id >= 0)
         skv_field_allowed(&skv_scene_fields(NULL)[id], allowed, sizeof allowed);
 

@@ -6,8 +6,9 @@
 #include "scene/json_text.h"
 
 #include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
+
+#include "skvalp/base.h"
 
 #define MAX_DEPTH 8
 
@@ -66,10 +67,10 @@ static void write_path(const level *levels, int depth, char *path, size_t capaci
     path[0] = '\0';
     for (int i = 0; i < depth && used < capacity; i++) {
         if (levels[i].list)
-            used += (size_t)snprintf(path + used, capacity - used, "[%d]", levels[i].index);
+            used += skv_format(path + used, capacity - used, "[%d]", levels[i].index);
         else if (levels[i].key != NULL)
-            used += (size_t)snprintf(path + used, capacity - used, "%s%.*s", used > 0 ? "." : "",
-                                     levels[i].key_length, levels[i].key);
+            used += skv_format(path + used, capacity - used, "%s%.*s", used > 0 ? "." : "",
+                               levels[i].key_length, levels[i].key);
     }
 }
 

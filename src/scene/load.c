@@ -58,7 +58,7 @@ static skv_result compose_with_picture(const skv_builder *builder, skv_scene **s
         return skv_builder_fail(builder, picture->origin, "world.picture", error, SKV_ERROR_VALUE,
                                 "\"%s\" %s", picture->text, wrong);
     char path[4096];
-    int length = snprintf(path, sizeof path, "%s%s", builder->folder, picture->text);
+    size_t length = skv_format(path, sizeof path, "%s%s", builder->folder, picture->text);
     skv_error cause;
     uint8_t *data = NULL;
     size_t size = 0;
@@ -153,8 +153,8 @@ static skv_result load_builtin(const char *name, const skv_scene_options *option
         if (strcmp(b->info.name, name) == 0)
             return load_json(b->text, b->size, b->info.name, NULL, options, scene, error);
         if (used < sizeof names)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "",
-                                     b->info.name);
+            used += skv_format(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "",
+                               b->info.name);
     }
     return skv_fail(error, SKV_ERROR_FILE,
                     "%.200s: is no scene; allowed are a file that ends in .json or .png, or one of "
@@ -188,7 +188,7 @@ skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *opt
     if (length >= (int)sizeof folder)
         result = skv_fail(error, SKV_ERROR_FILE, "%s: the path is too long", name_or_path);
     else if (json) {
-        snprintf(folder, sizeof folder, "%.*s", length, name_or_path);
+        skv_format(folder, sizeof folder, "%.*s", length, name_or_path);
         result = load_json(data, size, name_or_path, folder, options, scene, error);
     } else {
         result = load_png(data, size, name_or_path, options, scene, error);

@@ -8,7 +8,6 @@
 
 #include <png.h>
 #include <setjmp.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -30,7 +29,7 @@ typedef struct decoder {
 static void on_error(png_structp png, png_const_charp message)
 {
     decoder *d = png_get_error_ptr(png);
-    snprintf(d->reason, sizeof d->reason, "%s", message);
+    skv_format(d->reason, sizeof d->reason, "%s", message);
     longjmp(png_jmpbuf(png), 1);
 }
 

@@ -46,7 +46,7 @@ static skv_result add_speeds(const skv_scene *scene, skv_world *world, skv_error
     if (!moving)
         return SKV_OK;
     skv_particles particles = skv_world_particles(world);
-    float slack = 0.02f * scene->fluid.spacing;
+    float slack = 0.02f * scene->def.fluid.spacing;
     for (int i = 0; i < particles.count; i++) {
         const skv_shape *shape = shape_near(&scene->water, particles.x[i], particles.y[i], slack);
         if (shape == NULL || (shape->vx == 0.0 && shape->vy == 0.0))
@@ -71,15 +71,9 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
 
 skv_world_def skv_scene_world_def(const skv_scene *scene)
 {
-    skv_world_def def = skv_default_world_def();
-    SKV_ASSERT_OR(scene != NULL, def);
+    SKV_ASSERT_OR(scene != NULL, skv_default_world_def());
+    skv_world_def def = scene->def;
     def.terrain = skv_terrain_share(scene->terrain);
-    def.fluid = scene->fluid;
-    def.gravity_x = (float)scene->gravity_x;
-    def.gravity_y = (float)scene->gravity_y;
-    def.depth = (float)scene->depth;
-    def.substeps = scene->substeps;
-    def.sleep = scene->sleep;
     def.capacity = scene->particles;
     return def;
 }

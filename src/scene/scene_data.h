@@ -21,12 +21,8 @@ struct skv_scene {
     skv_shape *solids;
     int solid_count;
     skv_water water;
-    double *points; /* of all shapes */
-    skv_fluid_def fluid;
-    double gravity_x, gravity_y;
-    double depth;
-    int substeps;
-    bool sleep;
+    double *points;    /* of all shapes */
+    skv_world_def def; /* of its worlds, but for terrain, threads and capacity */
     int particles;
     char *notices[SKV_MAX_NOTICES];
 };

@@ -6,7 +6,6 @@
 #include "scene/shapes.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* Which fields beside the shape itself a kind has, and which of them it needs. */
 typedef struct kind_fields {
@@ -52,11 +51,11 @@ static const char *key_of(const context *c, int field)
 static skv_result fail(const context *c, int field, const char *message)
 {
     char path[SKV_PATH_SIZE];
-    snprintf(path, sizeof path, "%s[%d]", c->list, c->index);
+    skv_format(path, sizeof path, "%s[%d]", c->list, c->index);
     if (field >= 0) {
         const char *key = key_of(c, field);
         int length = field == SKV_SHAPE_POINTS ? 6 : 20; /* "points[][]" without its indices */
-        snprintf(path, sizeof path, "%s[%d].%.*s", c->list, c->index, length, key);
+        skv_format(path, sizeof path, "%s[%d].%.*s", c->list, c->index, length, key);
     }
     skv_origin origin = c->values->origin;
     if (field >= 0 && c->values->value[field].origin.source != SKV_FROM_DEFAULT)
@@ -74,12 +73,12 @@ static skv_result check_fields(const context *c, const kind_fields *kind)
         bool given = c->values->value[i].origin.source != SKV_FROM_DEFAULT ||
                      (i == SKV_SHAPE_POINTS && c->values->point_count > 0);
         if (given && !((kind->has | ANY_KIND) & BIT(i))) {
-            snprintf(message, sizeof message, "does not belong to a %s; it has %s", kind->name,
-                     kind->list);
+            skv_format(message, sizeof message, "does not belong to a %s; it has %s", kind->name,
+                       kind->list);
             return fail(c, i, message);
         }
         if (!given && (kind->needs & BIT(i))) {
-            snprintf(message, sizeof message, "is missing; a %s needs it", kind->name);
+            skv_format(message, sizeof message, "is missing; a %s needs it", kind->name);
             return fail(c, i, message);
         }
     }
@@ -154,8 +153,8 @@ static skv_result make_shape(const context *c, double width, double height, skv_
         char message[160], x[32], y[32];
         skv_format_number(width, x);
         skv_format_number(height, y);
-        snprintf(message, sizeof message,
-                 "lies outside the world; it reaches from 0, 0 to %s, %s m", x, y);
+        skv_format(message, sizeof message,
+                   "lies outside the world; it reaches from 0, 0 to %s, %s m", x, y);
         return fail(c, -1, message);
     }
     return SKV_OK;

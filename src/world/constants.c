@@ -4,14 +4,11 @@
  * to float once at the end, so every machine steps with the same constants. Formulas and their
  * sources are in docs/model.md.
  */
-#include "base/assert.h"
 #include "base/exact.h"
 #include "solver/lattice.h"
 #include "world/world_internal.h"
 
 #include <math.h>
-
-enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
 
 #define FRAME            (1.0 / 60) /* s: rates "a frame" are meant for this time */
 #define EARTH_GRAVITY    9.81
@@ -30,110 +27,9 @@ enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
 #define TENSION_FROM     0.2   /* of |g| at a flat surface: how uneven the bulk may be */
 #define COHESION_MARGIN  6     /* how much stiffer than the cohesion the pressure must be */
 
-skv_fluid_def skv_default_fluid_def(skv_law law)
-{
-    bool clavet = law == SKV_LAW_CLAVET;
-    return (skv_fluid_def){
-        .law = law,
-        .spacing = 0.0155f, /* 3000 particles fill half of the default tank */
-        .radius_ratio = clavet ? 2.85f : 3,
-        .density = 1000,
-        .viscosity = 0,
-        .viscosity_linear = 0,
-        .viscosity_quadratic = 0,
-        .near_stiffness = 98.1f,
-        .cohesion = 8 * 9.81f,
-        .relaxation = 0.35f,
-        .iterations = clavet ? 1 : 2,
-        .clavet_stiffness = 0.004f,
-        .clavet_near_stiffness = 0.04f,
-        .clavet_rest_density = 10,
-        .wall_friction = 0.05f,
-        .wall_softness = 1,
-        .contact_distance = clavet ? 0.3f : 0.2f,
-        .cookie = FLUID_COOKIE,
-    };
-}
-
-skv_world_def skv_default_world_def(void)
-{
-    return (skv_world_def){
-        .fluid = skv_default_fluid_def(SKV_LAW_CALIBRATED),
-        .gravity_y = -9.81f,
-        .sleep = true,
-        .cookie = WORLD_COOKIE,
-    };
-}
-
-const char *skv_law_name(skv_law law)
-{
-    return law == SKV_LAW_CLAVET ? "clavet" : "calibrated";
-}
-
 bool skv_within(double value, double lo, double hi)
 {
     return value >= lo && value <= hi;
-}
-
-typedef struct range {
-    const char *name;
-    double value, minimum, maximum;
-} range;
-
-static skv_result check_ranges(const char *prefix, const range *ranges, int count, skv_error *error)
-{
-    for (int i = 0; i < count; i++) {
-        const range *r = &ranges[i];
-        if (!skv_within(r->value, r->minimum, r->maximum))
-            return skv_fail(error, SKV_ERROR_VALUE, "%s%s: %g is out of range; allowed is %g..%g",
-                            prefix, r->name, r->value, r->minimum, r->maximum);
-    }
-    return SKV_OK;
-}
-
-skv_result skv_check_fluid(const skv_fluid_def *f, skv_error *error)
-{
-    if (f->cookie != FLUID_COOKIE)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "fluid: not initialised; start from skv_default_fluid_def()");
-    const range ranges[] = {
-        {"law", f->law, SKV_LAW_CALIBRATED, SKV_LAW_CLAVET},
-        {"spacing", (double)f->spacing, 0.0005f, 0.1f},
-        {"radius_ratio", (double)f->radius_ratio, 2, 4},
-        {"density", (double)f->density, 1, 20000},
-        {"viscosity", (double)f->viscosity, 0, 0.05f},
-        {"viscosity_linear", (double)f->viscosity_linear, 0, 1000},
-        {"viscosity_quadratic", (double)f->viscosity_quadratic, 0, 1000},
-        {"near_stiffness", (double)f->near_stiffness, 0, 200},
-        {"cohesion", (double)f->cohesion, 0, 500},
-        {"relaxation", (double)f->relaxation, 0.05f, 0.4f},
-        {"iterations", f->iterations, 1, 8},
-        {"clavet_stiffness", (double)f->clavet_stiffness, 0, 0.02f},
-        {"clavet_near_stiffness", (double)f->clavet_near_stiffness, 0, 0.2f},
-        {"clavet_rest_density", (double)f->clavet_rest_density, 1, 40},
-        {"wall_friction", (double)f->wall_friction, 0, 1},
-        {"wall_softness", (double)f->wall_softness, 0.1f, 1},
-        {"contact_distance", (double)f->contact_distance, 0, 1},
-    };
-    return check_ranges("fluid.", ranges, sizeof ranges / sizeof *ranges, error);
-}
-
-skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
-{
-    if (def->cookie != WORLD_COOKIE)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "world: not initialised; start from skv_default_world_def()");
-    const range ranges[] = {
-        {"gravity_x", (double)def->gravity_x, -1000, 1000},
-        {"gravity_y", (double)def->gravity_y, -1000, 1000},
-        {"depth", (double)def->depth, 0, 16},
-        {"solver", def->solver, SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE},
-        {"substeps", def->substeps, 0, 1000},
-        {"threads", def->threads, 0, SKV_MAX_THREADS},
-        {"capacity", def->capacity, 0, SKV_MAX_PARTICLES},
-    };
-    skv_result result = check_ranges("world.", ranges, sizeof ranges / sizeof *ranges, error);
-    return result == SKV_OK ? skv_check_fluid(&def->fluid, error) : result;
 }
 
 skv_kernel skv_law_kernel(skv_law law)
@@ -161,19 +57,6 @@ static double linear_viscosity(const skv_fluid_def *f)
     if ((double)f->viscosity >= LEAST_VISCOSITY)
         sigma += 640 / 3.141592653589793 * (double)f->viscosity / (eta * eta * h * h);
     return sigma;
-}
-
-const skv_material *skv_materials(int *count)
-{
-    static const skv_material materials[] = {
-        {"water", 1000, 1.0e-6f},
-        {"oil", 911, 9.2e-5f},
-        {"honey", 1420, 7.0e-3f},
-        {"mercury", 13546, 1.15e-7f},
-    };
-    SKV_ASSERT_OR(count, NULL);
-    *count = sizeof materials / sizeof *materials;
-    return materials;
 }
 
 int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)

@@ -3,6 +3,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/parameters.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -140,6 +141,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->fluid = def->fluid;
         world->gravity_x = def->gravity_x;
         world->gravity_y = def->gravity_y;
+        world->depth = def->depth;
         world->h = def->fluid.spacing * def->fluid.radius_ratio;
         float extent = extent_along_gravity(world);
         world->filled = def->depth > 0 ? def->depth / extent : 1;
@@ -187,6 +189,14 @@ skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error
     world->gravity_y = gy;
     adapt_substeps(world);
     return SKV_OK;
+}
+
+void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid)
+{
+    world->fluid = *fluid;
+    world->constants_dt = 0; /* they are made anew */
+    adapt_substeps(world);
+    skv_sleep_wake_all(world);
 }
 
 int skv_world_particle_count(const skv_world *world)

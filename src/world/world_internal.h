@@ -17,6 +17,7 @@ struct skv_world {
     skv_boundary boundary;
     float gravity_x, gravity_y;
     float h;             /* smoothing radius, m */
+    float depth;         /* as in the definition */
     int substeps;        /* a 1/60 s frame, at present */
     bool substeps_fixed; /* the definition gave them */
     float filled;        /* expected depth over the free extent, both along gravity */
@@ -38,9 +39,7 @@ struct skv_world {
     int64_t steps;
 };
 
-/* constants.c: checks definitions and derives the constants of a substep. */
-skv_result skv_check_fluid(const skv_fluid_def *fluid, skv_error *error);
-skv_result skv_check_world_def(const skv_world_def *def, skv_error *error);
+/* constants.c: derives the constants of a substep. */
 int skv_substep_rule(const skv_fluid_def *fluid, float gravity, float depth);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);
@@ -60,7 +59,9 @@ skv_pull skv_make_pull(const skv_hand *hand, float dt);
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
                                         skv_pull pulls[SKV_MAX_HANDS]);
 
-/* world.c: makes room for `count` particles in all; nothing changes on failure. */
+/* world.c: goes on with a fluid that differs only in what may change while a world runs. */
+void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid);
+/* Makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
 /* Appends a particle that has been checked; there is room for it. */
 void skv_world_append(skv_world *world, float x, float y, float vx, float vy);

@@ -1,16 +1,18 @@
-/* The library's own formatting: the text of a correct snprintf, in any locale. */
-#include "base/format.h"
+/* The library's own formatting and reading of numbers: those of a correct snprintf and strtod, in
+ * any locale. */
 #include "skvalp/base.h"
 
-#include <locale.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
+
+#include "support/comma_locale.h"
 
 /* Formats with both and compares; called through the macro, so that the compiler checks as well. */
 __attribute__((format(printf, 1, 2))) static void compare(const char *format, ...)
@@ -18,12 +20,12 @@ __attribute__((format(printf, 1, 2))) static void compare(const char *format, ..
     char ours[2048], theirs[2048];
     va_list arguments;
     va_start(arguments, format);
-    skv_format(ours, sizeof ours, format, arguments);
+    size_t length = skv_format_list(ours, sizeof ours, format, arguments);
     va_end(arguments);
     va_start(arguments, format);
     vsnprintf(theirs, sizeof theirs, format, arguments);
     va_end(arguments);
-    if (strcmp(ours, theirs))
+    if (strcmp(ours, theirs) || length != strlen(theirs))
         fail_msg("format %s gives %s instead of %s", format, ours, theirs);
 }
 
@@ -87,25 +89,20 @@ static void a_nan_is_a_nan(void **unused)
     assert_non_null(strstr(error.text, "nan"));
 }
 
-__attribute__((format(printf, 2, 3))) static void format_into(char text[8], const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    skv_format(text, 8, format, arguments);
-    va_end(arguments);
-}
-
 static void long_text_is_cut(void **unused)
 {
     (void)unused;
     char text[9] = "........";
-    format_into(text, "%s%d", "longer than eight", 1);
+    assert_int_equal(skv_format(text, 8, "%s%d", "longer than eight", 1), 18);
     assert_string_equal(text, "longer ");
     assert_int_equal(text[8], 0);
-    format_into(text, "%1000d", 1);
+    assert_int_equal(skv_format(text, 8, "%1000d", 1), 1000);
     assert_string_equal(text, "       ");
-    format_into(text, "%-1000d", 1);
+    skv_format(text, 8, "%-1000d", 1);
     assert_string_equal(text, "1      ");
+    skv_format(text, 1, "%s", "no room");
+    assert_string_equal(text, "");
+    assert_int_equal(skv_format(NULL, 0, "%d", 123), 3);
 }
 
 /* What it does not know is shown, and nothing is read that may not be there. */
@@ -122,16 +119,118 @@ static void an_unknown_directive_is_copied(void **unused)
     }
 }
 
+/* ---- Reading ----------------------------------------------------------------------------------
+ */
+
+static void numbers_are_read_exactly(void **unused)
+{
+    (void)unused;
+    const char *const texts[] = {
+        "0",
+        "-0",
+        "1",
+        "+3",
+        "-2.5",
+        "1e3",
+        "1.25E-2",
+        "0.1",
+        "9007199254740993",
+        "9007199254740992.999999999999999999999999999",
+        "9007199254740993.00000000000000000000000000000001",
+        "1.7976931348623157e308",
+        "17976931348623157000000000000000000000000000000000000000e253",
+        "2.2250738585072014e-308",
+        "2.2250738585072011e-308",
+        "4.9406564584124654e-324",
+        "2.4703282292062328e-324",
+        "2.4703282292062327e-324",
+        "1e-400",
+        "0.00000000000000000000000000000000000000000000000001e-270",
+        "0e99999",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        double value = 7;
+        assert_true(skv_parse_number(texts[i], &value));
+        if (value != strtod(texts[i], NULL))
+            fail_msg("%s is read as %.17g", texts[i], value);
+    }
+    double zero;
+    assert_true(skv_parse_number("-0", &zero) && signbit(zero));
+    uint64_t state = 3;
+    for (int i = 0; i < 20000; i++) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        uint64_t bits = state ^ state >> 29;
+        double value, read;
+        memcpy(&value, &bits, sizeof value);
+        if (!isfinite(value))
+            continue;
+        char text[40];
+        skv_format(text, sizeof text, i % 2 ? "%.17g" : "%.12g", value);
+        assert_true(skv_parse_number(text, &read));
+        if (read != strtod(text, NULL))
+            fail_msg("%s is read as %.17g", text, read);
+    }
+}
+
+static void what_is_no_number_is_refused(void **unused)
+{
+    (void)unused;
+    const char *const texts[] = {
+        "",
+        ".5",
+        "5.",
+        "1,5",
+        "0x10",
+        "nan",
+        "inf",
+        "1e999",
+        "1e310",
+        "1 ",
+        " 1",
+        "1e",
+        "--1",
+        "+-1",
+        "1.2.3",
+        "1e+",
+        "1.8e308",
+        "-",
+        "12345678901234567890123456789012345678901234567890123456789012345",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        double value = 7;
+        if (skv_parse_number(texts[i], &value) || value != 7)
+            fail_msg("'%s' is taken for a number", texts[i]);
+    }
+}
+
 static void the_locale_does_not_matter(void **unused)
 {
     (void)unused;
-    const char *const commas[] = {"de_DE.UTF-8", "sv_SE.UTF-8", "fr_FR.UTF-8"};
-    for (int i = 0; i < 3; i++)
-        setlocale(LC_ALL, commas[i]);
+    set_comma_locale();
     char text[8];
-    format_into(text, "%g", 0.5);
+    skv_format(text, sizeof text, "%g", 0.5);
     assert_string_equal(text, "0.5");
-    setlocale(LC_ALL, "C");
+    double value;
+    assert_true(skv_parse_number("9.5", &value) && value == 9.5);
+    assert_false(skv_parse_number("9,5", &value));
+    reset_locale();
+}
+
+/* ---- Names ------------------------------------------------------------------------------------
+ */
+
+static void the_nearest_name_is_found(void **unused)
+{
+    (void)unused;
+    const char *const names[] = {"run", "check", "scenes", "bench"};
+    assert_string_equal(skv_nearest_name("chekc", names, 4), "check");
+    assert_string_equal(skv_nearest_name("scene", names, 4), "scenes");
+    assert_string_equal(skv_nearest_name("be", names, 4), "bench");
+    assert_null(skv_nearest_name("xyzzy", names, 4));
+    assert_null(skv_nearest_name("", names, 4));
+    char lengthy[300] = {0};
+    memset(lengthy, 'r', sizeof lengthy - 1);
+    assert_null(skv_nearest_name(lengthy, names, 4));
 }
 
 int main(void)
@@ -142,7 +241,10 @@ int main(void)
         cmocka_unit_test(a_nan_is_a_nan),
         cmocka_unit_test(long_text_is_cut),
         cmocka_unit_test(an_unknown_directive_is_copied),
+        cmocka_unit_test(numbers_are_read_exactly),
+        cmocka_unit_test(what_is_no_number_is_refused),
         cmocka_unit_test(the_locale_does_not_matter),
+        cmocka_unit_test(the_nearest_name_is_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

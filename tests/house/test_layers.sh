@@ -49,6 +49,7 @@ includes() {
 layer_of() {
     local name=${2:1:-1}
     case $name in
+    skvalp/fields.h) printf 'base' ;;
     skvalp/*.h) basename "$name" .h ;;
     */*.h) [[ -e src/$name ]] && printf '%s' "${name%%/*}" ;;
     # A neighbour in the same folder, which is src/LAYER or one below it.
@@ -102,7 +103,7 @@ for layer in "${!may[@]}"; do
     done < <(find "src/$layer" -name '*.[ch]' 2>/dev/null)
 done
 for file in include/skvalp/*.h; do
-    layer=$(basename "$file" .h)
+    layer=$(layer_of "$file" "<skvalp/$(basename "$file")>")
     if [[ -z ${may[$layer]-} ]]; then
         complain "$file" "this public header belongs to no layer"
         continue

@@ -1,0 +1,319 @@
+/* The registry of a world's parameters: defaults, ranges, and access by path.
+ *
+ * Invariant: nothing here knows a single parameter but the two that set others (law, material);
+ * everything comes from the rows.
+ */
+#include "world/parameters.h"
+
+#include "base/assert.h"
+#include "base/fields.h"
+#include "world/world_internal.h"
+
+#include <string.h>
+
+enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
+
+#define NO_MEMBER SIZE_MAX
+
+/* What a row adds to its field: where the value lies, its default by law, and whether it can be
+ * changed while a world runs. */
+typedef struct place {
+    size_t offset;
+    double standard[2];
+    bool live;
+} place;
+
+#define NUMBER(id, path, member, unit, least, most, standard, live, help)                          \
+    {path, SKV_FIELD_NUMBER, unit, least, most, NULL, #standard, help},
+#define WHOLE(id, path, member, unit, least, most, standard, live, help)                           \
+    {path, SKV_FIELD_INTEGER, unit, least, most, NULL, #standard, help},
+#define FLAG(id, path, member, standard, live, help)                                               \
+    {path, SKV_FIELD_BOOLEAN, "", 0, 1, NULL, #standard, help},
+#define CHOICE(id, path, member, choices, standard, help)                                          \
+    {path, SKV_FIELD_CHOICE, "", 0, 0, choices, #standard, help},
+#define PRESET(id, path, choices, standard, live, help)                                            \
+    {path, SKV_FIELD_CHOICE, "", 0, 0, choices, #standard, help},
+static const skv_field fields[SKV_P_COUNT] = {
+#include "world/parameter_rows.h"
+};
+
+#define AT(member) offsetof(skv_world_def, member)
+#define NUMBER(id, path, member, unit, least, most, standard, live, help)                          \
+    {AT(member), {standard, standard}, live},
+#define WHOLE(id, path, member, unit, least, most, standard, live, help)                           \
+    {AT(member), {standard, standard}, live},
+#define NUMBER_BY_LAW(id, path, member, unit, least, most, standard, clavet, live, help)           \
+    {AT(member), {standard, clavet}, live},
+#define WHOLE_BY_LAW(id, path, member, unit, least, most, standard, clavet, live, help)            \
+    {AT(member), {standard, clavet}, live},
+#define FLAG(id, path, member, standard, live, help)      {AT(member), {standard, standard}, live},
+#define CHOICE(id, path, member, choices, standard, help) {AT(member), {0, 0}, false},
+#define PRESET(id, path, choices, standard, live, help)   {NO_MEMBER, {0, 0}, live},
+static const place places[SKV_P_COUNT] = {
+#include "world/parameter_rows.h"
+};
+
+static bool is_fluids(int parameter)
+{
+    size_t offset = places[parameter].offset;
+    return offset >= AT(fluid) && offset < AT(fluid) + sizeof(skv_fluid_def);
+}
+
+const skv_field *skv_world_fields(int *count)
+{
+    SKV_ASSERT_OR(count, NULL);
+    *count = SKV_P_COUNT;
+    return fields;
+}
+
+bool skv_world_can_change(const char *path)
+{
+    SKV_ASSERT_OR(path, false);
+    int parameter = skv_field_find(fields, SKV_P_COUNT, path);
+    return parameter >= 0 && places[parameter].live;
+}
+
+const skv_material *skv_materials(int *count)
+{
+    static const skv_material materials[] = {
+        {"water", 1000, 1.0e-6f},
+        {"oil", 911, 9.2e-5f},
+        {"honey", 1420, 7.0e-3f},
+        {"mercury", 13546, 1.15e-7f},
+    };
+    SKV_ASSERT_OR(count, NULL);
+    *count = sizeof materials / sizeof *materials;
+    return materials;
+}
+
+const char *skv_law_name(skv_law law)
+{
+    return law == SKV_LAW_CLAVET ? "clavet" : "calibrated";
+}
+
+/* ---- Members --------------------------------------------------------------------------------- */
+
+_Static_assert(sizeof(skv_law) == sizeof(int) && sizeof(skv_solver_kind) == sizeof(int),
+               "choices are stored as int");
+
+static void store(skv_world_def *def, int parameter, double number)
+{
+    char *member = (char *)def + places[parameter].offset;
+    float value = (float)number;
+    int whole = (int)number;
+    bool flag = number != 0;
+    switch (fields[parameter].type) {
+    case SKV_FIELD_NUMBER:
+        memcpy(member, &value, sizeof value);
+        break;
+    case SKV_FIELD_INTEGER:
+    case SKV_FIELD_CHOICE:
+        memcpy(member, &whole, sizeof whole);
+        break;
+    case SKV_FIELD_BOOLEAN:
+        memcpy(member, &flag, sizeof flag);
+        break;
+    case SKV_FIELD_TEXT: /* there is none */
+        break;
+    }
+}
+
+static double load(const skv_world_def *def, int parameter)
+{
+    const char *member = (const char *)def + places[parameter].offset;
+    float value;
+    int whole;
+    bool flag;
+    switch (fields[parameter].type) {
+    case SKV_FIELD_NUMBER:
+        memcpy(&value, member, sizeof value);
+        return (double)value;
+    case SKV_FIELD_INTEGER:
+    case SKV_FIELD_CHOICE:
+        memcpy(&whole, member, sizeof whole);
+        return whole;
+    case SKV_FIELD_BOOLEAN:
+        memcpy(&flag, member, sizeof flag);
+        return flag;
+    case SKV_FIELD_TEXT:
+        break;
+    }
+    return 0;
+}
+
+/* What has the old law's default gets the new law's. */
+static void change_law(skv_world_def *def, int law)
+{
+    int old = def->fluid.law == SKV_LAW_CLAVET;
+    for (int i = 0; i < SKV_P_COUNT; i++) {
+        const double *standard = places[i].standard;
+        if (is_fluids(i) && load(def, i) == (double)(float)standard[old])
+            store(def, i, standard[law]);
+    }
+    def->fluid.law = (skv_law)law;
+}
+
+void skv_parameter_store(skv_world_def *def, skv_parameter parameter, double number)
+{
+    int materials;
+    const skv_material *material = skv_materials(&materials);
+    if (parameter == SKV_P_FLUID_LAW) {
+        change_law(def, (int)number);
+    } else if (parameter == SKV_P_FLUID_MATERIAL) {
+        def->fluid.density = material[(int)number].density;
+        def->fluid.viscosity = material[(int)number].viscosity;
+    } else {
+        store(def, parameter, number);
+    }
+}
+
+double skv_parameter_load(const skv_world_def *def, skv_parameter parameter)
+{
+    int materials;
+    const skv_material *material = skv_materials(&materials);
+    if (parameter != SKV_P_FLUID_MATERIAL)
+        return load(def, parameter);
+    for (int i = 0; i < materials; i++) {
+        if (material[i].density == def->fluid.density &&
+            material[i].viscosity == def->fluid.viscosity)
+            return i;
+    }
+    return -1;
+}
+
+/* ---- Definitions ----------------------------------------------------------------------------- */
+
+skv_world_def skv_default_world_def(void)
+{
+    skv_world_def def = {.cookie = WORLD_COOKIE};
+    def.fluid.cookie = FLUID_COOKIE;
+    for (int i = 0; i < SKV_P_COUNT; i++) {
+        if (places[i].offset != NO_MEMBER)
+            store(&def, i, places[i].standard[0]);
+    }
+    return def;
+}
+
+skv_fluid_def skv_default_fluid_def(skv_law law)
+{
+    skv_world_def def = skv_default_world_def();
+    if (law == SKV_LAW_CLAVET)
+        change_law(&def, law);
+    return def.fluid;
+}
+
+skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
+{
+    SKV_ASSERT_OR(def->cookie == WORLD_COOKIE && def->fluid.cookie == FLUID_COOKIE,
+                  SKV_ERROR_VALUE);
+    for (int i = 0; i < SKV_P_COUNT; i++) {
+        const skv_field *field = &fields[i];
+        if (places[i].offset == NO_MEMBER || field->type == SKV_FIELD_BOOLEAN)
+            continue;
+        double number = load(def, i);
+        const char *wrong = NULL;
+        if (field->type != SKV_FIELD_CHOICE)
+            wrong = skv_field_complaint(field, number);
+        else if (number < 0 || number >= skv_field_choices(field->choices))
+            wrong = "is not known";
+        if (wrong) {
+            char what[32];
+            skv_format_number(number, what);
+            return skv_field_refuse(field, what, wrong, error);
+        }
+    }
+    return SKV_OK;
+}
+
+/* ---- Access by path -------------------------------------------------------------------------- */
+
+static skv_result find(const char *path, int *found, skv_error *error)
+{
+    *found = skv_field_find(fields, SKV_P_COUNT, path);
+    if (*found >= 0)
+        return SKV_OK;
+    char hint[200];
+    skv_field_suggest(fields, SKV_P_COUNT, path, hint, sizeof hint);
+    return skv_fail(error, SKV_ERROR_VALUE, "%.60s: unknown field%s", path, hint);
+}
+
+skv_result skv_world_def_set(skv_world_def *def, const char *path, const char *text,
+                             skv_error *error)
+{
+    SKV_ASSERT_OR(def && path && text, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(def->cookie == WORLD_COOKIE, SKV_ERROR_VALUE);
+    int parameter;
+    double number;
+    skv_result result = find(path, &parameter, error);
+    if (result != SKV_OK)
+        return result;
+    const char *wrong = skv_field_read(&fields[parameter], text, &number);
+    if (wrong)
+        return skv_field_refuse(&fields[parameter], text, wrong, error);
+    skv_parameter_store(def, (skv_parameter)parameter, number);
+    return SKV_OK;
+}
+
+skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *text, size_t size,
+                             skv_error *error)
+{
+    SKV_ASSERT_OR(def && path && text && size > 0, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(def->cookie == WORLD_COOKIE, SKV_ERROR_VALUE);
+    int parameter;
+    skv_result result = find(path, &parameter, error);
+    if (result != SKV_OK)
+        return result;
+    double number = skv_parameter_load(def, (skv_parameter)parameter);
+    text[0] = '\0'; /* no material */
+    if (number >= 0 || fields[parameter].type != SKV_FIELD_CHOICE)
+        skv_field_write(&fields[parameter], number, text, size);
+    return SKV_OK;
+}
+
+/* What a running world is like, as its definition would have it. */
+static skv_world_def describe(const skv_world *world)
+{
+    skv_world_def def = skv_default_world_def();
+    def.fluid = world->fluid;
+    def.gravity_x = world->gravity_x;
+    def.gravity_y = world->gravity_y;
+    def.substeps = world->substeps;
+    def.depth = world->depth;
+    def.sleep = world->sleep.allowed;
+    def.threads = skv_pool_threads(world->pool);
+    def.capacity = world->state.capacity;
+    def.solver =
+        world->solver->type == &skv_reference_solver ? SKV_SOLVER_REFERENCE : SKV_SOLVER_FAST;
+    return def;
+}
+
+skv_result skv_world_set(skv_world *world, const char *path, const char *text, skv_error *error)
+{
+    SKV_ASSERT_OR(world && path && text, SKV_ERROR_VALUE);
+    int parameter;
+    skv_result result = find(path, &parameter, error);
+    if (result != SKV_OK)
+        return result;
+    if (!places[parameter].live)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "%s: cannot change while a world runs; set it in the definition of a new "
+                        "one",
+                        path);
+    skv_world_def def = describe(world);
+    result = skv_world_def_set(&def, path, text, error);
+    if (result != SKV_OK)
+        return result;
+    if (is_fluids(parameter) || parameter == SKV_P_FLUID_MATERIAL)
+        skv_world_change_fluid(world, &def.fluid);
+    else
+        result = skv_world_set_gravity(world, def.gravity_x, def.gravity_y, error);
+    return result;
+}
+
+skv_result skv_world_get(const skv_world *world, const char *path, char *text, size_t size,
+                         skv_error *error)
+{
+    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    skv_world_def def = describe(world);
+    return skv_world_def_get(&def, path, text, size, error);
+}

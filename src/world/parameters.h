@@ -1,0 +1,29 @@
+/* The registry of a world's parameters, by number; shared with the scene layer, whose files set the
+ * same parameters. */
+#ifndef SKV_WORLD_PARAMETERS_H
+#define SKV_WORLD_PARAMETERS_H
+
+#include "skvalp/world.h"
+
+/* Index of a row in skv_world_fields. */
+typedef enum skv_parameter {
+#define NUMBER(id, ...) SKV_P_##id,
+#define WHOLE(id, ...)  SKV_P_##id,
+#define FLAG(id, ...)   SKV_P_##id,
+#define CHOICE(id, ...) SKV_P_##id,
+#define PRESET(id, ...) SKV_P_##id,
+#include "world/parameter_rows.h"
+    SKV_P_COUNT
+} skv_parameter;
+
+/* Stores a value that the field allows. A law gives its own default to what has the other law's; a
+ * material sets density and viscosity. */
+void skv_parameter_store(skv_world_def *def, skv_parameter parameter, double number);
+
+/* The value of a parameter; of the material: that of this density and viscosity, or -1. */
+double skv_parameter_load(const skv_world_def *def, skv_parameter parameter);
+
+/* Every parameter lies in its range; SKV_ERROR_VALUE names the first that does not. */
+skv_result skv_check_world_def(const skv_world_def *def, skv_error *error);
+
+#endif
