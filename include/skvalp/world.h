@@ -283,6 +283,16 @@ typedef struct skv_packing {
 SKV_API skv_result skv_world_packing(const skv_world *world, skv_packing *packing,
                                      skv_error *error);
 
+/* What walls did to the fluid in the last step, per metre of depth: the impulse that they gave it,
+ * and its moment about the origin, counter-clockwise. Fluid that sleeps gets nothing. Over a second
+ * at rest walls give the fluid its weight; the fluid gives them the opposite. The same bits for any
+ * number of threads. */
+typedef struct skv_wall_impulse {
+    double x, y;   /* N s/m */
+    double moment; /* N s */
+} skv_wall_impulse;
+SKV_API skv_wall_impulse skv_world_wall_impulse(const skv_world *world);
+
 /* 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order. */
 SKV_API uint64_t skv_world_hash(const skv_world *world);
 

@@ -37,9 +37,8 @@ typedef struct skv_constants {
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
-    float contact_distance; /* m */
-    float softness;         /* share of the penetration corrected a substep */
-    float friction;         /* share of the tangential displacement removed a substep */
+    float softness; /* share of the penetration corrected a substep */
+    float friction; /* share of the tangential displacement removed a substep */
 } skv_constants;
 
 /* True if the pair viscosity has anything to do. */

@@ -14,6 +14,7 @@
 #include "base/pool.h"
 #include "skvalp/base.h"
 #include "solver/constants.h"
+#include "solver/impulse.h"
 #include "terrain/boundary.h"
 
 #include <limits.h>
@@ -76,8 +77,9 @@ typedef struct skv_solver_type {
     void (*destroy)(skv_solver *solver);
     /* Makes room for a step; allocates only when it has to. On failure nothing has changed. */
     skv_result (*reserve)(skv_solver *solver, const skv_solver_step *step, skv_error *error);
-    /* Takes the substeps, for which there is room. */
-    void (*advance)(skv_solver *solver, const skv_solver_step *step);
+    /* Takes the substeps, for which there is room. Returns what walls have given the particles that
+     * are not held, in m, and the moment about the origin in m^2. */
+    skv_impulse (*advance)(skv_solver *solver, const skv_solver_step *step);
     /* Wall seconds of each pass since the last call with `reset`. */
     void (*profile)(skv_solver *solver, bool reset, double *seconds);
     /* Bytes held for the particles' arrays. */

@@ -1,41 +1,137 @@
-/* The boundary of the fluid: the walls as a solver meets them. SI units, the world's axes.
+/* The boundary of the fluid: the walls as a solver meets them.
  *
- * Plain data and functions of it, all of them const: any number of threads may ask at once. */
+ * Plain data and functions of it, sampled in place: nothing calls back, so it can be copied to
+ * where a solver runs. Places and lengths are in units and axes of the asker's choice; the world's
+ * own boundary is in m and in the world's axes. All of it is const: any number of threads may ask.
+ *
+ * Invariant: an answer in other units and axes is that in the world's own, but for the rounding of
+ * the conversion; and a move ends where the terrain's sweep lets it, so nothing passes a wall,
+ * however fast it is.
+ */
 #ifndef SKV_TERRAIN_BOUNDARY_H
 #define SKV_TERRAIN_BOUNDARY_H
 
+#include "base/exact.h"
+#include "terrain/sample.h"
 #include "terrain/wall_map.h"
 
 typedef struct skv_boundary {
     const skv_terrain *terrain;
     const skv_wall_map *walls;
-    float clearance; /* how close a move may come to a wall, m */
+    float clearance;        /* how close a move may come to a wall, m */
+    float contact_distance; /* closer to a wall than this is contact, m */
+
+    float unit, per_unit; /* the asker's unit of length, in m, and its reciprocal */
+    bool swapped;         /* the asker's x is the world's y */
 } skv_boundary;
+
+/* The same walls, in other units and axes. */
+static inline skv_boundary skv_boundary_seen(const skv_boundary *boundary, float unit,
+                                             float per_unit, bool swapped)
+{
+    skv_boundary seen = *boundary;
+    seen.unit = unit;
+    seen.per_unit = per_unit;
+    seen.swapped = swapped;
+    return seen;
+}
+
+static inline void skv_boundary_swap(const skv_boundary *b, float *x, float *y)
+{
+    if (b->swapped) {
+        float kept = *x;
+        *x = *y;
+        *y = kept;
+    }
+}
+
+/* From the asker's units and axes to the world's. */
+static inline void skv_boundary_to_world(const skv_boundary *b, float *x, float *y)
+{
+    *x *= b->unit;
+    *y *= b->unit;
+    skv_boundary_swap(b, x, y);
+}
 
 /* Moves (x, y) by (dx, dy) as far as the walls allow; writes the distance to the nearest wall there
  * and returns the share of the way that was made, 0..1. */
-float skv_boundary_move(const skv_boundary *boundary, float *x, float *y, float dx, float dy,
-                        float *distance);
+static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y, float dx, float dy,
+                                      float *distance)
+{
+    float wx = *x, wy = *y, wdx = dx, wdy = dy;
+    skv_boundary_to_world(b, &wx, &wy);
+    skv_boundary_to_world(b, &wdx, &wdy);
+    float share = skv_terrain_sweep(b->terrain, wx, wy, wx + wdx, wy + wdy, b->clearance);
+    wx += share < 1 ? share * wdx : wdx;
+    wy += share < 1 ? share * wdy : wdy;
+    *distance = skv_distance_at(b->terrain, wx, wy) * b->per_unit;
+    /* Not wx, wy turned back: a free move must give the same bits as one that did not ask. */
+    *x += share < 1 ? share * dx : dx;
+    *y += share < 1 ? share * dy : dy;
+    return share;
+}
 
-/* How far to push a particle at (x, y) out of the contact distance, in m; 0 if it is not in
- * contact. In a gap narrower than twice that distance the push ends in the middle: both walls
- * pushing in turn would shake the fluid. Writes the distance, and the normal if there is contact.
- */
-float skv_boundary_contact(const skv_boundary *boundary, float contact_distance, float x, float y,
-                           float *nx, float *ny, float *distance);
-
-/* The wall sums at a point; returns the distance to the nearest wall. */
-float skv_boundary_sample(const skv_boundary *boundary, float x, float y, skv_wall_sample *wall);
+/* How far to push a particle at (x, y) out of the contact distance; 0 if it is not in contact. In a
+ * gap narrower than twice that distance the push ends in the middle: both walls pushing in turn
+ * would shake the fluid. Writes the distance, and the normal if there is contact. */
+static inline float skv_boundary_contact(const skv_boundary *b, float x, float y, float *nx,
+                                         float *ny, float *distance)
+{
+    skv_boundary_to_world(b, &x, &y);
+    float clear = skv_normal_at(b->terrain, x, y, nx, ny), depth = b->contact_distance - clear;
+    *distance = clear * b->per_unit;
+    if (!(depth > 0))
+        return 0;
+    float beyond = skv_distance_at(b->terrain, x + depth * *nx, y + depth * *ny);
+    float gain = skv_maxf(-depth, skv_minf(depth, beyond - clear));
+    skv_boundary_swap(b, nx, ny);
+    return 0.5f * (depth + gain) * b->per_unit;
+}
 
 /* True if there are thin walls at all, and if one may be within h of a point: there alone pairs
  * must be asked whether they see each other. */
-bool skv_boundary_has_thin(const skv_boundary *boundary);
-bool skv_boundary_near_thin(const skv_boundary *boundary, float x, float y);
+static inline bool skv_boundary_has_thin(const skv_boundary *b)
+{
+    return b->walls->thin != NULL;
+}
+
+static inline bool skv_boundary_near_thin(const skv_boundary *b, float x, float y)
+{
+    skv_boundary_to_world(b, &x, &y);
+    return skv_wall_map_near_thin(b->walls, x, y);
+}
+
+/* The wall sums at a point; returns the distance to the nearest wall. */
+static inline float skv_boundary_sample(const skv_boundary *b, float x, float y,
+                                        skv_wall_sample *wall)
+{
+    float distance;
+    skv_boundary_to_world(b, &x, &y);
+    if (skv_wall_map_near_thin(b->walls, x, y)) {
+        float nx, ny;
+        distance = skv_normal_at(b->terrain, x, y, &nx, &ny);
+        skv_wall_map_sample_beside(b->walls, x, y, distance, nx, ny, wall);
+    } else {
+        skv_wall_map_sample(b->walls, x, y, wall);
+        distance = skv_distance_at(b->terrain, x, y);
+    }
+    skv_boundary_swap(b, &wall->f1x, &wall->f1y);
+    skv_boundary_swap(b, &wall->f2x, &wall->f2y);
+    return distance * b->per_unit;
+}
 
 /* True if a thin wall stands between two places within h of each other, so that the particles there
  * feel nothing of each other; the same for both orders. The bounds are lower bounds of the places'
- * distances from walls, in m; 0: not known. */
-bool skv_boundary_occluded(const skv_boundary *boundary, float ax, float ay, float a_clearance,
-                           float bx, float by, float b_clearance);
+ * distances from walls; 0: not known. */
+static inline bool skv_boundary_occluded(const skv_boundary *b, float ax, float ay,
+                                         float a_clearance, float bx, float by, float b_clearance)
+{
+    const skv_terrain *t = b->terrain;
+    skv_boundary_to_world(b, &ax, &ay);
+    skv_boundary_to_world(b, &bx, &by);
+    return skv_wall_map_near_thin(b->walls, ax, ay) && skv_wall_map_near_thin(b->walls, bx, by) &&
+           skv_grid_occluded(t, skv_to_grid(t, ax), skv_to_grid(t, ay), a_clearance * b->unit,
+                             skv_to_grid(t, bx), skv_to_grid(t, by), b_clearance * b->unit);
+}
 
 #endif

@@ -18,18 +18,13 @@
  * away. */
 enum { RADIUS = 8, SPREAD = RADIUS + 2, AROUND = 2 * RADIUS, CLEARED = 6 * RADIUS };
 enum { MARGIN = AROUND + SPREAD };
+_Static_assert((int)MARGIN == (int)SKV_THIN_MARGIN, "the marks begin where the header says");
 
 /* A wall is thin up to this share of the radius. */
 #define THIN 0.6
 
 /* The shortest step through a wall, in pixels: finer than the thinnest wall that holds water. */
 #define STEP 0.25
-
-struct skv_thin_walls {
-    float per_metre; /* cells a metre */
-    int columns, rows;
-    uint8_t *marks;
-};
 
 /* The way through the wall from pixel (x, y), which lies beside it: the middle of its part in the
  * solid, in grid coordinates; false if that is longer than `longest` pixels. */
@@ -290,15 +285,4 @@ void skv_thin_walls_destroy(skv_thin_walls *thin)
         return;
     skv_free(thin->marks);
     skv_free(thin);
-}
-
-bool skv_near_thin_wall(const skv_thin_walls *thin, float x, float y)
-{
-    /* Written so that a NaN ends at 0. */
-    float column = x * thin->per_metre + (float)MARGIN, row = y * thin->per_metre + (float)MARGIN;
-    column = column > 0 ? column : 0;
-    row = row > 0 ? row : 0;
-    if (column >= (float)thin->columns || row >= (float)thin->rows)
-        return false;
-    return thin->marks[(size_t)row * (size_t)thin->columns + (size_t)column];
 }

@@ -10,7 +10,14 @@
 
 #include "skvalp/terrain.h"
 
-typedef struct skv_thin_walls skv_thin_walls;
+/* Cells around the world, on its grid of an eighth of the radius. */
+enum { SKV_THIN_MARGIN = 26 };
+
+typedef struct skv_thin_walls {
+    float per_metre; /* cells a metre */
+    int columns, rows;
+    uint8_t *marks; /* columns * rows: 1 where a thin wall is within the radius */
+} skv_thin_walls;
 
 /* Finds a terrain's thin walls; *thin is null if it has none. `terrain` is only read during the
  * call. */
@@ -20,6 +27,16 @@ void skv_thin_walls_destroy(skv_thin_walls *thin);
 
 /* True if a thin wall may be within the radius of a point, in m; false where none is within one and
  * a half radii. Any point. */
-bool skv_near_thin_wall(const skv_thin_walls *thin, float x, float y);
+static inline bool skv_near_thin_wall(const skv_thin_walls *thin, float x, float y)
+{
+    const float margin = SKV_THIN_MARGIN;
+    /* Written so that a NaN ends at 0. */
+    float column = x * thin->per_metre + margin, row = y * thin->per_metre + margin;
+    column = column > 0 ? column : 0;
+    row = row > 0 ? row : 0;
+    if (column >= (float)thin->columns || row >= (float)thin->rows)
+        return false;
+    return thin->marks[(size_t)row * (size_t)thin->columns + (size_t)column];
+}
 
 #endif

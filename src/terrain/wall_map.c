@@ -17,44 +17,16 @@
 
 #include <math.h>
 
-/* Cells, and with the neighbours' first ones samples, a block side. */
-#define BLOCK   16
-#define SAMPLES (BLOCK + 1)
-
 /* Cells a block side needs for its convolution, and the same rounded up for whole vectors. */
 #define WINDOW     (SAMPLES + 2 * SKV_WALL_REACH)
 #define LANES      4
 #define ROW_LENGTH (WINDOW + LANES)
 
-/* Cells around the picture: h, two for sampling, so that everything outside them is uniform. */
-#define MARGIN (SKV_WALL_REACH + 2)
-
-/* Nearer to a thin wall than so many cells samples are not mixed; steps of the table that serves
- * instead. */
-#define KEEP_OFF 1.5
-enum { FLAT_STEPS = 8 };
-
-/* Blocks that are not stored. */
-#define AIR   (-1)
-#define SOLID (-2)
-
-typedef struct block {
-    float samples[SAMPLES][SAMPLES][SKV_WALL_MAPS];
-} block;
-
-struct skv_wall_map {
-    double radius; /* m */
-    skv_kernel pressure;
-    double density;    /* particles in a square radius */
-    float per_metre;   /* cells a metre */
-    int columns, rows; /* blocks */
-    int32_t *index;    /* columns * rows: a stored block, AIR or SOLID */
-    block *blocks;
-    size_t count;
-    float full[SKV_WALL_MAPS]; /* a sample deep inside solid */
-    skv_thin_walls *thin;      /* null: there are none */
-    /* R, Rn, F1 and F2 beside a flat wall, from touching it to KEEP_OFF, against those there. */
-    float flat[FLAT_STEPS + 1][4];
+enum {
+    BLOCK = SKV_WALL_BLOCK,
+    SAMPLES = SKV_WALL_SAMPLES,
+    MARGIN = SKV_WALL_MARGIN,
+    FLAT_STEPS = SKV_WALL_FLAT_STEPS
 };
 
 /* What building needs. */
@@ -116,16 +88,16 @@ static float solid_share(const builder *b, int x, int y)
     return sum / (float)(parts * parts);
 }
 
-/* Sorts a square of cells: AIR, SOLID, or 0 where a wall may pass through it. Halves the square
- * until it is about a cell wide. */
+/* Sorts a square of cells: SKV_WALL_AIR, SKV_WALL_SOLID, or 0 where a wall may pass through it.
+ * Halves the square until it is about a cell wide. */
 static int sort_square(const builder *b, double x, double y, double side)
 {
     float middle = distance_at(b, x + 0.5 * side, y + 0.5 * side);
     float clear = clear_distance(side * b->cell);
     if (middle >= clear)
-        return AIR;
+        return SKV_WALL_AIR;
     if (middle <= -clear)
-        return SOLID;
+        return SKV_WALL_SOLID;
     if (side < 2)
         return 0;
     double half = 0.5 * side;
@@ -182,7 +154,7 @@ static void add_row(const float *cells, const float weight[][SKV_WALL_MAPS], int
 }
 
 /* Convolves a block; rows of air are left out, rows of solid are constants. */
-static void fill_block(const skv_wall_kernel *kernel, const window *w, block *made)
+static void fill_block(const skv_wall_kernel *kernel, const window *w, skv_wall_block *made)
 {
     for (int y = 0; y < SAMPLES; y++) {
         for (int x0 = 0; x0 < SAMPLES; x0 += LANES) {
@@ -316,63 +288,15 @@ size_t skv_wall_map_bytes(const skv_wall_map *map)
            map->count * sizeof *map->blocks;
 }
 
-/* The sample left of or below a coordinate, kept inside the map. NaN ends at 0. */
-static inline float keep_inside(float g, int blocks)
-{
-    float high = (float)(blocks * BLOCK);
-    g = g > 0 ? g : 0;
-    return g < high ? g : high;
-}
-
-bool skv_wall_map_sample(const skv_wall_map *map, float x, float y, skv_wall_sample *sample)
-{
-    *sample = (skv_wall_sample){0};
-    SKV_ASSERT_OR(map, false);
-    float gx = keep_inside(x * map->per_metre + (MARGIN - 0.5f), map->columns);
-    float gy = keep_inside(y * map->per_metre + (MARGIN - 0.5f), map->rows);
-    int column = (int)gx / BLOCK, row = (int)gy / BLOCK;
-    column = column < map->columns ? column : map->columns - 1;
-    row = row < map->rows ? row : map->rows - 1;
-    int32_t number = map->index[(size_t)row * (size_t)map->columns + (size_t)column];
-    if (number == AIR)
-        return false;
-    if (number == SOLID) {
-        sample->r = map->full[SKV_WALL_R];
-        sample->rn = map->full[SKV_WALL_RN];
-        return true;
-    }
-    gx -= (float)(column * BLOCK);
-    gy -= (float)(row * BLOCK);
-    int i = gx < BLOCK ? (int)gx : BLOCK - 1, j = gy < BLOCK ? (int)gy : BLOCK - 1;
-    float u = gx - (float)i, v = gy - (float)j;
-    const block *b = &map->blocks[number];
-    const float *low0 = b->samples[j][i], *low1 = b->samples[j][i + 1];
-    const float *high0 = b->samples[j + 1][i], *high1 = b->samples[j + 1][i + 1];
-    float values[SKV_WALL_MAPS];
-    for (int k = 0; k < SKV_WALL_MAPS; k++) {
-        float low = low0[k] + u * (low1[k] - low0[k]);
-        float high = high0[k] + u * (high1[k] - high0[k]);
-        values[k] = low + v * (high - low);
-    }
-    *sample = (skv_wall_sample){
-        .r = values[SKV_WALL_R],
-        .rn = values[SKV_WALL_RN],
-        .f1x = values[SKV_WALL_F1X],
-        .f1y = values[SKV_WALL_F1Y],
-        .f2x = values[SKV_WALL_F2X],
-        .f2y = values[SKV_WALL_F2Y],
-    };
-    return values[SKV_WALL_R] > 0;
-}
-
 /* The table for points too near to a thin wall. */
 static void tabulate_flat(skv_wall_map *map, const skv_shadow_rays *rays)
 {
     float at[FLAT_STEPS + 1][SKV_WALL_MAPS];
     const int maps[4] = {SKV_WALL_R, SKV_WALL_RN, SKV_WALL_F1X, SKV_WALL_F2X};
     for (int i = 0; i <= FLAT_STEPS; i++)
-        skv_shadow_of_plane(rays, map->pressure, KEEP_OFF / SKV_WALL_REACH * i / FLAT_STEPS,
-                            map->density, at[i]);
+        skv_shadow_of_plane(rays, map->pressure,
+                            SKV_WALL_KEEP_OFF / SKV_WALL_REACH * i / FLAT_STEPS, map->density,
+                            at[i]);
     for (int i = 0; i <= FLAT_STEPS; i++) {
         for (int k = 0; k < 4; k++)
             map->flat[i][k] = at[i][maps[k]] / at[FLAT_STEPS][maps[k]];
@@ -382,7 +306,7 @@ static void tabulate_flat(skv_wall_map *map, const skv_shadow_rays *rays)
 /* Replaces the samples of a block, whose first cell is (x0, y0), that lie in the air near a thin
  * wall. */
 static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
-                        const skv_shadow_rays *rays, int x0, int y0, block *b)
+                        const skv_shadow_rays *rays, int x0, int y0, skv_wall_block *b)
 {
     double cell = map->radius / SKV_WALL_REACH;
     for (int j = 0; j < SAMPLES; j++) {
@@ -415,48 +339,4 @@ skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv
         }
     }
     return SKV_OK;
-}
-
-bool skv_wall_map_has_thin(const skv_wall_map *map)
-{
-    SKV_ASSERT_OR(map, false);
-    return map->thin != NULL;
-}
-
-bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y)
-{
-    SKV_ASSERT_OR(map, false);
-    return map->thin && skv_near_thin_wall(map->thin, x, y);
-}
-
-bool skv_wall_map_occluded(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
-                           float a_clearance, float bx, float by, float b_clearance)
-{
-    return skv_wall_map_near_thin(map, ax, ay) && skv_wall_map_near_thin(map, bx, by) &&
-           skv_grid_occluded(terrain, skv_to_grid(terrain, ax), skv_to_grid(terrain, ay),
-                             a_clearance, skv_to_grid(terrain, bx), skv_to_grid(terrain, by),
-                             b_clearance);
-}
-
-bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, float y, float distance, float nx,
-                                float ny, skv_wall_sample *sample)
-{
-    SKV_ASSERT_OR(map, false);
-    float cells = distance * map->per_metre, missing = (float)KEEP_OFF - cells;
-    if (!(missing > 0))
-        return skv_wall_map_sample(map, x, y, sample);
-    float shift = missing / map->per_metre;
-    bool any = skv_wall_map_sample(map, x + shift * nx, y + shift * ny, sample);
-    float place = cells > 0 ? cells * (float)(FLAT_STEPS / KEEP_OFF) : 0;
-    int i = place < FLAT_STEPS - 1 ? (int)place : FLAT_STEPS - 1;
-    float ratio[4], part = place - (float)i;
-    for (int k = 0; k < 4; k++)
-        ratio[k] = map->flat[i][k] + part * (map->flat[i + 1][k] - map->flat[i][k]);
-    sample->r *= ratio[0];
-    sample->rn *= ratio[1];
-    sample->f1x *= ratio[2];
-    sample->f1y *= ratio[2];
-    sample->f2x *= ratio[3];
-    sample->f2y *= ratio[3];
-    return any;
 }

@@ -10,10 +10,41 @@
 #ifndef SKV_TERRAIN_WALL_MAP_H
 #define SKV_TERRAIN_WALL_MAP_H
 
-#include "base/kernels.h"
-#include "skvalp/terrain.h"
+#include "terrain/thin_walls.h"
+#include "terrain/wall_kernel.h"
 
-typedef struct skv_wall_map skv_wall_map;
+enum {
+    SKV_WALL_BLOCK = 16,                   /* cells a block side, ... */
+    SKV_WALL_SAMPLES = SKV_WALL_BLOCK + 1, /* and samples, with the neighbours' first ones */
+    SKV_WALL_MARGIN = SKV_WALL_REACH + 2,  /* cells around the picture: h, and two for sampling, so
+                                              that everything outside them is uniform */
+    SKV_WALL_AIR = -1,
+    SKV_WALL_SOLID = -2, /* blocks that are not stored */
+    SKV_WALL_FLAT_STEPS = 8
+};
+
+/* Nearer to a thin wall than so many cells samples are not mixed; a table serves instead. */
+#define SKV_WALL_KEEP_OFF 1.5
+
+typedef struct skv_wall_block {
+    float samples[SKV_WALL_SAMPLES][SKV_WALL_SAMPLES][SKV_WALL_MAPS];
+} skv_wall_block;
+
+/* Plain data, so that whoever needs a sample in the middle of a loop can read it in place. */
+typedef struct skv_wall_map {
+    double radius; /* m */
+    skv_kernel pressure;
+    double density;    /* particles in a square radius */
+    float per_metre;   /* cells a metre */
+    int columns, rows; /* blocks */
+    int32_t *index;    /* columns * rows: a stored block, or one of those that are not */
+    skv_wall_block *blocks;
+    size_t count;
+    float full[SKV_WALL_MAPS]; /* a sample deep inside solid */
+    skv_thin_walls *thin;      /* null: there are none */
+    /* R, Rn, F1 and F2 beside a flat wall, from touching it to KEEP_OFF, against those there. */
+    float flat[SKV_WALL_FLAT_STEPS + 1][4];
+} skv_wall_map;
 
 /* The six values at one point; all zero farther than h from any wall. */
 typedef struct skv_wall_sample {
@@ -27,31 +58,96 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
                                skv_kernel pressure, skv_wall_map **map, skv_error *error);
 void skv_wall_map_destroy(skv_wall_map *map);
 
-/* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
-bool skv_wall_map_sample(const skv_wall_map *map, float x, float y, skv_wall_sample *sample);
-
 /* Finds the thin walls of the map's terrain. Near them the sums then run over everything that a
  * point cannot see, the fluid behind the wall included: pairs are cut there, so the wall must stand
  * for all that they would have given. Once for a map; on failure it stays as it was. */
 skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error);
 
-/* True if any wall of the map is thin, and if one may be within h of a point: there alone pairs
- * must be asked whether they see each other. */
-bool skv_wall_map_has_thin(const skv_wall_map *map);
-bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y);
+/* Bytes held, for reports. */
+size_t skv_wall_map_bytes(const skv_wall_map *map);
 
-/* True if a thin wall stands between two places that are within h of each other. The same for both
- * orders. The bounds are lower bounds of the places' distances from walls, in m; 0: not known. */
-bool skv_wall_map_occluded(const skv_wall_map *map, const skv_terrain *terrain, float ax, float ay,
-                           float a_clearance, float bx, float by, float b_clearance);
+/* True if a thin wall may be within h of a point: there alone pairs must be asked whether they see
+ * each other. */
+static inline bool skv_wall_map_near_thin(const skv_wall_map *map, float x, float y)
+{
+    return map->thin && skv_near_thin_wall(map->thin, x, y);
+}
+
+/* The sample left of or below a coordinate, kept inside the map. NaN ends at 0. */
+static inline float skv_wall_keep_inside(float g, int blocks)
+{
+    float high = (float)(blocks * SKV_WALL_BLOCK);
+    g = g > 0 ? g : 0;
+    return g < high ? g : high;
+}
+
+/* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
+static inline bool skv_wall_map_sample(const skv_wall_map *map, float x, float y,
+                                       skv_wall_sample *sample)
+{
+    *sample = (skv_wall_sample){0};
+    float gx = skv_wall_keep_inside(x * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->columns);
+    float gy = skv_wall_keep_inside(y * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->rows);
+    int column = (int)gx / SKV_WALL_BLOCK, row = (int)gy / SKV_WALL_BLOCK;
+    column = column < map->columns ? column : map->columns - 1;
+    row = row < map->rows ? row : map->rows - 1;
+    int32_t number = map->index[(size_t)row * (size_t)map->columns + (size_t)column];
+    if (number == SKV_WALL_AIR)
+        return false;
+    if (number == SKV_WALL_SOLID) {
+        sample->r = map->full[SKV_WALL_R];
+        sample->rn = map->full[SKV_WALL_RN];
+        return true;
+    }
+    gx -= (float)(column * SKV_WALL_BLOCK);
+    gy -= (float)(row * SKV_WALL_BLOCK);
+    int i = gx < SKV_WALL_BLOCK ? (int)gx : SKV_WALL_BLOCK - 1,
+        j = gy < SKV_WALL_BLOCK ? (int)gy : SKV_WALL_BLOCK - 1;
+    float u = gx - (float)i, v = gy - (float)j;
+    const skv_wall_block *b = &map->blocks[number];
+    const float *low0 = b->samples[j][i], *low1 = b->samples[j][i + 1];
+    const float *high0 = b->samples[j + 1][i], *high1 = b->samples[j + 1][i + 1];
+    float values[SKV_WALL_MAPS];
+    for (int k = 0; k < SKV_WALL_MAPS; k++) {
+        float low = low0[k] + u * (low1[k] - low0[k]);
+        float high = high0[k] + u * (high1[k] - high0[k]);
+        values[k] = low + v * (high - low);
+    }
+    *sample = (skv_wall_sample){
+        .r = values[SKV_WALL_R],
+        .rn = values[SKV_WALL_RN],
+        .f1x = values[SKV_WALL_F1X],
+        .f1y = values[SKV_WALL_F1Y],
+        .f2x = values[SKV_WALL_F2X],
+        .f2y = values[SKV_WALL_F2Y],
+    };
+    return values[SKV_WALL_R] > 0;
+}
 
 /* Samples the maps near a thin wall, for a point at `distance` from a wall with the normal (nx,
  * ny). Samples on the other side of the wall must not be mixed in, so nearer than one and a half
  * cells the sums are those at that distance, scaled as beside a flat wall. */
-bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, float y, float distance, float nx,
-                                float ny, skv_wall_sample *sample);
-
-/* Bytes held, for reports. */
-size_t skv_wall_map_bytes(const skv_wall_map *map);
+static inline bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, float y,
+                                              float distance, float nx, float ny,
+                                              skv_wall_sample *sample)
+{
+    float cells = distance * map->per_metre, missing = (float)SKV_WALL_KEEP_OFF - cells;
+    if (!(missing > 0))
+        return skv_wall_map_sample(map, x, y, sample);
+    float shift = missing / map->per_metre;
+    bool any = skv_wall_map_sample(map, x + shift * nx, y + shift * ny, sample);
+    float place = cells > 0 ? cells * (float)(SKV_WALL_FLAT_STEPS / SKV_WALL_KEEP_OFF) : 0;
+    int i = place < SKV_WALL_FLAT_STEPS - 1 ? (int)place : SKV_WALL_FLAT_STEPS - 1;
+    float ratio[4], part = place - (float)i;
+    for (int k = 0; k < 4; k++)
+        ratio[k] = map->flat[i][k] + part * (map->flat[i + 1][k] - map->flat[i][k]);
+    sample->r *= ratio[0];
+    sample->rn *= ratio[1];
+    sample->f1x *= ratio[2];
+    sample->f1y *= ratio[2];
+    sample->f2x *= ratio[3];
+    sample->f2y *= ratio[3];
+    return any;
+}
 
 #endif

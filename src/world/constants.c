@@ -142,7 +142,6 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         .clavet = f->law == SKV_LAW_CLAVET,
         .iterations = f->iterations,
         .kernel = skv_law_kernel(f->law),
-        .contact_distance = f->contact_distance * f->spacing,
         .softness = (float)share_for((double)f->wall_softness, dt),
         .friction = (float)share_for((double)f->wall_friction, dt),
     };

@@ -86,6 +86,12 @@ uint64_t skv_world_hash(const skv_world *world)
     return hash;
 }
 
+skv_wall_impulse skv_world_wall_impulse(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, (skv_wall_impulse){0});
+    return world->wall_impulse;
+}
+
 const char *skv_instruction_set(void)
 {
     return skv_rows_isa();

@@ -88,7 +88,12 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, skv_
         step.particles.members = world->sleep.members;
         step.particles.member_count = members;
     }
-    solver->advance(world->solver, &step);
+    skv_impulse given = solver->advance(world->solver, &step);
+    double s = (double)world->fluid.spacing, mass = (double)world->fluid.density * s * s;
+    double scale = mass / (double)world->constants.dt;
+    world->wall_impulse.x += scale * given.x;
+    world->wall_impulse.y += scale * given.y;
+    world->wall_impulse.moment += scale * given.moment;
     skv_sleep_watch(world, time);
     return SKV_OK;
 }
@@ -115,6 +120,7 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
                         "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
                         (double)LEAST_STEP, (double)LONGEST_STEP);
     double owed = world->due;
+    world->wall_impulse = (skv_wall_impulse){0};
     int count = take_due(world, (double)dt);
     float part = 1.0f / 60 / (float)world->substeps;
     if (part != world->constants_dt) {

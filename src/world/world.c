@@ -72,6 +72,9 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
             .terrain = terrain,
             .walls = world->walls,
             .clearance = skv_minf(0.1f * fluid->spacing, 0.5f * pixel),
+            .contact_distance = fluid->contact_distance * fluid->spacing,
+            .unit = 1,
+            .per_unit = 1,
         };
         const skv_solver_def solver = {
             .x1 = skv_terrain_width(terrain),

@@ -30,6 +30,7 @@ struct skv_world {
     uint32_t generation; /* of solver.h */
     skv_sleep sleep;
     skv_solver *solver;
+    skv_wall_impulse wall_impulse; /* of the last step */
     skv_constants constants;
     float constants_dt; /* the dt they were made for */
     skv_pool *pool;

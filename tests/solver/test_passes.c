@@ -31,6 +31,7 @@ typedef struct twin {
     uint32_t id[N];
     skv_substep substep;
     skv_constants constants;
+    skv_shared_impulse given;
     skv_neighbours lists;
     skv_fluid_def fluid;
     oracle o;
@@ -149,6 +150,7 @@ static twin *make_twin(skv_law law, uint32_t seed)
     if (o->walled)
         cut_at_wall(t);
     t->substep.constants = &t->constants;
+    t->substep.given = &t->given;
     t->substep.neighbours = &t->lists;
     t->substep.with_gradient = true;
     return t;

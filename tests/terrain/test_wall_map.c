@@ -2,7 +2,7 @@
  * sides, scale, memory. */
 #include "shapes.h"
 #include "support/failing_memory.h"
-#include "terrain/wall_map.h"
+#include "terrain/boundary.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -427,9 +427,9 @@ static void check_thin_wall(skv_kernel kernel)
     skv_wall_map *map = make_map_for(kernel, terrain, (float)h, (float)s);
     /* Shares of the values at the wall. */
     const double allowed[4] = {0.034, 0.042, 0.04, 0.066};
-    assert_false(skv_wall_map_has_thin(map));
+    assert_null(map->thin);
     assert_int_equal(skv_wall_map_shade(map, terrain, NULL), SKV_OK);
-    assert_true(skv_wall_map_has_thin(map));
+    assert_non_null(map->thin);
     for (int side = -1; side <= 1; side += 2) {
         for (double d = 0.02; d < 1; d += 0.07) {
             double x = 0.6 + side * (0.01 + d * h);
@@ -447,9 +447,10 @@ static void check_thin_wall(skv_kernel kernel)
     assert_true(skv_wall_map_near_thin(map, 0.6f, 0.6f));
     assert_true(skv_wall_map_near_thin(map, 0.5f, 0.6f));
     assert_false(skv_wall_map_near_thin(map, 0.3f, 0.6f));
-    assert_true(skv_wall_map_occluded(map, terrain, 0.58f, 0.6f, 0, 0.62f, 0.65f, 0));
-    assert_true(skv_wall_map_occluded(map, terrain, 0.62f, 0.65f, 0, 0.58f, 0.6f, 0));
-    assert_false(skv_wall_map_occluded(map, terrain, 0.58f, 0.6f, 0, 0.58f, 0.7f, 0));
+    const skv_boundary walls = {.terrain = terrain, .walls = map, .unit = 1, .per_unit = 1};
+    assert_true(skv_boundary_occluded(&walls, 0.58f, 0.6f, 0, 0.62f, 0.65f, 0));
+    assert_true(skv_boundary_occluded(&walls, 0.62f, 0.65f, 0, 0.58f, 0.6f, 0));
+    assert_false(skv_boundary_occluded(&walls, 0.58f, 0.6f, 0, 0.58f, 0.7f, 0));
     skv_wall_map_destroy(map);
     skv_terrain_destroy(terrain);
 }

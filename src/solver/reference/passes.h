@@ -7,6 +7,13 @@
 #include "solver/reference/pass_data.h"
 #include "solver/solver.h"
 
+#include <stdatomic.h>
+
+/* An skv_impulse_sum that several threads add to. */
+typedef struct skv_shared_impulse {
+    atomic_uint_fast64_t x, y, moment;
+} skv_shared_impulse;
+
 /* What the passes of one substep share. */
 typedef struct skv_substep {
     skv_pass_data data;
@@ -16,8 +23,9 @@ typedef struct skv_substep {
     int pull_count;
     const skv_neighbours *neighbours;
     const skv_boundary *boundary;
-    bool with_gradient;     /* the density pass finds the gradient, for the tension to follow */
-    skv_reaction *reaction; /* null: not wanted. Wanted: all on one thread */
+    bool with_gradient;        /* the density pass finds the gradient, for the tension to follow */
+    skv_shared_impulse *given; /* by walls, in this step */
+    skv_reaction *reaction;    /* null: not wanted. Wanted: all on one thread */
 } skv_substep;
 
 typedef void skv_pass(const skv_substep *substep, int begin, int end);
@@ -64,7 +72,7 @@ skv_pass skv_pass_correct;
 skv_pass skv_pass_find_contacts;
 skv_pass skv_pass_contact;
 
-/* Books (dx, dy), in m, which a wall has done to particle i; nothing if no reaction is wanted. */
+/* Books (dx, dy), in m, which a wall has done to particle i. */
 void skv_book_reaction(const skv_substep *substep, int i, double dx, double dy);
 
 /* Algorithm 8: the corrections of the substep become velocity. */

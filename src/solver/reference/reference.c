@@ -102,7 +102,7 @@ static void update_neighbours(reference *r)
     r->seconds[NEIGHBOURS] += skv_clock() - start;
 }
 
-static void advance(skv_solver *solver, const skv_solver_step *step)
+static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 {
     reference *r = (reference *)solver;
     const skv_solver_particles *p = &step->particles;
@@ -115,6 +115,7 @@ static void advance(skv_solver *solver, const skv_solver_step *step)
     s->clearance = p->clearance;
     s->pressure = p->pressure;
     s->id = p->id;
+    skv_shared_impulse given = {0};
     r->substep = (skv_substep){
         .data = *s,
         .constants = step->constants,
@@ -124,11 +125,16 @@ static void advance(skv_solver *solver, const skv_solver_step *step)
         .pull_count = step->pull_count,
         .neighbours = &r->neighbours,
         .boundary = r->boundary,
+        .given = &given,
         .reaction = step->reaction,
     };
     r->pool = step->reaction ? NULL : step->pool;
     for (int i = 0; i < step->substeps; i++)
         take_substep(r);
+    const skv_impulse_sum sum = {given.x, given.y, given.moment};
+    skv_impulse in_h = skv_impulse_value(&sum);
+    double h = (double)step->constants->h;
+    return (skv_impulse){in_h.x * h, in_h.y * h, in_h.moment * h * h};
 }
 
 static skv_result reserve_arrays(reference *r, int count, skv_error *error)

@@ -5,11 +5,9 @@
 
 #include <math.h>
 
-void skv_book_reaction(const skv_substep *sub, int i, double dx, double dy)
+static void book_in_box(const skv_substep *sub, int i, double dx, double dy)
 {
     skv_reaction *r = sub->reaction;
-    if (!r || (dx == 0 && dy == 0))
-        return;
     const skv_pass_data *s = &sub->data;
     float nx, ny;
     double d = (double)skv_terrain_normal(sub->boundary->terrain, s->x[i], s->y[i], &nx, &ny);
@@ -19,6 +17,22 @@ void skv_book_reaction(const skv_substep *sub, int i, double dx, double dy)
     r->dx += dx;
     r->dy += dy;
     r->moment += (x - (r->x0 + r->x1) / 2) * dy - (y - (r->y0 + r->y1) / 2) * dx;
+}
+
+void skv_book_reaction(const skv_substep *sub, int i, double dx, double dy)
+{
+    if (dx == 0 && dy == 0)
+        return;
+    const skv_pass_data *s = &sub->data;
+    double per_h = (double)sub->constants->inv_h;
+    double x = per_h * (double)s->x[i], y = per_h * (double)s->y[i];
+    skv_impulse_sum given = {0};
+    skv_impulse_add(&given, per_h * dx, per_h * dy, per_h * (x * dy - y * dx));
+    atomic_fetch_add_explicit(&sub->given->x, given.x, memory_order_relaxed);
+    atomic_fetch_add_explicit(&sub->given->y, given.y, memory_order_relaxed);
+    atomic_fetch_add_explicit(&sub->given->moment, given.moment, memory_order_relaxed);
+    if (sub->reaction)
+        book_in_box(sub, i, dx, dy);
 }
 
 /* Moves particle i by its dx, dy as far as the walls allow; returns the share it could move.
@@ -81,12 +95,12 @@ void skv_pass_correct(const skv_substep *sub, int begin, int end)
 void skv_pass_find_contacts(const skv_substep *sub, int begin, int end)
 {
     const skv_pass_data *s = &sub->data;
-    float reach = sub->constants->contact_distance;
+    float reach = sub->boundary->contact_distance;
     for (int i = begin; i < end; i++) {
         s->depth[i] = 0;
         if (s->clearance[i] < reach)
-            s->depth[i] = skv_boundary_contact(sub->boundary, reach, s->x[i], s->y[i],
-                                               &s->normal_x[i], &s->normal_y[i], &s->clearance[i]);
+            s->depth[i] = skv_boundary_contact(sub->boundary, s->x[i], s->y[i], &s->normal_x[i],
+                                               &s->normal_y[i], &s->clearance[i]);
     }
 }
 

@@ -24,8 +24,8 @@ V8_INLINE v8 collected_near_density(const skv_rows *s, int i)
 }
 
 /* Adds the walls' share to particles near one, and keeps the samples for the update. */
-static void sample_walls(const skv_rows *s, int row, bool gradient,
-                         const skv_row_boundary *boundary, skv_row_samples *samples)
+static void sample_walls(const skv_rows *s, int row, bool gradient, const skv_boundary *boundary,
+                         skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
     const skv_row_sums *own = &s->own;
@@ -33,13 +33,13 @@ static void sample_walls(const skv_rows *s, int row, bool gradient,
     for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
         if (p->clearance[i] >= 1)
             continue;
-        skv_row_wall wall;
-        p->clearance[i] = boundary->walls(boundary->context, p->x[i], p->y[i], &wall);
+        skv_wall_sample wall;
+        p->clearance[i] = skv_boundary_sample(boundary, p->x[i], p->y[i], &wall);
         /* As add_wall_push will see it, if it has to sample again. */
         if (p->clearance[i] >= 1)
             continue;
-        own->density[i] += wall.density;
-        own->near_density[i] += wall.near_density;
+        own->density[i] += wall.r;
+        own->near_density[i] += wall.rn;
         if (gradient) {
             own->gradient_x[i] -= wall.f1x;
             own->gradient_y[i] -= wall.f1y;
@@ -107,7 +107,7 @@ static void pressure_clavet(const skv_rows *s, int row, const skv_row_constants 
 }
 
 static void pressure(const skv_rows *s, int row, bool later, const skv_row_constants *c,
-                     const skv_row_boundary *boundary, skv_row_samples *samples)
+                     const skv_boundary *boundary, skv_row_samples *samples)
 {
     bool gradient = !later && !c->clavet;
     sample_walls(s, row, gradient, boundary, samples);
@@ -131,62 +131,66 @@ static void gauge(const skv_rows *s, int row, int iteration, const skv_row_const
     }
 }
 
-/* Moves one particle whose way may meet a wall, and changes its velocity by the way it has made. */
-static void move_carefully(const skv_rows *s, int i, float dx, float dy,
-                           const skv_row_boundary *boundary)
-{
-    const skv_row_particles *p = &s->set[s->current];
-    float made = boundary->move(boundary->context, &p->x[i], &p->y[i], dx, dy, &p->clearance[i]);
-    p->u[i] += made * dx;
-    p->v[i] += made * dy;
-}
-
 /* Friction along the wall and push out of it, Algorithm 7. */
 static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
-                        const skv_row_boundary *boundary)
+                        const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
         if (p->clearance[i] >= c->contact_distance || p->number[i] & ROW_HELD)
             continue;
         float nx, ny;
-        float depth =
-            boundary->contact(boundary->context, p->x[i], p->y[i], &nx, &ny, &p->clearance[i]);
+        float depth = skv_boundary_contact(boundary, p->x[i], p->y[i], &nx, &ny, &p->clearance[i]);
         if (!(depth > 0))
             continue;
         /* u, v already hold the whole displacement of the substep. */
         float slide = p->v[i] * nx - p->u[i] * ny;
         float rub = c->friction * slide, push = c->softness * depth;
-        move_carefully(s, i, push * nx + rub * ny, push * ny - rub * nx, boundary);
+        float dx = push * nx + rub * ny, dy = push * ny - rub * nx;
+        float made = skv_boundary_move(boundary, &p->x[i], &p->y[i], dx, dy, &p->clearance[i]);
+        p->u[i] += made * dx;
+        p->v[i] += made * dy;
+        skv_impulse_give(walls, p->x[i], p->y[i], made * dx, made * dy);
     }
 }
 
 V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
-                        const skv_row_wall *wall)
+                        const skv_wall_sample *wall, skv_impulse *given)
 {
-    s->own_move.x[i] += s->push[i] * wall->f1x + s->near_push[i] * wall->f2x;
-    s->own_move.y[i] += s->push[i] * wall->f1y + s->near_push[i] * wall->f2y;
+    const skv_row_particles *p = &s->set[s->current];
+    float dx = s->push[i] * wall->f1x + s->near_push[i] * wall->f2x;
+    float dy = s->push[i] * wall->f1y + s->near_push[i] * wall->f2y;
+    s->own_move.x[i] += dx;
+    s->own_move.y[i] += dy;
+    if (!(p->number[i] & ROW_HELD)) {
+        given->x += (double)dx;
+        given->y += (double)dy;
+        given->moment += (double)(p->x[i] * dy - p->y[i] * dx);
+    }
     /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
     if (s->gauged)
-        s->own_move.virial[i] += c->wall_virial * s->push[i] * wall->density +
-                                 2.0f / 3 * s->near_push[i] * wall->near_density;
+        s->own_move.virial[i] +=
+            c->wall_virial * s->push[i] * wall->r + 2.0f / 3 * s->near_push[i] * wall->rn;
 }
 
 /* Adds the walls' push to a row's displacement, from the samples of the pressure pass; where those
  * found no place they are taken again. */
 static void add_wall_push(const skv_rows *s, int row, const skv_row_constants *c,
-                          const skv_row_boundary *boundary, const skv_row_samples *samples)
+                          const skv_boundary *boundary, const skv_row_samples *samples,
+                          skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
+    skv_impulse given = {0};
     for (int w = 0; w < samples->used; w++)
-        add_push(s, samples->sample[w].particle, c, &samples->sample[w].wall);
+        add_push(s, samples->sample[w].particle, c, &samples->sample[w].wall, &given);
     for (int i = s->row_start[row]; samples->used < 0 && i < s->row_end[row]; i++) {
-        skv_row_wall wall;
+        skv_wall_sample wall;
         if (p->clearance[i] >= 1)
             continue;
-        boundary->walls(boundary->context, p->x[i], p->y[i], &wall);
-        add_push(s, i, c, &wall);
+        skv_boundary_sample(boundary, p->x[i], p->y[i], &wall);
+        add_push(s, i, c, &wall, &given);
     }
+    skv_impulse_add(walls, given.x, given.y, given.moment);
 }
 
 /* The displacement that a row's eight particles at i have collected. */
@@ -213,7 +217,8 @@ V8_INLINE v8 unless_held(const int *numbers, v8 a)
 /* Moves the eight particles at i; those whose way may meet a wall one by one. With `speed` the move
  * is a correction and changes the velocity; without, it is the advance. */
 V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool speed,
-                          const skv_row_constants *c, const skv_row_boundary *boundary)
+                          const skv_row_constants *c, const skv_boundary *boundary,
+                          skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     v8 length = v8_sqrt(v8_add(v8_mul(dx, dx), v8_mul(dy, dy)));
@@ -236,8 +241,8 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
         int k = i + l;
         float made = 1;
         if (left[l] < c->wall_clearance) {
-            made = boundary->move(boundary->context, &p->x[k], &p->y[k], move_x[l], move_y[l],
-                                  &p->clearance[k]);
+            made = skv_boundary_move(boundary, &p->x[k], &p->y[k], move_x[l], move_y[l],
+                                     &p->clearance[k]);
         } else {
             p->clearance[k] = left[l];
             p->x[k] += move_x[l];
@@ -248,14 +253,18 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
         float share = speed ? made : made - 1;
         p->u[k] += share * move_x[l];
         p->v[k] += share * move_y[l];
+        if (made < 1)
+            skv_impulse_give(walls, p->x[k], p->y[k], (made - 1) * move_x[l],
+                             (made - 1) * move_y[l]);
     }
 }
 
 static void update(const skv_rows *s, int row, int iteration, const skv_row_constants *c,
-                   const skv_row_boundary *boundary, const skv_row_samples *samples)
+                   const skv_boundary *boundary, const skv_row_samples *samples,
+                   skv_impulse_sum *walls)
 {
     if (samples->used)
-        add_wall_push(s, row, c, boundary, samples);
+        add_wall_push(s, row, c, boundary, samples, walls);
     if (s->gauged)
         gauge(s, row, iteration, c);
     bool viscous = s->viscous && iteration == 0;
@@ -268,10 +277,10 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
             dx = unless_held(numbers, dx);
             dy = unless_held(numbers, dy);
         }
-        move_eight(s, i, end, dx, dy, true, c, boundary);
+        move_eight(s, i, end, dx, dy, true, c, boundary, walls);
     }
     if (iteration == c->iterations - 1)
-        touch_walls(s, row, c, boundary);
+        touch_walls(s, row, c, boundary, walls);
 }
 
 /* A finger's pull on one particle, Algorithm 2 and section 3.5; the same as in forces.c. */
@@ -288,7 +297,7 @@ static void pull_towards(const skv_row_particles *p, int i, const skv_row_pull *
 }
 
 static void advance(const skv_rows *s, int row, const skv_row_constants *c,
-                    const skv_row_boundary *boundary)
+                    const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     const v8 gx = v8_set(c->gravity_x), gy = v8_set(c->gravity_y), one = v8_set(1);
@@ -313,7 +322,7 @@ static void advance(const skv_rows *s, int row, const skv_row_constants *c,
         }
         v8_store(p->u + i, u);
         v8_store(p->v + i, v);
-        move_eight(s, i, end, u, v, false, c, boundary);
+        move_eight(s, i, end, u, v, false, c, boundary, walls);
     }
 }
 

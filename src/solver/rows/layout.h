@@ -110,7 +110,7 @@ typedef struct skv_row_kept {
 /* A wall sample of a particle near a wall. */
 typedef struct skv_near_wall {
     int particle;
-    skv_row_wall wall;
+    skv_wall_sample wall;
 } skv_near_wall;
 
 /* Where those of one row are kept between pressure and update. */
@@ -130,7 +130,8 @@ typedef struct skv_row_thread {
     int old_first, old_end;
     skv_row_kept kept[ROW_SLOTS];
     skv_row_samples samples[ROW_SLOTS];
-    void *kept_memory; /* of both */
+    void *kept_memory;     /* of both */
+    skv_impulse_sum walls; /* what they have given this thread's particles in this call */
 } skv_row_thread;
 
 struct skv_rows {

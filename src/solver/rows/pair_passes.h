@@ -35,8 +35,8 @@ enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_G
 /* Where the four particles of a tile are, each in all lanes. */
 typedef struct tile {
     v8 x[TILE], y[TILE];
-    int place;                      /* of the first */
-    const skv_row_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
+    int place;                  /* of the first */
+    const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
 } tile;
 
 /* What the density and the displacement need of them besides. */
@@ -69,11 +69,11 @@ V8_INLINE v8 over_tile(const v8 *a)
 
 /* The boundary if a thin wall is near one of the particles of a tile, else null: most worlds have
  * none, and far from walls `clearance` tells. */
-static const skv_row_boundary *find_thin_wall(const skv_row_particles *p, int i, int end,
-                                              const skv_row_boundary *boundary)
+static const skv_boundary *find_thin_wall(const skv_row_particles *p, int i, int end,
+                                          const skv_boundary *boundary)
 {
-    for (int k = i; boundary->occluded && k < i + TILE && k < end; k++) {
-        if (p->clearance[k] < 1 && boundary->near_thin(boundary->context, p->x[k], p->y[k]))
+    for (int k = i; skv_boundary_has_thin(boundary) && k < i + TILE && k < end; k++) {
+        if (p->clearance[k] < 1 && skv_boundary_near_thin(boundary, p->x[k], p->y[k]))
             return boundary;
     }
     return NULL;
@@ -83,7 +83,7 @@ static const skv_row_boundary *find_thin_wall(const skv_row_particles *p, int i,
  * two particles is no farther from both together than they are from each other; where its distances
  * say so, it need not be looked for. */
 static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int i, int j,
-                                                 const skv_row_boundary *boundary, float *q)
+                                                 const skv_boundary *boundary, float *q)
 {
     for (int k = 0; k < TILE; k++) {
         float clear = p->clearance[i + k];
@@ -92,8 +92,8 @@ static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int
         for (int l = 0; l < ROW_LANES; l++) {
             float *at = &q[ROW_LANES * k + l];
             if (*at > 0 && clear + p->clearance[j + l] < ROW_WALL_SLOPE * (1 - *at) &&
-                boundary->occluded(boundary->context, p->x[i + k], p->y[i + k], clear, p->x[j + l],
-                                   p->y[j + l], p->clearance[j + l]))
+                skv_boundary_occluded(boundary, p->x[i + k], p->y[i + k], clear, p->x[j + l],
+                                      p->y[j + l], p->clearance[j + l]))
                 *at = 0;
         }
     }
@@ -229,7 +229,7 @@ VARIANT void store_densities(const skv_row_sums *to, int i, unsigned with, const
 }
 
 VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                         const skv_row_boundary *boundary, float *keep)
+                         const skv_boundary *boundary, float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -269,7 +269,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
 
 /* One of the variants in use, with or without room for the pairs. */
 VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                             const skv_row_boundary *b, const skv_row_kept *kept)
+                             const skv_boundary *b, const skv_row_kept *kept)
 {
     if (kept->used >= 0)
         density_row(s, row, with | KEEP_PAIRS, c, b, kept->pairs);
@@ -278,7 +278,7 @@ VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const sk
 }
 
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
-                    const skv_row_boundary *b, skv_row_kept *kept)
+                    const skv_boundary *b, skv_row_kept *kept)
 {
     int blocks = s->row_blocks[row];
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
@@ -403,7 +403,7 @@ VARIANT void store_moves(const skv_row_moves *to, int i, unsigned with, const mo
 }
 
 VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
-                              const skv_row_boundary *boundary, const float *keep)
+                              const skv_boundary *boundary, const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
     const partners others = {s->push, s->near_push, s->gradient_x, s->gradient_y};
@@ -447,8 +447,8 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
     }
 }
 
-VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
-                                  const skv_row_boundary *b, const skv_row_kept *kept)
+VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with, const skv_boundary *b,
+                                  const skv_row_kept *kept)
 {
     if (kept->used >= 0)
         displacement_row(s, row, with | KEEP_PAIRS, b, kept->pairs);
@@ -457,7 +457,7 @@ VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
 }
 
 static void displacement(const skv_rows *s, int row, bool later, const skv_row_constants *c,
-                         const skv_row_boundary *b, const skv_row_kept *kept)
+                         const skv_boundary *b, const skv_row_kept *kept)
 {
     if (c->clavet && s->gauged)
         displacement_variant(s, row, WITH_GAUGE, b, kept);

@@ -126,7 +126,7 @@ static void update(const skv_row_worker *w, int row)
 {
     const skv_row_run *shared = w->shared;
     shared->kernels->update(shared->rows, row, w->iteration, shared->constants, shared->boundary,
-                            samples_of(w, row));
+                            samples_of(w, row), &w->own->walls);
 }
 
 static bool is_at_seam(const skv_row_worker *w, int row)

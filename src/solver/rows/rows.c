@@ -18,7 +18,8 @@ static void book(skv_rows *rows, int thread, int phase, double *start)
 static void advance(const skv_row_worker *w, int row)
 {
     const skv_row_run *shared = w->shared;
-    shared->kernels->advance(shared->rows, row, shared->constants, shared->boundary);
+    shared->kernels->advance(shared->rows, row, shared->constants, shared->boundary,
+                             &w->own->walls);
 }
 
 /* What one thread does when all have sorted. */
@@ -80,6 +81,7 @@ static void member(int thread, int threads, void *context)
         rows->threads = threads;
     skv_pool_barrier(shared->pool);
     skv_row_worker w = {.shared = shared, .own = &rows->thread[thread], .thread = thread};
+    w.own->walls = (skv_impulse_sum){0};
     double start = skv_clock();
     skv_rows_load(rows, thread, shared->frame);
     book(rows, thread, ROW_TRANSFER, &start);
@@ -93,12 +95,12 @@ static void member(int thread, int threads, void *context)
     book(rows, thread, ROW_TRANSFER, &start);
 }
 
-void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
-                   const skv_row_constants *constants, const skv_row_boundary *boundary,
-                   skv_pool *pool)
+skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
+                          const skv_row_constants *constants, const skv_boundary *boundary,
+                          skv_pool *pool)
 {
     if (frame->count == 0)
-        return;
+        return (skv_impulse){0};
     rows->held = frame->members != NULL;
     skv_row_run shared = {.rows = rows,
                           .kernels = skv_row_kernels_chosen(),
@@ -109,6 +111,10 @@ void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
                           .substeps = substeps,
                           .to_take = substeps};
     skv_pool_team(pool, member, &shared);
+    skv_impulse_sum walls = {0};
+    for (int t = 0; t < rows->threads; t++)
+        skv_impulse_join(&walls, &rows->thread[t].walls);
+    return skv_impulse_value(&walls);
 }
 
 void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4])

@@ -23,32 +23,8 @@
 
 #include "base/pool.h"
 #include "skvalp/base.h"
-
-/* What the wall maps say at a point. Dimensionless. */
-typedef struct skv_row_wall {
-    float density, near_density, f1x, f1y, f2x, f2y;
-} skv_row_wall;
-
-/* How the solver asks for walls, in its own units and axes. `clearance` is a lower bound of the
- * distance to the nearest wall; the functions are only called where it is small. Called from
- * several threads at once. */
-typedef struct skv_row_boundary {
-    const void *context;
-    /* The wall sums at (x, y), and the distance to the nearest wall. */
-    float (*walls)(const void *context, float x, float y, skv_row_wall *wall);
-    /* Moves (x, y) by (dx, dy) as far as walls allow: writes the new place and its distance to the
-     * nearest wall, and returns the share of the way that was made, 0..1. */
-    float (*move)(const void *context, float *x, float *y, float dx, float dy, float *distance);
-    /* How deep (x, y) is inside the contact distance, limited as contact.c says; 0: not at all.
-     * Writes the normal and the distance. */
-    float (*contact)(const void *context, float x, float y, float *nx, float *ny, float *distance);
-    /* Thin walls; null if there are none. Whether one may be within the radius of (x, y), and
-     * whether one parts two places within the radius of each other; the bounds are those of their
-     * distances from walls, as in `clearance`. */
-    bool (*near_thin)(const void *context, float x, float y);
-    bool (*occluded)(const void *context, float ax, float ay, float a_clearance, float bx, float by,
-                     float b_clearance);
-} skv_row_boundary;
+#include "solver/impulse.h"
+#include "terrain/boundary.h"
 
 /* One finger, in h and substeps. */
 typedef struct skv_row_pull {
@@ -97,10 +73,11 @@ typedef struct skv_row_frame {
 } skv_row_frame;
 
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The
- * state lies in the frame's arrays alone: nothing is kept from call to call but memory. */
-void skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
-                   const skv_row_constants *constants, const skv_row_boundary *boundary,
-                   skv_pool *pool);
+ * state lies in the frame's arrays alone: nothing is kept from call to call but memory. Returns
+ * what walls have given the particles that are not held. */
+skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
+                          const skv_row_constants *constants, const skv_boundary *boundary,
+                          skv_pool *pool);
 
 /* Wall seconds since the last call with `reset`: advance, sort, relaxation, transfer in and out. */
 void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4]);

@@ -4,26 +4,28 @@
 
 #include "solver/rows/layout.h"
 
-/* One instruction set's kernels. Each handles one row. */
+/* One instruction set's kernels. Each handles one row; what walls give its particles is added to
+ * `walls`. */
 typedef struct skv_row_kernels {
     const char *isa;
     /* Forces and advance. */
     void (*advance)(const skv_rows *rows, int row, const skv_row_constants *constants,
-                    const skv_row_boundary *boundary);
+                    const skv_boundary *boundary, skv_impulse_sum *walls);
     /* A. `later` false: with the gradient that the calibrated law's tension needs, and viscosity if
      * there is any; true: densities only. Keeps the pairs if there is room. */
     void (*density)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
-                    const skv_row_boundary *boundary, skv_row_kept *kept);
+                    const skv_boundary *boundary, skv_row_kept *kept);
     /* L: samples the walls, and the pressure law. */
     void (*pressure)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
-                     const skv_row_boundary *boundary, skv_row_samples *samples);
+                     const skv_boundary *boundary, skv_row_samples *samples);
     /* B; with the tension unless it is `later`. */
     void (*displacement)(const skv_rows *rows, int row, bool later,
-                         const skv_row_constants *constants, const skv_row_boundary *boundary,
+                         const skv_row_constants *constants, const skv_boundary *boundary,
                          const skv_row_kept *kept);
     /* U: carries out the displacement; in the last iteration the contact as well. */
     void (*update)(const skv_rows *rows, int row, int iteration, const skv_row_constants *constants,
-                   const skv_row_boundary *boundary, const skv_row_samples *samples);
+                   const skv_boundary *boundary, const skv_row_samples *samples,
+                   skv_impulse_sum *walls);
 } skv_row_kernels;
 
 /* isa.c: the kernels that suit this processor, or those that SKVALP_ISA names. */

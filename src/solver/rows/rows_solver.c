@@ -1,4 +1,4 @@
-/* The production solver behind the interface: its units and axes, and the walls as it sees them.
+/* The production solver behind the interface: its units and axes.
  *
  * The rows work in h and substeps, and lie across the longer side of where fluid is expected: where
  * that is wider than high, their x is the world's y. Invariant: the caller's arrays hold the whole
@@ -15,13 +15,6 @@ typedef struct rows_solver {
     bool swapped; /* the rows' x is the world's y */
 } rows_solver;
 
-/* What the boundary callbacks need. */
-typedef struct view {
-    const skv_boundary *boundary;
-    bool swapped;
-    float h, inv_h, contact_distance;
-} view;
-
 static void swap(float *a, float *b)
 {
     float kept = *a;
@@ -29,72 +22,7 @@ static void swap(float *a, float *b)
     *b = kept;
 }
 
-static float view_walls(const void *context, float x, float y, skv_row_wall *wall)
-{
-    const view *v = context;
-    if (v->swapped)
-        swap(&x, &y);
-    skv_wall_sample sample;
-    float distance = skv_boundary_sample(v->boundary, x * v->h, y * v->h, &sample);
-    *wall = (skv_row_wall){sample.r, sample.rn, sample.f1x, sample.f1y, sample.f2x, sample.f2y};
-    if (v->swapped) {
-        swap(&wall->f1x, &wall->f1y);
-        swap(&wall->f2x, &wall->f2y);
-    }
-    return distance * v->inv_h;
-}
-
-static float view_move(const void *context, float *x, float *y, float dx, float dy, float *distance)
-{
-    const view *v = context;
-    float wx = *x * v->h, wy = *y * v->h, wdx = dx * v->h, wdy = dy * v->h;
-    if (v->swapped) {
-        swap(&wx, &wy);
-        swap(&wdx, &wdy);
-    }
-    float share = skv_boundary_move(v->boundary, &wx, &wy, wdx, wdy, distance);
-    *distance *= v->inv_h;
-    /* Not wx, wy turned back: a free move must give the same bits as one that did not ask. */
-    *x += share < 1 ? share * dx : dx;
-    *y += share < 1 ? share * dy : dy;
-    return share;
-}
-
-static float view_contact(const void *context, float x, float y, float *nx, float *ny,
-                          float *distance)
-{
-    const view *v = context;
-    if (v->swapped)
-        swap(&x, &y);
-    float depth = skv_boundary_contact(v->boundary, v->contact_distance, x * v->h, y * v->h, nx, ny,
-                                       distance);
-    *distance *= v->inv_h;
-    if (v->swapped)
-        swap(nx, ny);
-    return depth * v->inv_h;
-}
-
-static bool view_near_thin(const void *context, float x, float y)
-{
-    const view *v = context;
-    if (v->swapped)
-        swap(&x, &y);
-    return skv_boundary_near_thin(v->boundary, x * v->h, y * v->h);
-}
-
-static bool view_occluded(const void *context, float ax, float ay, float a_clearance, float bx,
-                          float by, float b_clearance)
-{
-    const view *v = context;
-    if (v->swapped) {
-        swap(&ax, &ay);
-        swap(&bx, &by);
-    }
-    return skv_boundary_occluded(v->boundary, ax * v->h, ay * v->h, a_clearance * v->h, bx * v->h,
-                                 by * v->h, b_clearance * v->h);
-}
-
-static skv_row_constants row_constants(const skv_solver_step *step, float clearance, bool swapped)
+static skv_row_constants row_constants(const skv_solver_step *step, const skv_boundary *boundary)
 {
     const skv_constants *c = step->constants;
     float inv_h = c->inv_h, per_step = c->dt * c->inv_h;
@@ -120,15 +48,15 @@ static skv_row_constants row_constants(const skv_solver_step *step, float cleara
         .tension_scale = c->tension_scale * inv_h,
         .tension_from = c->tension_from,
         .pressure_scale = c->pressure_scale * c->h * c->h,
-        .contact_distance = c->contact_distance * inv_h,
+        .contact_distance = boundary->contact_distance * inv_h,
         .softness = c->softness,
         .friction = c->friction,
-        .wall_clearance = clearance * inv_h,
+        .wall_clearance = boundary->clearance * inv_h,
         .iterations = c->iterations,
         .clavet = c->clavet,
         .pull_count = step->pull_count,
     };
-    if (swapped)
+    if (boundary->swapped)
         swap(&r.gravity_x, &r.gravity_y);
     return r;
 }
@@ -155,21 +83,15 @@ static void make_pulls(const skv_solver_step *step, bool swapped, skv_row_pull *
     }
 }
 
-static void advance(skv_solver *solver, const skv_solver_step *step)
+static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 {
     const rows_solver *r = (const rows_solver *)solver;
     const skv_constants *c = step->constants;
     const skv_solver_particles *p = &step->particles;
-    view v = {r->boundary, r->swapped, c->h, c->inv_h, c->contact_distance};
-    skv_row_boundary boundary = {
-        .context = &v, .walls = view_walls, .move = view_move, .contact = view_contact};
-    if (skv_boundary_has_thin(r->boundary)) {
-        boundary.near_thin = view_near_thin;
-        boundary.occluded = view_occluded;
-    }
+    const skv_boundary boundary = skv_boundary_seen(r->boundary, c->h, c->inv_h, r->swapped);
     skv_row_pull pulls[SKV_SOLVER_MOST_PULLS];
     make_pulls(step, r->swapped, pulls);
-    skv_row_constants constants = row_constants(step, r->boundary->clearance, r->swapped);
+    skv_row_constants constants = row_constants(step, &boundary);
     constants.pulls = pulls;
     skv_row_frame frame = {
         .count = p->members ? p->member_count : p->count,
@@ -183,7 +105,10 @@ static void advance(skv_solver *solver, const skv_solver_step *step)
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
     };
-    skv_rows_step(r->rows, &frame, step->substeps, &constants, &boundary, step->pool);
+    skv_impulse given =
+        skv_rows_step(r->rows, &frame, step->substeps, &constants, &boundary, step->pool);
+    double h = (double)c->h, x = given.x * h, y = given.y * h, moment = given.moment * h * h;
+    return r->swapped ? (skv_impulse){y, x, -moment} : (skv_impulse){x, y, moment};
 }
 
 static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_error *error)
