@@ -90,6 +90,9 @@ SKV_API float skv_terrain_sweep(const skv_terrain *terrain, float x0, float y0, 
 /* The lowest and highest points, in metres, of the free region; both 0 if there is none. */
 SKV_API void skv_terrain_free_range(const skv_terrain *terrain, float *lowest, float *highest);
 
+/* The area of the free region in m^2, to a fraction of a pixel along its walls. */
+SKV_API double skv_terrain_free_area(const skv_terrain *terrain);
+
 /* The signed distance at every pixel centre in metres, row 0 at the bottom, width*height floats
  * with the given row stride in floats. For drawing walls. Valid as long as the terrain. */
 SKV_API const float *skv_terrain_distances(const skv_terrain *terrain, int *stride);

@@ -170,9 +170,61 @@ SKV_API skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv
  * for choosing the spacing that gives a wanted number. */
 SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_fill_def *def);
 
-/* Adds (vx, vy) m/s to every particle whose number is in [first, first+count). */
+/* A particle to add. */
+typedef struct skv_particle {
+    float x, y;   /* m */
+    float vx, vy; /* m/s */
+} skv_particle;
+
+/* Adds many particles, those that find a free place; *placed (null is allowed) counts them and
+ * those skipped. `ids` (null is allowed) has room for `count` and takes each one's id,
+ * SKV_NO_PARTICLE for a skipped one. All or nothing on failure: SKV_ERROR_VALUE (a number that is
+ * not finite or beyond 100 m, 1000 m/s), SKV_ERROR_LIMIT (too many) or SKV_ERROR_MEMORY. */
+SKV_API skv_result skv_world_add_particles(skv_world *world, const skv_particle *particles,
+                                           int count, skv_particle_id *ids, skv_placed *placed,
+                                           skv_error *error);
+
+/* The index of a particle in the arrays of skv_world_particles, -1 if it is gone. Costs a binary
+ * search. */
+SKV_API int skv_world_index(const skv_world *world, skv_particle_id id);
+
+/* Adds (vx, vy) m/s to the velocity of particles [first, first+count), and wakes them. */
 SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx,
                                           float vy, skv_error *error);
+
+/* A region of the plane, to ask for particles or to act on them. Made by one of the functions
+ * below; what is not finite, and a circle of negative radius, contains nothing. */
+typedef enum skv_area_kind { SKV_AREA_CIRCLE, SKV_AREA_BOX, SKV_AREA_POLYGON } skv_area_kind;
+typedef struct skv_area {
+    skv_area_kind kind;
+    float x0, y0, x1, y1; /* box: two opposite corners; circle: its centre first; m */
+    float radius;         /* of a circle, m */
+    const float *points;  /* of a polygon: x, y, x, y, ..., m */
+    int count;            /* of its points */
+} skv_area;
+
+SKV_API skv_area skv_circle(float x, float y, float radius);
+SKV_API skv_area skv_box(float x0, float y0, float x1, float y1);
+/* `count` corners, at least 3, of two floats each; the last is joined to the first. A point is
+ * inside if a line from it to far away crosses an odd number of sides. The points stay the caller's
+ * and have to be there as long as the area is used. */
+SKV_API skv_area skv_polygon(const float *points, int count);
+
+/* Sets the velocities of particles [first, first+count), m/s, each within 1000: vx[0] and vy[0] are
+ * those of `first`. Wakes the particles whose velocity changes. SKV_ERROR_VALUE, and nothing
+ * changes, if a number is out of range or a particle does not exist. */
+SKV_API skv_result skv_world_set_velocities(skv_world *world, int first, int count, const float *vx,
+                                            const float *vy, skv_error *error);
+
+/* Removes the particles with these ids; those that are gone already are passed over. Fluid that
+ * sleeps beside them wakes. Writes how many were removed to *removed (null is allowed). On failure,
+ * SKV_ERROR_MEMORY, nothing changes. */
+SKV_API skv_result skv_world_remove(skv_world *world, const skv_particle_id *ids, int count,
+                                    int *removed, skv_error *error);
+
+/* The same for all particles in an area. */
+SKV_API skv_result skv_world_remove_area(skv_world *world, const skv_area *area, int *removed,
+                                         skv_error *error);
 
 /* Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60. A substep is 1/(60 substeps) long,
  * whatever dt is: as many are taken as the time owed holds, none perhaps, and the rest stays owed
@@ -246,14 +298,21 @@ SKV_API const skv_fluid_def *skv_world_fluid(const skv_world *world);
 SKV_API void skv_world_gravity(const skv_world *world, float *gx, float *gy);
 SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
 
+/* A number that changes whenever particles have been added, have left or were removed: as long as
+ * it is the same, the arrays of skv_world_particles lie where they did and an index means the same
+ * particle; only the values change, with steps. */
+SKV_API uint32_t skv_world_revision(const skv_world *world);
+
 /* The particles, in the order in which they were added. The arrays belong to the world and are
- * valid until the next call that steps or changes it. */
+ * valid until skv_world_revision changes. */
 typedef struct skv_particles {
     int count;
-    const float *x, *y;    /* m */
-    const float *vx, *vy;  /* m/s */
-    const float *pressure; /* Pa m (force per length of the sheet), 0 at the free surface; from the
-                              last substep; 0 before the first */
+    const float *x, *y;     /* m */
+    const float *vx, *vy;   /* m/s */
+    const float *pressure;  /* Pa m (force per length of the sheet), 0 at the free surface; from the
+                               last substep; 0 before the first */
+    const float *clearance; /* m: a lower bound of the distance to the nearest wall, from the
+                               last substep; 0: not known */
     const skv_particle_id *id; /* ascending */
 } skv_particles;
 SKV_API skv_particles skv_world_particles(const skv_world *world);
@@ -296,24 +355,6 @@ SKV_API skv_wall_impulse skv_world_wall_impulse(const skv_world *world);
 /* 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order. */
 SKV_API uint64_t skv_world_hash(const skv_world *world);
 
-/* A region of the plane, to ask for particles or to act on them. Made by one of the functions
- * below; what is not finite, and a circle of negative radius, contains nothing. */
-typedef enum skv_area_kind { SKV_AREA_CIRCLE, SKV_AREA_BOX, SKV_AREA_POLYGON } skv_area_kind;
-typedef struct skv_area {
-    skv_area_kind kind;
-    float x0, y0, x1, y1; /* box: two opposite corners; circle: its centre first; m */
-    float radius;         /* of a circle, m */
-    const float *points;  /* of a polygon: x, y, x, y, ..., m */
-    int count;            /* of its points */
-} skv_area;
-
-SKV_API skv_area skv_circle(float x, float y, float radius);
-SKV_API skv_area skv_box(float x0, float y0, float x1, float y1);
-/* `count` corners, at least 3, of two floats each; the last is joined to the first. A point is
- * inside if a line from it to far away crosses an odd number of sides. The points stay the caller's
- * and have to be there as long as the area is used. */
-SKV_API skv_area skv_polygon(const float *points, int count);
-
 /* Writes the indices (into the arrays of skv_world_particles) of the particles in an area,
  * ascending, at most `capacity`; returns how many there are in all. */
 SKV_API int skv_world_query(const skv_world *world, const skv_area *area, int *indices,
@@ -335,6 +376,48 @@ typedef struct skv_ray {
 /* What the straight way from (x0, y0) to (x1, y1), m, each within 1000 m, meets first. A ray that
  * begins in solid or in fluid meets it at share 0. */
 SKV_API skv_ray skv_world_ray(const skv_world *world, float x0, float y0, float x1, float y1);
+
+/* ---- The host ---- */
+
+/* What has happened to a particle. */
+typedef enum skv_event_kind {
+    SKV_EVENT_LEFT,   /* went out through an open side */
+    SKV_EVENT_REMOVED /* was removed by skv_world_remove or skv_world_remove_area */
+} skv_event_kind;
+typedef struct skv_event {
+    skv_event_kind kind;
+    skv_particle_id particle;
+} skv_event;
+
+/* The events of the last step, in the order in which they happened: from the end of the step before
+ * it to its own end, so that whoever reads them after each step misses none. Writes their number.
+ * They belong to the world and are valid until the next call that steps or changes it. */
+SKV_API const skv_event *skv_world_events(const skv_world *world, int *count);
+
+/* Called before each substep, by the thread that called skv_world_step: the place for forces of the
+ * host's own, as velocities that it adds. `dt` is the substep's length, s. It is called for a world
+ * that sleeps, too. It may read the world, set velocities, hands and gravity, add and remove
+ * particles; views have to be asked for anew once the revision changes. It must not step, destroy
+ * or restore the world. Substeps of a length given by gravity stay as they are until the step ends.
+ */
+typedef void skv_before_substep(skv_world *world, float dt, void *user);
+
+/* Sets that callback; null: none. As long as it does the same, the world's future is the same on
+ * any number of threads. A world with one steps its substeps one by one, which costs a little and
+ * rounds differently. */
+SKV_API void skv_world_set_before_substep(skv_world *world, skv_before_substep *callback,
+                                          void *user);
+
+/* Receives one line of text, without a line feed, that the library would print if it printed. */
+typedef void skv_logger(const char *text, void *user);
+
+/* Sets where a world says what is no failure but worth knowing: that it had to grow, or that it is
+ * overfull. Null, the default: nowhere. Called by the thread that calls the world. */
+SKV_API void skv_world_set_log(skv_world *world, skv_logger *log, void *user);
+
+/* A pointer for the host's own use; null at first. */
+SKV_API void skv_world_set_user(skv_world *world, void *user);
+SKV_API void *skv_world_user(const skv_world *world);
 
 #ifdef __cplusplus
 }

@@ -79,6 +79,19 @@ static void find_free_range(const skv_coverage *coverage, skv_terrain *terrain)
     terrain->highest = ((float)top - first_centre + reach) * terrain->pixel_size;
 }
 
+/* A pixel that the wall cuts counts by its centre's distance from it. */
+static double measure_free_area(const skv_terrain *terrain)
+{
+    double pixels = 0;
+    for (int y = 0; y < terrain->height; y++) {
+        const float *row = terrain->field + SKV_TERRAIN_RIM +
+                           (size_t)(y + SKV_TERRAIN_RIM) * (size_t)terrain->columns;
+        for (int x = 0; x < terrain->width; x++)
+            pixels += (double)skv_maxf(0, skv_minf(1, 0.5f + row[x] * terrain->per_metre));
+    }
+    return pixels * (double)terrain->pixel_size * (double)terrain->pixel_size;
+}
+
 skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain, skv_error *error)
 {
     SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
@@ -108,6 +121,7 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
         };
         find_free_range(&coverage, made);
         result = skv_distance_transform(&coverage, def->pixel_size, field, error);
+        made->free_area = measure_free_area(made);
     } else {
         result = skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
                           def->width, def->height);
@@ -179,6 +193,12 @@ void skv_terrain_free_range(const skv_terrain *terrain, float *lowest, float *hi
     SKV_ASSERT(terrain && lowest && highest);
     *lowest = terrain->lowest;
     *highest = terrain->highest;
+}
+
+double skv_terrain_free_area(const skv_terrain *terrain)
+{
+    SKV_ASSERT_OR(terrain, 0);
+    return terrain->free_area;
 }
 
 const float *skv_terrain_distances(const skv_terrain *terrain, int *stride)

@@ -22,6 +22,7 @@ struct skv_terrain {
     float per_metre;   /* pixels a metre */
     unsigned open_sides;
     float lowest, highest; /* the free region, m */
+    double free_area;      /* m^2 */
     float *field;          /* columns * rows signed distances, m */
 };
 

@@ -7,13 +7,44 @@
 
 #include "base/assert.h"
 
+/* Particles are not added closer to each other than this, in spacings: such pairs fly apart. */
+#define LEAST_SPACING 0.7f
+/* Share of the free area that particles at rest may take before the host is told. */
+#define MOST_FULL 1.05
+
 skv_result skv_world_make_room(skv_world *world, int more, skv_error *error)
 {
+    if (more > SKV_MAX_PARTICLES - world->state.count)
+        return skv_fail(error, SKV_ERROR_LIMIT,
+                        "%d particles more are too many; at most %d are allowed", more,
+                        SKV_MAX_PARTICLES);
     if ((uint32_t)more > SKV_NO_PARTICLE - world->next_id)
         return skv_fail(
             error, SKV_ERROR_LIMIT,
             "this world has named 4294967295 particles and has no id left; make another");
     return skv_world_reserve(world, world->state.count + more, error);
+}
+
+skv_result skv_world_find_taken(const skv_world *world, int more, skv_occupancy *taken,
+                                skv_error *error)
+{
+    float reach = LEAST_SPACING * world->fluid.spacing;
+    skv_result result = skv_occupancy_create(taken, &world->state, more, reach, error);
+    if (skv_boundary_has_thin(&world->boundary))
+        taken->boundary = &world->boundary;
+    return result;
+}
+
+void skv_world_say_if_overfull(const skv_world *world, int added)
+{
+    double s = (double)world->fluid.spacing, free = skv_terrain_free_area(world->terrain);
+    double now = world->state.count * s * s / free,
+           before = (world->state.count - added) * s * s / free;
+    if (now > MOST_FULL && before <= MOST_FULL && skv_terrain_open_sides(world->terrain) == 0)
+        skv_world_say(world,
+                      "the fluid is overfull: %d particles at rest take %.2f of the free area; it "
+                      "will not come to rest",
+                      world->state.count, now);
 }
 
 /* True if a place is beyond a closed side, round a corner, or too far beyond an open side. */
@@ -45,6 +76,70 @@ static bool is_sane(float x, float y, float vx, float vy)
            skv_within((double)vx, -1000, 1000) && skv_within((double)vy, -1000, 1000);
 }
 
+int skv_world_index(const skv_world *world, skv_particle_id id)
+{
+    SKV_ASSERT_OR(world, -1);
+    const skv_state *s = &world->state;
+    int low = 0, high = s->count;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (s->id[middle] < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < s->count && s->id[low] == id ? low : -1;
+}
+
+/* Adds those that find room; memory for all has been reserved. */
+static skv_placed add_where_free(skv_world *world, const skv_particle *particles, int count,
+                                 skv_occupancy *taken, skv_particle_id *ids)
+{
+    skv_placed placed = {.first = SKV_NO_PARTICLE};
+    for (int i = 0; i < count; i++) {
+        const skv_particle *p = &particles[i];
+        if (ids)
+            ids[i] = SKV_NO_PARTICLE;
+        if (is_blocked(world, p->x, p->y)) {
+            placed.blocked++;
+        } else if (skv_is_occupied(taken, p->x, p->y)) {
+            placed.occupied++;
+        } else {
+            if (placed.added++ == 0)
+                placed.first = world->next_id;
+            if (ids)
+                ids[i] = world->next_id;
+            skv_occupy(taken, p->x, p->y);
+            skv_world_append(world, p->x, p->y, p->vx, p->vy);
+        }
+    }
+    return placed;
+}
+
+skv_result skv_world_add_particles(skv_world *world, const skv_particle *particles, int count,
+                                   skv_particle_id *ids, skv_placed *placed, skv_error *error)
+{
+    SKV_ASSERT_OR(world && count >= 0 && (particles || count == 0), SKV_ERROR_VALUE);
+    for (int i = 0; i < count; i++)
+        if (!is_sane(particles[i].x, particles[i].y, particles[i].vx, particles[i].vy))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "particle %d: position or velocity is not finite or beyond 100 m, "
+                            "1000 m/s",
+                            i);
+    skv_result result = skv_world_make_room(world, count, error);
+    skv_occupancy taken = {0};
+    if (result == SKV_OK)
+        result = skv_world_find_taken(world, count, &taken, error);
+    if (result != SKV_OK)
+        return result;
+    skv_placed all = add_where_free(world, particles, count, &taken, ids);
+    skv_occupancy_destroy(&taken);
+    if (placed)
+        *placed = all;
+    skv_world_say_if_overfull(world, all.added);
+    return SKV_OK;
+}
+
 skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, float vy,
                                   skv_error *error)
 {
@@ -57,7 +152,9 @@ skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, 
                         "particle: (%g, %g) is in solid or outside the world; choose a free place",
                         (double)x, (double)y);
     skv_result result = skv_world_make_room(world, 1, error);
-    if (result == SKV_OK)
-        skv_world_append(world, x, y, vx, vy);
-    return result;
+    if (result != SKV_OK)
+        return result;
+    skv_world_append(world, x, y, vx, vy);
+    skv_world_say_if_overfull(world, 1);
+    return SKV_OK;
 }

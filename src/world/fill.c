@@ -8,7 +8,6 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "world/add.h"
-#include "world/occupancy.h"
 
 #include <math.h>
 #include <string.h>
@@ -152,6 +151,8 @@ static skv_result settle(skv_world *world, const walk *w, skv_error *error)
     skv_result result = skv_world_make_room(world, w->placed.added, error);
     for (int i = 0; i < w->placed.added && result == SKV_OK; i++)
         skv_world_append(world, w->x[i], w->x[w->capacity + i], w->def->vx, w->def->vy);
+    if (result == SKV_OK)
+        skv_world_say_if_overfull(world, w->placed.added);
     return result;
 }
 
@@ -172,10 +173,7 @@ skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed 
     skv_occupancy others = {0};
     skv_result result = SKV_OK;
     if (world->state.count > 0) {
-        result = skv_occupancy_create(&others, &world->state, 0,
-                                      SKV_LEAST_SPACING * world->fluid.spacing, error);
-        if (skv_boundary_has_thin(&world->boundary))
-            others.boundary = &world->boundary;
+        result = skv_world_find_taken(world, 0, &others, error);
         w.others = &others;
     }
     if (result == SKV_OK) {

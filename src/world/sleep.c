@@ -104,6 +104,14 @@ static skv_tile *tile_of(const skv_world *world, int i)
     return &s->tiles[(size_t)row * (size_t)s->columns + (size_t)column];
 }
 
+void skv_sleep_leave(skv_world *world, int particle)
+{
+    const skv_state *p = &world->state;
+    bool asleep = p->unrest[particle] == SKV_CALM && p->vx[particle] == 0 && p->vy[particle] == 0;
+    world->sleep.stepped -= !asleep;
+    set_unrest(world, particle, SKV_LEAVING);
+}
+
 /* Fingers wake whom they reach. */
 static void wake_for_hands(skv_world *world)
 {
@@ -150,6 +158,28 @@ static void spread(const skv_sleep *s, int from, int to)
             }
         }
     }
+}
+
+void skv_sleep_begin_disturbance(skv_sleep *s)
+{
+    for (int t = 0; t < s->columns * s->rows; t++)
+        s->tiles[t].state = ASLEEP;
+}
+
+void skv_sleep_disturb(skv_world *world, int particle)
+{
+    if (world->sleep.allowed)
+        tile_of(world, particle)->state = RESTLESS;
+}
+
+void skv_sleep_end_disturbance(skv_world *world)
+{
+    if (world->sleep.calm == 0)
+        return;
+    spread(&world->sleep, RESTLESS, AWAKE);
+    for (int i = 0; i < world->state.count; i++)
+        if (tile_of(world, i)->state >= AWAKE)
+            skv_sleep_wake(world, i);
 }
 
 /* Lists who takes part; the others, and those held, stop. */

@@ -8,7 +8,12 @@ typedef struct skv_world skv_world;
 
 /* A particle's unrest. New unrest becomes unrest at the next look round, and only after the one
  * that follows can the particle be calm: it is watched for a whole window at least. */
-typedef enum skv_unrest { SKV_CALM, SKV_RESTLESS, SKV_NEWLY_RESTLESS } skv_unrest;
+typedef enum skv_unrest {
+    SKV_CALM,
+    SKV_RESTLESS,
+    SKV_NEWLY_RESTLESS,
+    SKV_LEAVING /* is taken out before anything else happens */
+} skv_unrest;
 
 /* What is known of a tile: its state, and what its particles did. */
 typedef struct skv_tile {
@@ -42,6 +47,15 @@ skv_result skv_sleep_reserve(skv_sleep *sleep, int count, skv_error *error);
 /* A particle has been added, or something has been done to it. */
 void skv_sleep_wake(skv_world *world, int particle);
 void skv_sleep_wake_all(skv_world *world);
+
+/* Marks a particle as leaving; it no longer counts as calm or stepped. */
+void skv_sleep_leave(skv_world *world, int particle);
+
+/* Wakes what lies within h of places where something is done: between begin and end, `disturb`
+ * takes the places, those of particles. */
+void skv_sleep_begin_disturbance(skv_sleep *sleep);
+void skv_sleep_disturb(skv_world *world, int particle);
+void skv_sleep_end_disturbance(skv_world *world);
 
 /* Before substeps of `dt` seconds in all: chooses who takes part. Returns how many, and in `held`
  * whether the list `members` has to be used, because not all particles are awake. */

@@ -1,7 +1,7 @@
 /* Time: a step in equal substeps, which the solver takes, and who sleeps or leaves between them.
  * How a substep moves the fluid is in src/solver/reference/reference.c. */
 #include "base/assert.h"
-#include "world/world_internal.h"
+#include "world/remove.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,39 +10,6 @@
 #define LEAST_STEP   1e-6f
 #define LONGEST_STEP 0.1f
 #define DT_ROUNDING  1e-6 /* how far off, relatively, a sum of float dt may be */
-
-/* True for a particle that has left through an open side: by more than h, or round the corner,
- * where it would meet a closed side from behind. */
-static bool has_left(const skv_world *world, float x, float y)
-{
-    unsigned open = skv_terrain_open_sides(world->terrain);
-    float width = skv_terrain_width(world->terrain), height = skv_terrain_height(world->terrain);
-    float h = world->h;
-    bool beside = ((open & SKV_SIDE_LEFT) && x < 0) || ((open & SKV_SIDE_RIGHT) && x > width);
-    bool above_or_below =
-        ((open & SKV_SIDE_BOTTOM) && y < 0) || ((open & SKV_SIDE_TOP) && y > height);
-    return (beside && (x < -h || x > width + h || y < 0 || y > height)) ||
-           (above_or_below && (y < -h || y > height + h || x < 0 || x > width));
-}
-
-/* Takes out who has left; the order of the rest is kept. */
-static void remove_leavers(skv_world *world)
-{
-    skv_state *s = &world->state;
-    int kept = 0;
-    for (int i = 0; i < s->count; i++) {
-        if (has_left(world, s->x[i], s->y[i])) {
-            skv_sleep_wake(world, i);
-            continue;
-        }
-        if (kept < i)
-            skv_state_move(s, i, kept);
-        kept++;
-    }
-    if (kept < s->count)
-        skv_world_regroup(world);
-    s->count = kept;
-}
 
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
                                         skv_pull pulls[SKV_MAX_HANDS])
@@ -112,9 +79,35 @@ static int take_due(skv_world *world, double dt)
     return (int)whole;
 }
 
+/* Takes `count` substeps, with what happens between them; writes how many are done. Many at once,
+ * unless somebody may come or go between them. */
+static skv_result advance(skv_world *world, int count, int *done, skv_error *error)
+{
+    bool open = skv_terrain_open_sides(world->terrain) != 0;
+    bool one_by_one = open || world->before_substep || world->solver->type->most_substeps < count;
+    int at_once = one_by_one ? 1 : count;
+    double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
+    for (; *done < count; *done += at_once) {
+        if (world->before_substep)
+            world->before_substep(world, world->constants_dt, world->before_substep_user);
+        skv_result result = SKV_OK;
+        if (open)
+            result = skv_events_reserve(&world->events, world->state.count, error);
+        if (result == SKV_OK)
+            result = take_substeps(world, at_once, (float)time, error);
+        if (result != SKV_OK)
+            return result;
+        if (open)
+            skv_world_remove_leavers(world);
+        world->time += time;
+        world->steps += at_once;
+    }
+    return SKV_OK;
+}
+
 skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
 {
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(world && !world->stepping, SKV_ERROR_VALUE);
     if (!skv_within((double)dt, (double)LEAST_STEP, (double)LONGEST_STEP))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
@@ -127,22 +120,15 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
         world->constants = skv_make_constants(&world->fluid, part);
         world->constants_dt = part;
     }
-    /* Who leaves through an open side is taken out after every substep, else after all of them. */
-    bool open = skv_terrain_open_sides(world->terrain) != 0;
-    int at_once = open || world->solver->type->most_substeps < count ? 1 : count;
-    for (int done = 0; done < count; done += at_once) {
-        double time = at_once / (60.0 * world->substeps);
-        skv_result result = take_substeps(world, at_once, (float)time, error);
-        if (result != SKV_OK) {
-            world->due = done == 0 ? owed : world->due + count - done;
-            return result;
-        }
-        if (open)
-            remove_leavers(world);
-        world->time += time;
-        world->steps += at_once;
-    }
-    return SKV_OK;
+    world->stepping = true;
+    skv_events_begin(&world->events);
+    int done = 0;
+    skv_result result = advance(world, count, &done, error);
+    if (result != SKV_OK)
+        world->due = done == 0 ? owed : world->due + count - done;
+    skv_events_end(&world->events);
+    world->stepping = false;
+    return result;
 }
 
 skv_profile skv_world_profile(skv_world *world, bool reset)

@@ -3,19 +3,53 @@
 #include "base/assert.h"
 #include "world/world_internal.h"
 
+static skv_result check_range(const skv_world *world, int first, int count, skv_error *error)
+{
+    if (first >= 0 && count >= 0 && first <= world->state.count - count)
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE, "velocity: particles %d.. do not exist; there are %d",
+                    first, world->state.count);
+}
+
+static bool is_sane(float vx, float vy)
+{
+    return skv_within((double)vx, -1000, 1000) && skv_within((double)vy, -1000, 1000);
+}
+
 skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx, float vy,
                                   skv_error *error)
 {
     SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
-    if (!skv_within((double)vx, -1000, 1000) || !skv_within((double)vy, -1000, 1000))
+    if (!is_sane(vx, vy))
         return skv_fail(error, SKV_ERROR_VALUE, "velocity: not finite or beyond 1000 m/s");
-    if (first < 0 || count < 0 || first > world->state.count - count)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "velocity: particles %d.. do not exist; there are %d", first,
-                        world->state.count);
+    skv_result result = check_range(world, first, count, error);
+    if (result != SKV_OK)
+        return result;
     for (int i = first; i < first + count; i++) {
         world->state.vx[i] += vx;
         world->state.vy[i] += vy;
+        skv_sleep_wake(world, i);
+    }
+    return SKV_OK;
+}
+
+skv_result skv_world_set_velocities(skv_world *world, int first, int count, const float *vx,
+                                    const float *vy, skv_error *error)
+{
+    SKV_ASSERT_OR(world && ((vx && vy) || count <= 0), SKV_ERROR_VALUE);
+    skv_result result = check_range(world, first, count, error);
+    if (result != SKV_OK)
+        return result;
+    for (int i = 0; i < count; i++)
+        if (!is_sane(vx[i], vy[i]))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "velocity of particle %d: not finite or beyond 1000 m/s", first + i);
+    skv_state *s = &world->state;
+    for (int i = first, k = 0; k < count; i++, k++) {
+        if (s->vx[i] == vx[k] && s->vy[i] == vy[k])
+            continue;
+        s->vx[i] = vx[k];
+        s->vy[i] = vy[k];
         skv_sleep_wake(world, i);
     }
     return SKV_OK;

@@ -13,8 +13,19 @@
 
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
 {
+    int before = world->state.capacity;
     skv_result result = skv_sleep_reserve(&world->sleep, count, error);
-    return result == SKV_OK ? skv_state_reserve(&world->state, count, error) : result;
+    if (result == SKV_OK)
+        result = skv_state_reserve(&world->state, count, error);
+    if (result == SKV_OK && world->state.capacity > before) {
+        skv_world_regroup(world);
+        if (before)
+            skv_world_say(world,
+                          "the room for %d particles had to grow to %d; a larger capacity in the "
+                          "definition spares that",
+                          before, world->state.capacity);
+    }
+    return result;
 }
 
 void skv_world_regroup(skv_world *world)
@@ -166,6 +177,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
 
 void skv_world_destroy(skv_world *world)
 {
+    SKV_ASSERT(!world || !world->stepping);
     if (!world)
         return;
     if (!world->shares_pool)
@@ -176,6 +188,7 @@ void skv_world_destroy(skv_world *world)
     skv_wall_map_destroy(world->walls);
     skv_terrain_destroy(world->terrain);
     skv_state_free(&world->state);
+    skv_free(world->events.list);
     skv_free(world);
 }
 
@@ -269,9 +282,15 @@ const skv_terrain *skv_world_terrain(const skv_world *world)
     return world->terrain;
 }
 
+uint32_t skv_world_revision(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, 0);
+    return world->generation;
+}
+
 skv_particles skv_world_particles(const skv_world *world)
 {
     SKV_ASSERT_OR(world, (skv_particles){0});
     const skv_state *s = &world->state;
-    return (skv_particles){s->count, s->x, s->y, s->vx, s->vy, s->pressure, s->id};
+    return (skv_particles){s->count, s->x, s->y, s->vx, s->vy, s->pressure, s->clearance, s->id};
 }

@@ -7,6 +7,7 @@
 #include "skvalp/world.h"
 #include "solver/solver.h"
 #include "terrain/wall_map.h"
+#include "world/events.h"
 #include "world/sleep.h"
 #include "world/state.h"
 
@@ -38,6 +39,14 @@ struct skv_world {
 
     double time;
     int64_t steps;
+
+    skv_events events;
+    bool stepping; /* the host's callback is at work */
+    skv_before_substep *before_substep;
+    void *before_substep_user;
+    skv_logger *log;
+    void *log_user;
+    void *user;
 };
 
 /* constants.c: derives the constants of a substep. */
@@ -68,5 +77,8 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
 void skv_world_append(skv_world *world, float x, float y, float vx, float vy);
 /* Notes that particles have come, gone or changed places. */
 void skv_world_regroup(skv_world *world);
+
+/* host.c: tells the host's log, if there is one, one line. */
+void skv_world_say(const skv_world *world, const char *format, ...) SKV_PRINTF(2, 3);
 
 #endif
