@@ -12,4 +12,5 @@
     X(archimedes)                                                                                  \
     X(momentum)                                                                                    \
     X(droplet)                                                                                     \
+    X(ringing)                                                                                     \
     X(viscosity)
