@@ -77,7 +77,7 @@ static const struct {
     {0, {0}},
 };
 
-int skv_cell_segments(const skv_coverage *coverage, int x, int y, skv_segment segments[2])
+int skv_cell_segments(const skv_coverage *coverage, int x, int y, skv_wall_segment segments[2])
 {
     const uint8_t *low = coverage->bytes + (size_t)y * (size_t)coverage->columns + (size_t)x;
     const uint8_t *high = low + coverage->columns;
@@ -107,7 +107,7 @@ int skv_cell_segments(const skv_coverage *coverage, int x, int y, skv_segment se
                 break;
             }
         }
-        segments[i] = (skv_segment){ends[0][0], ends[0][1], ends[1][0], ends[1][1]};
+        segments[i] = (skv_wall_segment){ends[0][0], ends[0][1], ends[1][0], ends[1][1]};
     }
     return count;
 }

@@ -16,9 +16,9 @@ typedef struct skv_coverage {
 } skv_coverage;
 
 /* A straight piece of wall, in pixels from the rim's lower left pixel centre. */
-typedef struct skv_segment {
+typedef struct skv_wall_segment {
     float x0, y0, x1, y1;
-} skv_segment;
+} skv_wall_segment;
 
 skv_result skv_coverage_create(const skv_terrain_def *def, skv_coverage *coverage,
                                skv_error *error);
@@ -41,6 +41,6 @@ static inline float skv_crossing(uint8_t from, uint8_t to)
 unsigned skv_cell_corners(const skv_coverage *coverage, int x, int y);
 
 /* Writes the cell's at most two segments and returns their number. */
-int skv_cell_segments(const skv_coverage *coverage, int x, int y, skv_segment segments[2]);
+int skv_cell_segments(const skv_coverage *coverage, int x, int y, skv_wall_segment segments[2]);
 
 #endif

@@ -26,7 +26,7 @@ typedef struct transform {
     uint32_t *nearest; /* cell y << 16 | cell x */
 } transform;
 
-static float squared_distance(const skv_segment *s, float x, float y)
+static float squared_distance(const skv_wall_segment *s, float x, float y)
 {
     float ux = s->x1 - s->x0, uy = s->y1 - s->y0;
     float px = x - s->x0, py = y - s->y0;
@@ -47,7 +47,7 @@ static inline void offer(const transform *t, size_t at, int x, int y, uint32_t c
     float bound = t->field[at] + HALF_DIAGONAL;
     if (ex * ex + ey * ey >= bound * bound)
         return;
-    skv_segment segments[2];
+    skv_wall_segment segments[2];
     int count = skv_cell_segments(t->coverage, cx, cy, segments);
     float square = squared_distance(&segments[0], (float)x, (float)y);
     if (count == 2)

@@ -89,7 +89,8 @@ needs() {
     readelf -d "$1" | grep -qE "NEEDED.*\[($2)"
 }
 
-verdict() {
+# conclude WORDS: the last line of a test.
+conclude() {
     ((bad == 0 && checked > 0)) || exit 1
     printf 'install: %s\n' "$*"
 }

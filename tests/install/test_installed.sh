@@ -79,5 +79,5 @@ while read -r line; do
 done < <(diff "$work/declared" "$work/exported" | grep '^[<>]')
 (($(wc -l <"$work/exported") > 20)) || complain "hardly anything is exported"
 
-verdict "found by find_package and pkg-config, static and shared;" \
+conclude "found by find_package and pkg-config, static and shared;" \
     "$(wc -l <"$work/exported") functions exported"

@@ -30,4 +30,4 @@ if quietly "installing the host" \
     found=$(find "$work/installed" -type f -printf '%f ')
     [[ $found == 'hello ' ]] || complain "the host installs more than itself: $found"
 fi
-verdict "taken in by add_subdirectory and FetchContent, the core alone"
+conclude "taken in by add_subdirectory and FetchContent, the core alone"

@@ -15,7 +15,7 @@
 
 #define SIDE 64
 
-static double distance_to(const skv_segment *s, double x, double y)
+static double distance_to(const skv_wall_segment *s, double x, double y)
 {
     double ux = (double)s->x1 - (double)s->x0, uy = (double)s->y1 - (double)s->y0;
     double px = x - (double)s->x0, py = y - (double)s->y0, square = ux * ux + uy * uy;
@@ -71,7 +71,7 @@ static void transform_matches_brute_force(void **state)
         assert_int_equal(skv_coverage_create(&def, &coverage, NULL), SKV_OK);
         size_t pixels = (size_t)coverage.columns * (size_t)coverage.rows;
         float *field = calloc(pixels, sizeof *field);
-        skv_segment *segments = calloc(2 * pixels, sizeof *segments);
+        skv_wall_segment *segments = calloc(2 * pixels, sizeof *segments);
         assert_int_equal(skv_distance_transform(&coverage, 1, field, NULL), SKV_OK);
         int count = 0;
         for (int y = 0; y + 1 < coverage.rows; y++) {
