@@ -104,6 +104,7 @@ esac
 
 trap finish EXIT
 install_packages "${packages_build[@]}" "${packages_run[@]}" "${packages_test[@]}"
+[[ ${SKV_LONG_TESTS:-0} != 1 ]] || install_packages "${packages_long[@]}"
 if prepare release; then
     run_tests release
 fi

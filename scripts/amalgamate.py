@@ -232,8 +232,13 @@ def main():
 
     whole = Amalgamation()
     for path in sources:
-        whole.source(path, clashing, PLATFORMS.get(path.parent.name))
+        if path.parent.name not in PLATFORMS:
+            whole.source(path, clashing)
     whole.kernels()
+    # Last, for windows.h takes common words away.
+    for path in sources:
+        if path.parent.name in PLATFORMS:
+            whole.source(path, clashing, PLATFORMS[path.parent.name])
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     license_text = "/* " + (ROOT / "LICENSE").read_text().strip().replace("\n", "\n * ") + "\n */\n"

@@ -51,9 +51,9 @@ tidy() {
 
 install_packages "${packages_build[@]}" "${packages_lint[@]}" libcmocka-dev
 mapfile -t all_c < <(find . -path ./build -prune -o -name '*.[ch]' -print | sort)
-# src/base/wasm is not part of a native build, so clang-tidy has no flags for it.
+# src/base/wasm and windows are not part of a native build, so clang-tidy has no flags for them.
 mapfile -t product_c < <(printf '%s\n' "${all_c[@]}" |
-    grep -E '^\./(src|bench|cli|app)/.*\.c$' | grep -v '^\./src/base/wasm/')
+    grep -E '^\./(src|bench|cli|app)/.*\.c$' | grep -vE '^\./src/base/(wasm|windows)/')
 mapfile -t shell < <(find scripts tests -name '*.sh' | sort)
 
 check shellcheck shellcheck -x run.sh test.sh .ci/run "${shell[@]}"

@@ -31,7 +31,9 @@ extern "C" {
 
 /* Lets the compiler compare a printf-style format, argument number `format_at`, with the arguments
  * from number `first` on. */
-#if defined(__GNUC__)
+#if defined(__MINGW32__)
+#define SKV_PRINTF(format_at, first) __attribute__((format(gnu_printf, format_at, first)))
+#elif defined(__GNUC__)
 #define SKV_PRINTF(format_at, first) __attribute__((format(printf, format_at, first)))
 #else
 #define SKV_PRINTF(format_at, first)

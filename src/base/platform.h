@@ -2,7 +2,8 @@
  *
  * Besides, the core needs no more of a C library than <math.h>'s sqrt, fabs, ceil, floor and
  * isfinite and <string.h>'s mem... and strcmp: it is freestanding. What is in posix/ implements
- * this for Linux and its kin, wasm/platform.c for WebAssembly without any library.
+ * this for Linux and its kin, windows/platform.c for Windows, wasm/platform.c for WebAssembly
+ * without any library.
  */
 #ifndef SKV_BASE_PLATFORM_H
 #define SKV_BASE_PLATFORM_H

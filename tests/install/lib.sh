@@ -89,6 +89,13 @@ needs() {
     readelf -d "$1" | grep -qE "NEEDED.*\[($2)"
 }
 
+# headers_declare FOLDER: the functions of the core's headers, sorted.
+headers_declare() {
+    find "$1" -name '*.h' | grep -vE '/(scene|experiments|session|render)\.h$' | xargs cat |
+        tr '\n' ' ' | sed 's/SKV_API/\n&/g' |
+        sed -nE 's/^SKV_API [^;(]*\b(skv_[a-z0-9_]+)\(.*/\1/p' | sort -u
+}
+
 # conclude WORDS: the last line of a test.
 conclude() {
     ((bad == 0 && checked > 0)) || exit 1

@@ -66,13 +66,7 @@ prints "pkg-config, static" "$work/by-pkg-config-static"
     complain "pkg-config names another version than the library"
 
 # What the shared library exports is what the core's headers declare.
-for header in "$prefix"/include/skvalp/*.h; do
-    case $(basename "$header") in
-    scene.h | experiments.h | session.h | render.h) ;;
-    *) cat "$header" ;;
-    esac
-done | tr '\n' ' ' | sed 's/SKV_API/\n&/g' |
-    sed -nE 's/^SKV_API [^;(]*\b(skv_[a-z0-9_]+)\(.*/\1/p' | sort -u >"$work/declared"
+headers_declare "$prefix/include/skvalp" >"$work/declared"
 nm -D --defined-only "$prefix/lib/libskvalp.so" | awk '{ print $3 }' | sort -u >"$work/exported"
 while read -r line; do
     complain "exported and declared (<: not exported, >: not declared): $line"
