@@ -91,6 +91,40 @@ typedef struct skv_point {
 SKV_API int skv_streamline(const skv_survey *survey, double x, double y, double step,
                            skv_point *points, int capacity);
 
+/* ---- Surface: the outline of the fluid, for drawing ------------------------------------------ */
+
+typedef struct skv_surface skv_surface;
+
+/* How to look for it. Initialise with skv_default_surface_def. */
+typedef struct skv_surface_def {
+    double step;  /* m: of the grid on which it is found; 0, the default: a spacing */
+    double level; /* the fill that is the surface, 0.05..0.95; default 0.5. A lone particle has
+                     about 0.2: with less than that every drop has an outline */
+    bool closed;  /* default false: lines lie where fluid meets air and end at walls. True: they go
+                     on  along walls, so that each is closed and can be filled with colour */
+    int cookie;
+} skv_surface_def;
+
+SKV_API skv_surface_def skv_default_surface_def(void);
+
+/* Makes an empty surface. */
+SKV_API skv_result skv_surface_create(skv_surface **surface, skv_error *error);
+SKV_API void skv_surface_destroy(skv_surface *surface);
+
+/* Finds the surface of the fluid that a survey has looked at: the contour on which fill has the
+ * level, joined to lines, the fluid on their left. `def` may be null. Costs a few substeps with
+ * the default step; allocates only when surface or grid have outgrown the last ones. Fails with
+ * SKV_ERROR_VALUE (a number out of range, or a step so small that the grid has more than 4096
+ * columns or rows) or SKV_ERROR_MEMORY, and has no lines then. */
+SKV_API skv_result skv_surface_find(skv_surface *surface, const skv_survey *survey,
+                                    const skv_surface_def *def, skv_error *error);
+
+/* The lines: their number, and the points of one, at least 2, owned by the surface and valid until
+ * it finds the next. Of a closed line the last point is joined to the first. */
+SKV_API int skv_surface_line_count(const skv_surface *surface);
+SKV_API const skv_point *skv_surface_line(const skv_surface *surface, int line, int *count,
+                                          bool *closed);
+
 /* ---- Instruments ---------------------------------------------------------------------------- */
 
 #define SKV_MAX_CHANNELS 8

@@ -4,6 +4,7 @@
  * pieces of neighbouring cells meet.
  */
 #include "base/assert.h"
+#include "measure/contour.h"
 #include "measure/survey.h"
 
 #include <math.h>
@@ -54,14 +55,18 @@ skv_result skv_survey_field(const skv_survey *survey, skv_quantity quantity, con
     return SKV_OK;
 }
 
-/* A cell of the grid: its corners counterclockwise from the lower left, above the level or not. */
-typedef struct cell {
-    double x, y, step;
-    double value[4];
-    double level;
-} cell;
+skv_contour_cell skv_contour_cell_at(const skv_grid *grid, const float *values, double level,
+                                     int column, int row)
+{
+    const float *low = values + (ptrdiff_t)row * grid->columns + column, *up = low + grid->columns;
+    return (skv_contour_cell){grid->x + column * grid->step,
+                              grid->y + row * grid->step,
+                              grid->step,
+                              {(double)low[0], (double)low[1], (double)up[1], (double)up[0]},
+                              level};
+}
 
-static skv_point crossing(const cell *c, int edge)
+skv_point skv_contour_crossing(const skv_contour_cell *c, int edge)
 {
     static const int corner_x[4] = {0, 1, 1, 0}, corner_y[4] = {0, 0, 1, 1};
     int from = edge, to = (edge + 1) % 4;
@@ -76,10 +81,10 @@ static skv_point crossing(const cell *c, int edge)
         (float)(c->y + c->step * (corner_y[from] + share * (corner_y[to] - corner_y[from])))};
 }
 
-/* Pieces of one cell: from the edge where the boundary, walked counterclockwise, rises to the
- * nearest one before it where it falls, which has the higher values on its left. In a saddle that
- * joins the high corners where the middle is high, and parts them where it is not. */
-static int cell_pieces(const cell *c, skv_segment pieces[2])
+/* From the edge where the boundary, walked counterclockwise, falls to the nearest one after it
+ * where it rises. In a saddle that joins the high corners where the middle is high, and parts them
+ * where it is not. */
+int skv_contour_pieces(const skv_contour_cell *c, skv_contour_piece pieces[2])
 {
     bool high[4];
     double middle = 0;
@@ -87,6 +92,8 @@ static int cell_pieces(const cell *c, skv_segment pieces[2])
         high[i] = c->value[i] >= c->level;
         middle += c->value[i] / 4;
     }
+    if (isnan(middle))
+        return 0;
     int count = 0;
     for (int edge = 0; edge < 4; edge++) {
         if (high[edge] || !high[(edge + 1) % 4])
@@ -97,8 +104,7 @@ static int cell_pieces(const cell *c, skv_segment pieces[2])
             leave = (leave + 1) % 4;
         if (saddle && middle >= c->level)
             leave = (leave + 2) % 4;
-        skv_point a = crossing(c, leave), b = crossing(c, edge);
-        pieces[count++] = (skv_segment){a.x, a.y, b.x, b.y};
+        pieces[count++] = (skv_contour_piece){leave, edge};
     }
     return count;
 }
@@ -110,19 +116,15 @@ int skv_contours(const skv_grid *grid, const float *values, double level, skv_se
     int found = 0;
     for (int row = 0; row + 1 < grid->rows; row++) {
         for (int column = 0; column + 1 < grid->columns; column++) {
-            const float *low = values + row * grid->columns + column, *up = low + grid->columns;
-            cell c = {grid->x + column * grid->step,
-                      grid->y + row * grid->step,
-                      grid->step,
-                      {(double)low[0], (double)low[1], (double)up[1], (double)up[0]},
-                      level};
-            if (isnan(c.value[0] + c.value[1] + c.value[2] + c.value[3]))
-                continue;
-            skv_segment pieces[2];
-            int count = cell_pieces(&c, pieces);
+            skv_contour_cell cell = skv_contour_cell_at(grid, values, level, column, row);
+            skv_contour_piece pieces[2];
+            int count = skv_contour_pieces(&cell, pieces);
             for (int i = 0; i < count; i++, found++) {
-                if (found < capacity)
-                    segments[found] = pieces[i];
+                if (found >= capacity)
+                    continue;
+                skv_point a = skv_contour_crossing(&cell, pieces[i].from);
+                skv_point b = skv_contour_crossing(&cell, pieces[i].to);
+                segments[found] = (skv_segment){a.x, a.y, b.x, b.y};
             }
         }
     }

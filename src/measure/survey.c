@@ -318,6 +318,25 @@ static double fill_of(const skv_survey *s, double weight, double solid)
     return solid < 0.98 ? share / (1 - solid) : 0;
 }
 
+double skv_survey_fill(const skv_survey *s, double x, double y)
+{
+    double weight = 0, inv_h = 1 / s->h;
+    cell_range cells = skv_survey_cells(s, x - s->h, y - s->h, x + s->h, y + s->h);
+    for (int row = cells.row0; row <= cells.row1; row++) {
+        int begin = s->cell_start[row * s->columns + cells.column0];
+        int end = s->cell_start[row * s->columns + cells.column1 + 1];
+        for (int i = begin; i < end; i++) {
+            double dx = ((double)s->x[i] - x) * inv_h, dy = ((double)s->y[i] - y) * inv_h;
+            double r2 = dx * dx + dy * dy;
+            if (r2 < 1) {
+                double q = 1 - sqrt(r2);
+                weight += q * q;
+            }
+        }
+    }
+    return weight > 0 ? fill_of(s, weight, skv_survey_solid(s, x, y)) : 0;
+}
+
 skv_local skv_survey_at(const skv_survey *s, double x, double y)
 {
     skv_local local = {0};
@@ -346,10 +365,7 @@ typedef struct ray {
 
 static double fill_on_ray(const ray *r, double distance)
 {
-    const skv_survey *s = r->survey;
-    double x = r->x + distance * r->ux, y = r->y + distance * r->uy;
-    double solid = skv_survey_solid(s, x, y);
-    return solid < 1 ? fill_of(s, look_around(s, x, y).weight, solid) : 0;
+    return skv_survey_fill(r->survey, r->x + distance * r->ux, r->y + distance * r->uy);
 }
 
 /* Spray has no depth. */

@@ -40,4 +40,7 @@ cell_range skv_survey_cells(const skv_survey *survey, double x0, double y0, doub
  * for flat walls; 1 inside solid. */
 double skv_survey_solid(const skv_survey *survey, double x, double y);
 
+/* Share of the free space around (x, y) that is fluid; 0 in solid. */
+double skv_survey_fill(const skv_survey *survey, double x, double y);
+
 #endif
