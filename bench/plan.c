@@ -1,5 +1,5 @@
-/* Lists what is measured: the main table, the thesis' tables, and what the figures to reach ask
- * for. Invariant: no case is listed twice, however many tables want it. */
+/* Lists what is measured: the main table and the thesis' tables. Invariant: no case is listed
+ * twice, however many tables want it. */
 #include "plan.h"
 
 #include <string.h>
@@ -66,9 +66,5 @@ int bench_plan(const bench_options *options, bench_case cases[BENCH_MAX_CASES])
     for (int i = 0; i < BENCH_SIZES; i++)
         if (!options->quick || bench_sizes[i] <= QUICK_MOST)
             add_all(&p, bench_sizes[i]);
-    /* Figures to reach that no table has. */
-    add(&p, "pool", SKV_LAW_CALIBRATED, true, 10000);
-    add(&p, "pool", SKV_LAW_CALIBRATED, false, 20000);
-    add(&p, "pool", SKV_LAW_CALIBRATED, false, 25000);
     return p.count;
 }

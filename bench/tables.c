@@ -5,7 +5,6 @@
 
 #include "plan.h"
 #include "table.h"
-#include "targets.h"
 
 static const char *fluid_name(const bench_case *what)
 {
@@ -200,8 +199,6 @@ void bench_write_tables(FILE *out, const bench_report *report, bool markdown)
     if (isfinite(report->load))
         fprintf(out, ", load %.1f before", report->load);
     fputc('\n', out);
-    if (!report->only)
-        bench_write_targets(out, report, markdown);
     for (int scene = 0; scene < 2; scene++)
         write_scene(out, report, markdown, bench_scenes[scene]);
     table_note(out, "ns: nanoseconds a particle and substep, the shortest time and the median; x1: "

@@ -52,7 +52,7 @@ void cleanup_install(void)
 {
     /* SIGINT is taken even where it was ignored: a script's background job starts that way, and an
      * explicit `kill -INT` should still stop it. nohup's SIGHUP stays ignored. */
-    static const int signals[] = {SIGINT, SIGTERM, SIGPIPE, SIGHUP};
+    static const int signals[] = {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGXCPU};
     struct sigaction action = {.sa_handler = stop}, old;
     sigfillset(&action.sa_mask);
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
@@ -60,6 +60,9 @@ void cleanup_install(void)
             continue;
         sigaction(signals[i], &action, NULL);
     }
+    /* Beyond the largest size allowed for files a write then fails, which is told and tidied up. */
+    action = (struct sigaction){.sa_handler = SIG_IGN};
+    sigaction(SIGXFSZ, &action, NULL);
 }
 
 int cleanup_create_file(const char *folder, int *slot)

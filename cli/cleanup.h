@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <sys/types.h>
 
-/* From here on SIGINT, SIGTERM, SIGHUP and SIGPIPE tidy up and end the program with 128 + signal.
- */
+/* From here on SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXCPU tidy up and end the program with 128 +
+ * signal, and a file that grows beyond its limit is an error instead of a signal. */
 void cleanup_install(void);
 
 /* Creates an empty temporary file in `folder` and remembers it. Returns its descriptor, or -1 with

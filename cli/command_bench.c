@@ -4,12 +4,10 @@
  */
 #include "commands.h"
 
-#include <math.h>
-
 #include "bench/bench.h"
 #include "cleanup.h"
-#include "json.h"
 #include "output_file.h"
+#include "output_json.h"
 #include "progress.h"
 
 static void show_case(const bench_case *what, double done, void *user)
@@ -20,52 +18,43 @@ static void show_case(const bench_case *what, double done, void *user)
     progress_show(user, text);
 }
 
-static void json_field(const char *key, double value)
+static json_t *json_row(const bench_report *report, const bench_row *row)
 {
-    printf(", \"%s\": ", key);
-    json_number(stdout, value);
+    json_t *phases = json_object();
+    for (int i = 0; i < row->phases.count; i++)
+        json_object_set_new(phases, row->phases.name[i],
+                            output_number(bench_ns(row, row->phases.seconds[i])));
+    /* clang-format off */
+    return json_pack("{so ss sb si si si so so so so so so so so so so so so}",
+        "scene", output_text(row->what.scene),
+        "law", skv_law_name(row->what.law),
+        "viscosity", row->what.viscous,
+        "particles", row->particles,
+        "threads", row->threads,
+        "substeps", row->substeps,
+        "neighbours", output_number(row->neighbours),
+        "ms_per_step", output_number(1e3 * row->fast.minimum),
+        "ms_per_step_median", output_number(1e3 * row->fast.median),
+        "ns_per_particle_substep", output_number(bench_ns(row, row->fast.minimum)),
+        "ns_per_particle_substep_median", output_number(bench_ns(row, row->fast.median)),
+        "reference_ns_per_particle_substep", output_number(bench_ns(row, row->reference.minimum)),
+        "ratio", output_number(bench_ratio(row)),
+        "bytes_per_particle", output_number(row->bytes),
+        "phases", phases,
+        "instruction_set", output_text(report->instruction_set),
+        "compiler", output_text(report->compiler),
+        "cpu", output_text(report->cpu));
+    /* clang-format on */
 }
 
-static void print_json_row(const bench_report *report, const bench_row *row)
+static skv_result print_json(const bench_report *report, skv_error *error)
 {
-    fputs("{\"scene\": ", stdout);
-    json_text(stdout, row->what.scene);
-    printf(", \"law\": \"%s\", \"viscosity\": %s, \"particles\": %d, \"threads\": %d, "
-           "\"substeps\": %d",
-           skv_law_name(row->what.law), row->what.viscous ? "true" : "false", row->particles,
-           row->threads, row->substeps);
-    json_field("neighbours", row->neighbours);
-    json_field("ms_per_step", 1e3 * row->fast.minimum);
-    json_field("ms_per_step_median", 1e3 * row->fast.median);
-    json_field("ns_per_particle_substep", bench_ns(row, row->fast.minimum));
-    json_field("ns_per_particle_substep_median", bench_ns(row, row->fast.median));
-    json_field("reference_ns_per_particle_substep", bench_ns(row, row->reference.minimum));
-    json_field("ratio", bench_ratio(row));
-    json_field("bytes_per_particle", row->bytes);
-    fputs(", \"phases\": {", stdout);
-    for (int i = 0; i < row->phases.count; i++) {
-        fputs(i ? ", " : "", stdout);
-        json_text(stdout, row->phases.name[i]);
-        fputs(": ", stdout);
-        json_number(stdout, bench_ns(row, row->phases.seconds[i]));
-    }
-    fputs("}, \"instruction_set\": ", stdout);
-    json_text(stdout, report->instruction_set);
-    fputs(", \"compiler\": ", stdout);
-    json_text(stdout, report->compiler);
-    fputs(", \"cpu\": ", stdout);
-    json_text(stdout, report->cpu);
-    putchar('}');
-}
-
-static void print_json(const bench_report *report)
-{
-    putchar('[');
-    for (int i = 0; i < report->count; i++) {
-        fputs(i ? ",\n " : "\n ", stdout);
-        print_json_row(report, &report->row[i]);
-    }
-    puts("\n]");
+    skv_result result = SKV_OK;
+    output_list_begin();
+    for (int i = 0; i < report->count && result == SKV_OK; i++)
+        result = output_list_add(i, json_row(report, &report->row[i]), error);
+    output_list_end();
+    return result;
 }
 
 static skv_result open_outputs(const cli_options *options, output_file *csv, output_file *plot,
@@ -96,8 +85,8 @@ static skv_result write_report(const cli_options *options, const bench_report *r
     if (result)
         return result;
     if (options->json)
-        print_json(report);
-    else if (options->markdown || (!options->quiet && !options_use_stdout(options)))
+        return print_json(report, error);
+    if (options->markdown || (!options->quiet && !options_use_stdout(options)))
         bench_write_tables(stdout, report, options->markdown);
     return SKV_OK;
 }

@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include "cleanup.h"
-#include "json.h"
 #include "output_file.h"
+#include "output_json.h"
 #include "progress.h"
 #include "skvalp/experiments.h"
 
@@ -172,32 +172,24 @@ static void print_report(const lab_run *run, const skv_report *report)
         print_row(skv_report_row(report, i));
 }
 
-static void print_json(const lab_run *run, const skv_report *report)
+static skv_result print_json(const lab_run *run, const skv_report *report, skv_error *error)
 {
-    for (int i = 0; skv_report_row(report, i); i++) {
+    skv_result result = SKV_OK;
+    for (int i = 0; skv_report_row(report, i) && result == SKV_OK; i++) {
         const skv_lab_row *row = skv_report_row(report, i);
-        fputs(run->at == 0 && i == 0 ? "\n {" : ",\n {", stdout);
-        const struct {
-            const char *key, *text;
-        } texts[] = {
-            {"experiment", row->experiment}, {"quantity", row->quantity}, {"unit", row->unit}};
-        const struct {
-            const char *key;
-            double value;
-        } numbers[] = {{"measured", row->measured},
-                       {"theory", row->theory},
-                       {"ratio", row->ratio},
-                       {"tolerance", row->tolerance}};
-        for (int k = 0; k < 3; k++) {
-            printf("%s\"%s\": ", k ? ", " : "", texts[k].key);
-            json_text(stdout, texts[k].text);
-        }
-        for (int k = 0; k < 4; k++) {
-            printf(", \"%s\": ", numbers[k].key);
-            json_number(stdout, numbers[k].value);
-        }
-        printf(", \"pass\": %s}", row->pass ? "true" : "false");
+        /* clang-format off */
+        result = output_list_add(run->at + i, json_pack("{so so so so so so so sb}",
+            "experiment", output_text(row->experiment),
+            "quantity", output_text(row->quantity),
+            "unit", output_text(row->unit),
+            "measured", output_number(row->measured),
+            "theory", output_number(row->theory),
+            "ratio", output_number(row->ratio),
+            "tolerance", output_number(row->tolerance),
+            "pass", row->pass), error);
+        /* clang-format on */
     }
+    return result;
 }
 
 static skv_result run_one(lab_run *run, skv_error *error)
@@ -209,7 +201,7 @@ static skv_result run_one(lab_run *run, skv_error *error)
         return result;
     progress_end(&run->progress);
     if (run->options->json)
-        print_json(run, report);
+        result = print_json(run, report, error);
     else if (!run->options->quiet)
         print_report(run, report);
     fflush(stdout);
@@ -217,7 +209,7 @@ static skv_result run_one(lab_run *run, skv_error *error)
         run->rows++;
         run->missed += !skv_report_row(report, i)->pass;
     }
-    if (run->options->plot) {
+    if (run->options->plot && result == SKV_OK) {
         const char *folder = run->options->plot, *name = skv_experiment_info(number)->name;
         result = write_file(folder, name, ".svg", skv_report_plot, report, error);
         if (result == SKV_OK)
@@ -235,12 +227,12 @@ int lab_command(const cli_options *options, skv_error *error)
     if (result == SKV_OK) {
         run.progress = progress_start("lab", 0, options->quiet);
         if (options->json)
-            putchar('[');
+            output_list_begin();
         for (run.at = 0; run.at < run.count && result == SKV_OK; run.at++)
             result = run_one(&run, error);
         progress_end(&run.progress);
         if (options->json)
-            puts("\n]");
+            output_list_end();
     }
     if (result != SKV_OK)
         return STATUS_BAD;

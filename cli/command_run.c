@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "cleanup.h"
-#include "json.h"
+#include "output_json.h"
 #include "output_png.h"
 #include "output_table.h"
 #include "output_video.h"
@@ -33,6 +33,18 @@ typedef struct cli_run {
     uint8_t *rgb;
 } cli_run;
 
+/* No output may take the place of a file that the scene was read from. */
+static skv_result check_inputs(const cli_run *run, const char *name, skv_error *error)
+{
+    for (int i = 0; skv_scene_file(run->scene, i); i++) {
+        if (output_is_file(name, skv_scene_file(run->scene, i)))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "%s: the scene is read from there and would be lost; name another file",
+                            name);
+    }
+    return SKV_OK;
+}
+
 /* Opens every file before anything costs time. */
 static skv_result open_outputs(cli_run *run, skv_error *error)
 {
@@ -50,6 +62,8 @@ static skv_result open_outputs(cli_run *run, skv_error *error)
             continue;
         skv_result result = video ? video_open(&run->video, wanted[i].name, error)
                                   : output_file_open(wanted[i].file, wanted[i].name, error);
+        if (!result)
+            result = check_inputs(run, wanted[i].name, error);
         if (result)
             return result;
         for (int k = 0; k < i; k++) {
@@ -190,24 +204,27 @@ static skv_result finish(cli_run *run, skv_error *error)
     return result;
 }
 
-static void print_json(const cli_run *run, const skv_stats *stats, const skv_packing *packing)
+static skv_result print_json(const cli_run *run, const skv_stats *stats, const skv_packing *packing,
+                             skv_error *error)
 {
     int64_t steps = skv_world_substep_count(run->world);
-    fputs("{\"scene\": ", stdout);
-    json_text(stdout, skv_scene_name(run->scene));
-    printf(", \"particles\": %d, \"substeps\": %d, \"steps\": %" PRId64 ", \"sim_seconds\": ",
-           stats->particles, skv_world_substeps_per_frame(run->world), steps);
-    json_number(stdout, run->timeline.time);
-    fputs(", \"ms_per_step\": ", stdout);
-    json_number(stdout, steps ? 1000 * run->step_seconds / (double)steps : NAN);
-    fputs(", \"neighbours\": ", stdout);
-    json_number(stdout, packing->neighbours);
-    printf(", \"hash\": \"%016" PRIx64 "\", \"escaped\": %d, \"nan\": %d, \"kinetic_energy\": ",
-           skv_world_hash(run->world), stats->escaped, stats->not_finite);
-    json_number(stdout, stats->kinetic_energy);
-    fputs(", \"volume_ratio\": ", stdout);
-    json_number(stdout, packing->volume_ratio);
-    puts("}");
+    char hash[17];
+    snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
+    /* clang-format off */
+    return output_json(json_pack("{so si si sI so so so ss si si so so}",
+        "scene", output_text(skv_scene_name(run->scene)),
+        "particles", stats->particles,
+        "substeps", skv_world_substeps_per_frame(run->world),
+        "steps", (json_int_t)steps,
+        "sim_seconds", output_number(run->timeline.time),
+        "ms_per_step", output_number(steps ? 1000 * run->step_seconds / (double)steps : NAN),
+        "neighbours", output_number(packing->neighbours),
+        "hash", hash,
+        "escaped", stats->escaped,
+        "nan", stats->not_finite,
+        "kinetic_energy", output_number(stats->kinetic_energy),
+        "volume_ratio", output_number(packing->volume_ratio)), error);
+    /* clang-format on */
 }
 
 static void print_summary(const cli_run *run, const skv_stats *stats, const skv_packing *packing)
@@ -234,11 +251,11 @@ static int report(const cli_run *run, skv_error *error)
     skv_stats stats = skv_world_stats(run->world);
     skv_packing packing;
     skv_result result = skv_world_packing(run->world, &packing, error);
+    if (result == SKV_OK && options->json)
+        result = print_json(run, &stats, &packing, error);
     if (result != SKV_OK)
-        return STATUS_FAILED;
-    if (options->json)
-        print_json(run, &stats, &packing);
-    else if (!options->quiet && !options_use_stdout(options))
+        return STATUS_BAD;
+    if (!options->json && !options->quiet && !options_use_stdout(options))
         print_summary(run, &stats, &packing);
     if (stats.escaped || stats.not_finite) {
         skv_fail(error, SKV_ERROR_VALUE,

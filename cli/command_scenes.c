@@ -3,22 +3,22 @@
 
 #include <string.h>
 
-#include "json.h"
+#include "output_json.h"
 
-static void print_json(void)
+static skv_result print_json(skv_error *error)
 {
-    putchar('[');
-    for (int i = 0; skv_builtin_scene(i); i++) {
+    skv_result result = SKV_OK;
+    output_list_begin();
+    for (int i = 0; skv_builtin_scene(i) && result == SKV_OK; i++) {
         const skv_scene_info *scene = skv_builtin_scene(i);
-        fputs(i ? ",\n {\"name\": " : "\n {\"name\": ", stdout);
-        json_text(stdout, scene->name);
-        fputs(", \"title\": ", stdout);
-        json_text(stdout, scene->title);
-        fputs(", \"description\": ", stdout);
-        json_text(stdout, scene->description);
-        putchar('}');
+        result = output_list_add(i,
+                                 json_pack("{so so so}", "name", output_text(scene->name), "title",
+                                           output_text(scene->title), "description",
+                                           output_text(scene->description)),
+                                 error);
     }
-    puts("\n]");
+    output_list_end();
+    return result;
 }
 
 static void print_table(void)
@@ -34,10 +34,8 @@ static void print_table(void)
 
 int scenes_command(const cli_options *options, skv_error *error)
 {
-    (void)error;
     if (options->json)
-        print_json();
-    else
-        print_table();
+        return print_json(error) ? STATUS_BAD : STATUS_DONE;
+    print_table();
     return STATUS_DONE;
 }

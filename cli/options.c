@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 typedef enum kind {
     KIND_FLAG,    /* bool */
@@ -284,10 +285,18 @@ bool options_use_stdout(const cli_options *options)
     return is_dash(options->csv) || is_dash(options->trace);
 }
 
-static bool ends_with_mp4(const char *name)
+static bool ends_with(const char *name, const char *ending)
 {
-    size_t length = strlen(name);
-    return length > 4 && strcmp(name + length - 4, ".mp4") == 0;
+    size_t length = strlen(name), cut = strlen(ending);
+    return length > cut && strcasecmp(name + length - cut, ending) == 0;
+}
+
+/* Whether a name has an ending, and one that says something else. */
+static bool ends_otherwise(const char *name, const char *ending)
+{
+    const char *slash = strrchr(name, '/');
+    const char *dot = strrchr(slash ? slash : name, '.');
+    return dot && dot[1] && !ends_with(name, ending);
 }
 
 /* What no single option can know: whether they fit together. */
@@ -310,7 +319,17 @@ static skv_result check_together(command which, const cli_options *given, skv_er
                         "--%s: there is no picture; add --png FILE or --video FILE.mp4",
                         given->width ? "size" : "tracers");
     }
-    if (given->video && !ends_with_mp4(given->video)) {
+    if (given->png && ends_otherwise(given->png, ".png")) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--png: '%s' is no .png, and no other kind of picture is written; name it "
+                        "FILE.png",
+                        given->png);
+    }
+    if (which == COMMAND_BENCH && given->plot && ends_otherwise(given->plot, ".svg")) {
+        return skv_fail(error, SKV_ERROR_VALUE, "--plot: '%s' is no .svg; name it FILE.svg",
+                        given->plot);
+    }
+    if (given->video && !ends_with(given->video, ".mp4")) {
         return skv_fail(error, SKV_ERROR_VALUE, "--video: '%s' is no .mp4; name it FILE.mp4",
                         given->video);
     }

@@ -27,8 +27,8 @@ static skv_result cannot_write(const char *name, int reason, skv_error *error)
                     strcmp(name, "-") == 0 ? "standard output" : name, strerror(reason), remedy);
 }
 
-/* Where a regular file is or will be, with every link followed; null with errno if its folder is
- * not there. The caller frees it. */
+/* Where a regular file is or will be, with every link of its folder followed; null with errno if
+ * that is not there. The caller frees it. */
 static char *resolve(const char *name, bool exists)
 {
     char folder[PATH_MAX];
@@ -91,6 +91,10 @@ skv_result output_file_open(output_file *file, const char *name, skv_error *erro
     bool exists = stat(name, &status) == 0;
     if (exists ? S_ISDIR(status.st_mode) : name[strlen(name) - 1] == '/')
         return cannot_write(name, EISDIR, error);
+    if (!exists && readlink(name, &(char){0}, 1) != -1)
+        return skv_fail(error, SKV_ERROR_FILE,
+                        "%s: it is a link that leads nowhere; remove it or name another file",
+                        name);
     if (exists && access(name, W_OK) != 0)
         return cannot_write(name, errno, error);
     if (exists && !S_ISREG(status.st_mode)) {
@@ -110,6 +114,13 @@ skv_result output_file_open(output_file *file, const char *name, skv_error *erro
 bool output_file_same(const output_file *a, const output_file *b)
 {
     return a->target && b->target && strcmp(a->target, b->target) == 0;
+}
+
+bool output_is_file(const char *name, const char *other)
+{
+    struct stat a, b;
+    return strcmp(name, "-") != 0 && stat(name, &a) == 0 && stat(other, &b) == 0 &&
+           a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
 skv_result output_file_check(output_file *file, skv_error *error)

@@ -21,6 +21,9 @@ skv_result output_file_open(output_file *file, const char *name, skv_error *erro
 /* Whether two files would end under the same name. */
 bool output_file_same(const output_file *a, const output_file *b);
 
+/* Whether writing to `name` would replace the file `other`: links lead to the same one, too. */
+bool output_is_file(const char *name, const char *other);
+
 /* Fails if anything written so far got lost, with the system's reason. */
 skv_result output_file_check(output_file *file, skv_error *error);
 

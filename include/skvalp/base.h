@@ -71,7 +71,8 @@ typedef struct skv_error {
 
 /* Fills `error` (null is allowed) with a printf-style message and returns `code`, so that a
  * failing function can end with `return skv_fail(error, SKV_ERROR_VALUE, "...");`. The text is
- * cut to fit; control characters, which may stem from a hostile file, are replaced by '?'. */
+ * cut to fit, words of more than 160 bytes in their middle; control characters, which may stem from
+ * a hostile file, are replaced by '?'. */
 SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
     SKV_PRINTF(3, 4);
 

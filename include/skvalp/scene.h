@@ -66,6 +66,10 @@ SKV_API const char *skv_scene_description(const skv_scene *scene); /* one or two
 SKV_API int skv_scene_particles(const skv_scene *scene);           /* what the world will hold */
 SKV_API double skv_scene_seconds(const skv_scene *scene); /* a fitting length of a recording */
 
+/* The files that a scene was read from, a JSON file and its picture for example, in any order; null
+ * when i is past the last one. */
+SKV_API const char *skv_scene_file(const skv_scene *scene, int i);
+
 /* What the loader wants to say without failing, such as "3 emitter pixels (green) are kept but do
  * nothing yet"; null when i is past the last one. */
 SKV_API const char *skv_scene_notice(const skv_scene *scene, int i);

@@ -42,6 +42,21 @@ static bool is_below(const char *path)
     return true;
 }
 
+/* Notes down a file that a scene was read from; without memory for that there is no scene. */
+static skv_result remember_file(skv_scene **scene, const char *path, skv_error *error)
+{
+    size_t size = strlen(path) + 1;
+    char *copy = skv_calloc(size, 1);
+    if (copy == NULL) {
+        skv_scene_destroy(*scene);
+        *scene = NULL;
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", path);
+    }
+    memcpy(copy, path, size);
+    (*scene)->files[(*scene)->files[0] != NULL] = copy;
+    return SKV_OK;
+}
+
 /* Composes a scene whose values name a picture beside the file. */
 static skv_result compose_with_picture(const skv_builder *builder, skv_scene **scene,
                                        skv_error *error)
@@ -70,7 +85,7 @@ static skv_result compose_with_picture(const skv_builder *builder, skv_scene **s
                                 cause.text);
     result = skv_scene_compose(builder, data, size, path, scene, error);
     skv_free(data);
-    return result;
+    return result == SKV_OK ? remember_file(scene, path, error) : result;
 }
 
 /* ---- Memory ---------------------------------------------------------------------------------- */
@@ -194,5 +209,5 @@ skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *opt
         result = load_png(data, size, name_or_path, options, scene, error);
     }
     skv_free(data);
-    return result;
+    return result == SKV_OK ? remember_file(scene, name_or_path, error) : result;
 }

@@ -19,6 +19,8 @@ void skv_scene_destroy(skv_scene *scene)
     skv_free(scene->solids);
     skv_free(scene->water.shapes);
     skv_free(scene->points);
+    for (int i = 0; i < SKV_MAX_FILES; i++)
+        skv_free(scene->files[i]);
     for (int i = 0; i < SKV_MAX_NOTICES; i++)
         skv_free(scene->notices[i]);
     skv_free(scene);
@@ -129,6 +131,12 @@ double skv_scene_seconds(const skv_scene *scene)
 {
     SKV_ASSERT_OR(scene != NULL, 0.0);
     return scene->seconds;
+}
+
+const char *skv_scene_file(const skv_scene *scene, int i)
+{
+    SKV_ASSERT_OR(scene != NULL, NULL);
+    return i >= 0 && i < SKV_MAX_FILES ? scene->files[i] : NULL;
 }
 
 const char *skv_scene_notice(const skv_scene *scene, int i)

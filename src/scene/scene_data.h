@@ -7,6 +7,7 @@
 #include "scene/water.h"
 
 #define SKV_MAX_NOTICES 8
+#define SKV_MAX_FILES   2 /* a scene and its picture */
 
 struct skv_scene {
     char *name, *title, *description; /* never null */
@@ -24,6 +25,7 @@ struct skv_scene {
     double *points;    /* of all shapes */
     skv_world_def def; /* of its worlds, but for terrain, threads and capacity */
     int particles;
+    char *files[SKV_MAX_FILES]; /* it was read from */
     char *notices[SKV_MAX_NOTICES];
 };
 

@@ -35,10 +35,34 @@ static void messages_are_one_line(void **unused)
     assert_int_equal(error.code, SKV_ERROR_FILE);
     assert_int_equal(skv_fail(NULL, SKV_ERROR_VALUE, "ignored"), SKV_ERROR_VALUE);
     char endless[2000];
-    memset(endless, 'x', sizeof endless - 1);
+    memset(endless, ' ', sizeof endless - 1);
     endless[sizeof endless - 1] = 0;
     skv_fail(&error, SKV_ERROR_FILE, "%s", endless);
     assert_int_equal(strlen(error.text), sizeof error.text - 1);
+}
+
+/* A name of any length leaves room for the place and the remedy, and breaks no character. */
+static void messages_cut_long_words(void **unused)
+{
+    (void)unused;
+    skv_error error = {0};
+    char name[5001];
+    for (int i = 0; i < 2500; i++)
+        memcpy(name + 2 * i, "\xc3\xa5", 2); /* a letter of two bytes */
+    name[5000] = 0;
+    for (int shift = 0; shift < 2; shift++) {
+        name[0] = 'x';
+        skv_fail(&error, SKV_ERROR_FILE, "%s.png: it is gone; name %s", name + shift, "another");
+        const char *gap = strstr(error.text, "...");
+        assert_non_null(gap);
+        assert_true(gap - error.text >= 79 && strlen(error.text) < 180);
+        assert_true((unsigned char)gap[-1] == 0xa5 && (unsigned char)gap[3] == 0xc3);
+        assert_non_null(strstr(error.text, ".png: it is gone; name another"));
+    }
+    memset(name, 'a', 160);
+    name[160] = 0;
+    skv_fail(&error, SKV_ERROR_FILE, "%s end", name);
+    assert_int_equal(strlen(error.text), 164);
 }
 
 static int live;
@@ -135,6 +159,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_result_has_a_text),
         cmocka_unit_test(messages_are_one_line),
+        cmocka_unit_test(messages_cut_long_words),
         cmocka_unit_test(memory_is_zeroed_aligned_and_hooked),
         cmocka_unit_test(assertions_go_to_the_handler),
         cmocka_unit_test(exact_functions_agree_with_libm),
