@@ -425,6 +425,22 @@ static void expect(const char *path, skv_result code, const char *message)
     skv_scene_destroy(scene);
 }
 
+/* The files that a scene was read from: none for a built-in one. */
+static void expect_files(const char *name, const char *first, const char *second)
+{
+    skv_scene *scene;
+    assert_int_equal(skv_scene_load(name, NULL, &scene, NULL), SKV_OK);
+    const char *const files[] = {first, second, NULL};
+    for (int i = 0; i < 3; i++) {
+        if (files[i] != NULL)
+            assert_string_equal(skv_scene_file(scene, i), files[i]);
+        else
+            assert_null(skv_scene_file(scene, i));
+    }
+    assert_null(skv_scene_file(scene, -1));
+    skv_scene_destroy(scene);
+}
+
 static void test_a_picture_beside_a_scene(void **state)
 {
     (void)state;
@@ -466,6 +482,10 @@ static void test_a_picture_beside_a_scene(void **state)
         expect("sub/a.json", cases[i].code, cases[i].message);
     }
     expect("sub/UPPER.PNG", SKV_OK, NULL);
+    expect_files("sub/UPPER.PNG", "sub/UPPER.PNG", NULL);
+    write_file("sub/a.json", cases[0].text, strlen(cases[0].text));
+    expect_files("sub/a.json", "sub/basin.png", "sub/a.json");
+    expect_files("pool", NULL, NULL);
     expect("sub/none.json", SKV_ERROR_FILE,
            "sub/none.json: cannot be opened: No such file or directory");
     assert_int_equal(mkdir("d.json", 0700), 0);
