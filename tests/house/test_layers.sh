@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # The layering rule: base <- terrain, camera <- solver <- world <- measure, scene, render; experiments
 # and session stand on measure and scene, the faces on all of them. A file includes only what stands
-# left of it; the faces know public headers only, the experiments besides their own only those of
+# left of it, and nothing goes round in a circle; the faces know public headers only, the experiments besides their own only those of
 # base; the core needs nothing but the C library and threads. Arguments: build folder, source folder.
 set -euo pipefail
+build=$(realpath "${1:?usage: test_layers.sh BUILD SOURCE}")
 cd "${2:?usage: test_layers.sh BUILD SOURCE}"
+calls=$(mktemp)
+trap 'rm -f "$calls"' EXIT
 
 # What each layer may include, itself first; skvalp.h is the core's headers in one.
 declare -A may=(
@@ -45,22 +48,29 @@ includes() {
     sed -nE 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*([<"][^>"]*[>"]).*/\1/p' "$1"
 }
 
-# layer_of FILE INCLUDE: the layer an include belongs to; nothing for a system header.
+# layer_of FILE INCLUDE: sets `of` to the layer an include belongs to; to nothing for a system header.
 layer_of() {
     local name=${2:1:-1}
+    of=
     case $name in
-    skvalp/fields.h) printf 'base' ;;
-    skvalp/*.h) basename "$name" .h ;;
-    */*.h) [[ -e src/$name ]] && printf '%s' "${name%%/*}" ;;
+    skvalp/fields.h) of=base ;;
+    skvalp/*.h)
+        of=${name#skvalp/}
+        of=${of%.h}
+        ;;
+    */*.h) [[ ! -e src/$name ]] || of=${name%%/*} ;;
     # A neighbour in the same folder, which is src/LAYER or one below it.
-    *) [[ -e $(dirname "$1")/$name ]] && cut -d / -f 2 <<<"$1" ;;
-    esac || true
+    *)
+        [[ ! -e ${1%/*}/$name ]] || of=${1#*/}
+        of=${of%%/*}
+        ;;
+    esac
 }
 
 check_library_file() {
     local file=$1 layer=$2 include of
     while read -r include; do
-        of=$(layer_of "$file" "$include")
+        layer_of "$file" "$include"
         if [[ -n $of ]]; then
             [[ " ${may[$layer]} " == *" $of "* ]] ||
                 complain "$file" "layer $layer must not include $include of layer $of"
@@ -122,6 +132,53 @@ done
 while IFS=: read -r file line _; do
     complain "$file:$line" "the solver must not know the world"
 done < <(grep -rnE '\bskv_world' --include='*.[ch]' src/solver 2>/dev/null || true)
+
+# No circles: neither headers that include each other, nor files that call each other. The calls are
+# read from the objects of what was built; a table that holds others' functions calls nobody.
+headers_included() {
+    local header name place
+    while IFS=: read -r header name; do
+        for place in "${header%/*}/" src/ include/ ''; do
+            if [[ -e $place$name ]]; then
+                printf '%s %s\n' "$header" "$place$name"
+                break
+            fi
+        done
+    done < <(grep -rHE --include='*.h' '^[[:space:]]*#[[:space:]]*include' include src app cli bench |
+        sed -nE 's/^([^:]*):[^<"]*[<"]([^>"]*)[>"].*/\1:\2/p')
+}
+
+files_called() {
+    local source kind symbol
+    while read -r source kind symbol; do
+        [[ ! -e $source ]] || printf '%s %s %s\n' "$source" "$kind" "$symbol"
+    done < <(sed -nE 's,.* -o ((src|app|cli|bench)/[^ ]*) -c .*,\1,p' "$build/compile_commands.json" |
+        (cd "$build" && xargs nm -gA 2>/dev/null) |
+        sed -nE "s,^(.*)CMakeFiles/[^/]*\.dir/([^:]*)\.o:[0-9a-f ]* ([A-Za-z]) (.*),\1\2 \3 \4,p") |
+        awk '
+            $2 == "U" { calls[$1 " " $3] }
+            $2 == "T" { home[$3] = $1 }
+            END {
+                for (call in calls) {
+                    split(call, part, " ")
+                    if (part[2] in home && home[part[2]] != part[1])
+                        print part[1], home[part[2]]
+                }
+            }'
+}
+
+# complain_of_circles WHAT: reads pairs of files; tsort names the members of every circle.
+complain_of_circles() {
+    local member
+    while IFS= read -r member; do
+        complain "$member" "$1 in a circle with the others named here"
+    done < <(tsort 2>&1 >/dev/null | sed -n 's/^tsort: //p' | grep -v 'contains a loop')
+}
+
+complain_of_circles "includes" < <(headers_included)
+files_called | sort >"$calls"
+[[ -s $calls ]] || complain "$build" "no object was found to read calls from"
+complain_of_circles "calls" <"$calls"
 
 ((files > 0)) || complain . "no file was found to check"
 ((bad == 0)) || exit 1

@@ -20,10 +20,10 @@ fresh_copy() {
     done
 }
 
-# bites RULE WHAT EXPECTED: the rule must fail on the copy and say EXPECTED.
+# bites RULE WHAT EXPECTED [BUILD]: the rule must fail on the copy and say EXPECTED.
 bites() {
     local rule=$1 what=$2 expected=$3
-    if bash "$rules/$rule" "$build" "$work/copy" >"$work/said" 2>&1; then
+    if bash "$rules/$rule" "${4:-$build}" "$work/copy" >"$work/said" 2>&1; then
         printf '%s did not notice: %s\n' "$rule" "$what"
         bad=$((bad + 1))
     elif ! grep -qF -- "$expected" "$work/said"; then
@@ -65,6 +65,20 @@ bites test_layers.sh "the renderer includes scenes" "layer render must not inclu
 
 printf '#include "base/memory.h"\n' >"$work/copy/cli/sin.c"
 bites test_layers.sh "a face includes a private header" "it is not public"
+
+printf '#include "base/sin.h"\n' >"$work/copy/src/base/other_sin.h"
+printf '#include "base/other_sin.h"\n' >"$work/copy/src/base/sin.h"
+bites test_layers.sh "headers that include each other" "src/base/other_sin.h: includes in a circle"
+
+objects=$work/build/src/CMakeFiles/sin.dir/base
+mkdir -p "$objects"
+printf 'int other(void); int sin(void) { return other(); }\n' >"$work/copy/src/base/sin.c"
+printf 'int sin(void); int other(void) { return sin(); }\n' >"$work/copy/src/base/other_sin.c"
+for sin in sin other_sin; do
+    printf '"command": "cc -o src/CMakeFiles/sin.dir/base/%s.c.o -c %s.c"\n' "$sin" "$sin" >>"$work/build/compile_commands.json"
+    "${CC:-gcc}" -fno-builtin -c "$work/copy/src/base/$sin.c" -o "$objects/$sin.c.o"
+done
+bites test_layers.sh "files that call each other" "src/base/other_sin.c: calls in a circle" "$work/build"
 
 printf 'SKV_API int skv_sin_of_omission(void);\n' >>"$work/copy/include/skvalp/base.h"
 bites test_api.sh "a declared function that does not exist" \
