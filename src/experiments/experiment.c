@@ -10,26 +10,11 @@
 
 #include <math.h>
 
-#define ADDRESS(name) &skv_exp_##name,
-static const experiment *const experiments[] = {SKV_EXPERIMENTS(ADDRESS)};
-enum { EXPERIMENTS = (int)(sizeof experiments / sizeof *experiments) };
-
 struct skv_report {
     const experiment *experiment;
     findings found;
     skv_lab_row rows[MAX_QUANTITIES];
 };
-
-const experiment *skv_experiment_at(int i)
-{
-    return i >= 0 && i < EXPERIMENTS ? experiments[i] : NULL;
-}
-
-const skv_experiment *skv_experiment_info(int i)
-{
-    const experiment *e = skv_experiment_at(i);
-    return e ? &e->info : NULL;
-}
 
 skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *options,
                                   findings *found, skv_error *error)

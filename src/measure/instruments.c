@@ -287,8 +287,8 @@ static skv_result sample_stopwatch(instrument *it, const look *seen, double *val
 {
     double time = seen->survey->time;
     if (isnan(it->stopped_at)) {
-        double now = skv_lab_reading(seen->lab, it->def.watched, it->def.channel);
-        bool holds = it->def.above ? now > it->def.threshold : now < it->def.threshold;
+        bool holds =
+            it->def.above ? seen->watched > it->def.threshold : seen->watched < it->def.threshold;
         if (!holds)
             it->held_since = -1;
         else if (it->held_since < 0)

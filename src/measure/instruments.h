@@ -20,9 +20,9 @@ typedef struct instrument {
 
 /* What an instrument looks at. */
 typedef struct look {
-    const skv_lab *lab; /* of the instruments sampled before this one, with their new samples */
     const skv_survey *survey;
     const skv_world *world;
+    double watched; /* the reading of the instrument that is watched; NaN: none is */
     skv_error *error;
 } look;
 

@@ -270,7 +270,9 @@ skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error
         double values[SKV_MAX_CHANNELS];
         for (int c = 0; c < SKV_MAX_CHANNELS; c++)
             values[c] = (double)NAN;
-        const look seen = {lab, lab->survey, world, error};
+        /* Those that stand before this one have their new samples already. */
+        const look seen = {lab->survey, world,
+                           skv_lab_reading(lab, it->def.watched, it->def.channel), error};
         result = skv_instrument_kind_info(it->def.kind)->sample(it, &seen, values);
         if (result == SKV_OK)
             remember(it, time, values);

@@ -113,7 +113,8 @@ for layer in "${!may[@]}"; do
     done < <(find "src/$layer" -name '*.[ch]' 2>/dev/null)
 done
 for file in include/skvalp/*.h; do
-    layer=$(layer_of "$file" "<skvalp/$(basename "$file")>")
+    layer_of "$file" "<${file#include/}>"
+    layer=$of
     if [[ -z ${may[$layer]-} ]]; then
         complain "$file" "this public header belongs to no layer"
         continue
