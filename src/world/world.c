@@ -6,11 +6,6 @@
 #include "world/parameters.h"
 #include "world/world_internal.h"
 
-#include <math.h>
-
-/* Substeps are given back when less than this share of them is needed. */
-#define SPARE_SUBSTEPS (2.0f / 3)
-
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
 {
     int before = world->state.capacity;
@@ -103,38 +98,6 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     return result;
 }
 
-/* How far the free region goes along gravity, m. */
-static float extent_along_gravity(const skv_world *world)
-{
-    float gx = world->gravity_x, gy = world->gravity_y, lowest, highest;
-    float size = sqrtf(gx * gx + gy * gy);
-    skv_terrain_free_range(world->terrain, &lowest, &highest);
-    if (!(size > 0))
-        return highest - lowest;
-    return (fabsf(gx) * skv_terrain_width(world->terrain) + fabsf(gy) * (highest - lowest)) / size;
-}
-
-static int substeps_needed(const skv_world *world)
-{
-    float gx = world->gravity_x, gy = world->gravity_y;
-    return skv_substep_rule(&world->fluid, sqrtf(gx * gx + gy * gy),
-                            world->filled * extent_along_gravity(world));
-}
-
-/* Follows the gravity that has been set. The pressure of a fluid at rest is its excess of density
- * over dt^2: where g dt^2 stays, so does the fluid. Fewer substeps only if a good part can be
- * spared, so that a gravity that trembles does not change them to and fro. */
-static void adapt_substeps(skv_world *world)
-{
-    if (world->substeps_fixed)
-        return;
-    int needed = substeps_needed(world);
-    if (needed <= world->substeps && (float)needed > SPARE_SUBSTEPS * (float)world->substeps)
-        return;
-    world->due *= (double)needed / world->substeps;
-    world->substeps = needed;
-}
-
 skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error *error)
 {
     SKV_ASSERT_OR(def && out, SKV_ERROR_VALUE);
@@ -157,12 +120,12 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->gravity_y = def->gravity_y;
         world->depth = def->depth;
         world->h = def->fluid.spacing * def->fluid.radius_ratio;
-        float extent = extent_along_gravity(world);
+        float extent = skv_extent_along_gravity(world);
         world->filled = def->depth > 0 ? def->depth / extent : 1;
         world->substeps = def->substeps;
         world->substeps_fixed = def->substeps > 0;
         if (!world->substeps_fixed)
-            world->substeps = substeps_needed(world);
+            world->substeps = skv_substeps_needed(world);
         result = build(world, def, error);
     }
     if (result != SKV_OK) {
@@ -190,29 +153,6 @@ void skv_world_destroy(skv_world *world)
     skv_state_free(&world->state);
     skv_free(world->events.list);
     skv_free(world);
-}
-
-skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error)
-{
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
-    if (!skv_within((double)gx, -1000, 1000) || !skv_within((double)gy, -1000, 1000))
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "gravity: (%g, %g) is out of range; allowed is -1000..1000 m/s^2",
-                        (double)gx, (double)gy);
-    if (gx != world->gravity_x || gy != world->gravity_y)
-        skv_sleep_wake_all(world);
-    world->gravity_x = gx;
-    world->gravity_y = gy;
-    adapt_substeps(world);
-    return SKV_OK;
-}
-
-void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid)
-{
-    world->fluid = *fluid;
-    world->constants_dt = 0; /* they are made anew */
-    adapt_substeps(world);
-    skv_sleep_wake_all(world);
 }
 
 int skv_world_particle_count(const skv_world *world)

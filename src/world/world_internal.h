@@ -69,7 +69,10 @@ skv_pull skv_make_pull(const skv_hand *hand, float dt);
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
                                         skv_pull pulls[SKV_MAX_HANDS]);
 
-/* world.c: goes on with a fluid that differs only in what may change while a world runs. */
+/* change.c: how far the free region goes along gravity, m; the substeps a 1/60 s frame that the
+ * rule asks for; goes on with a fluid that differs only in what may change while a world runs. */
+float skv_extent_along_gravity(const skv_world *world);
+int skv_substeps_needed(const skv_world *world);
 void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid);
 /* Makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);

@@ -57,7 +57,7 @@ mkdir -p "$work/copy/src/solver/deeper"
 printf 'struct skv_world;\n' >"$work/copy/src/solver/deeper/sin.c"
 bites test_layers.sh "the solver names the world" "the solver must not know the world"
 
-printf '#include "world/frame.h"\n' >"$work/copy/src/experiments/sin.c"
+printf '#include "world/sleep.h"\n' >"$work/copy/src/experiments/sin.c"
 bites test_layers.sh "an experiment includes a private header" "an experiment must not include"
 
 printf '#include <skvalp/scene.h>\n' >"$work/copy/src/render/sin.c"
@@ -93,7 +93,7 @@ bites test_api.sh "a header that does not compile" "terrain.h does not compile a
 printf 'struct sin { int class; };\n' >>"$work/copy/include/skvalp/terrain.h"
 bites test_api.sh "a header that is no C++" "terrain.h does not compile alone as C++17"
 
-sed -i 's/^```c$/&\nint sin = "no number";/' "$work/copy/README.md"
+sed -i 's/^int main(void)$/int sin = "no number"; &/' "$work/copy/README.md"
 bites test_readme.sh "an example that does not compile" "does not compile"
 
 sed -i '1i build/release/skvalp run no-such-scene' "$work/copy/README.md"
