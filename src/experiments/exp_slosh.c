@@ -15,6 +15,10 @@ enum { WIDTH, DEPTH, ANGLE };
 enum { C_WIDTH, C_DEPTH, C_GRAVITY, C_START, C_TIME };
 
 #define PERIODS 3.5
+/* At the start, unless told: this slope, and no more than this share of the depth at a wall, since
+ * a higher wave breaks in shallow water. */
+#define SLOPE    0.15
+#define STEEPEST 0.3
 
 typedef struct tank {
     double width, depth, gravity, slope;
@@ -47,6 +51,8 @@ static void measure(stage *s, findings *found)
 {
     tank t = {skv_stage_length(s, WIDTH), skv_stage_length(s, DEPTH), skv_stage_gravity(s),
               skv_stage_value(s, ANGLE), 0};
+    if (t.slope == 0)
+        t.slope = fmin(SLOPE, STEEPEST * t.depth / (t.width / 2));
     double watch = fmin(PERIODS * skv_theory_slosh_period(t.gravity, t.width, t.depth), 60);
     s->total = WAIT + watch;
     build(s, &t);
@@ -84,8 +90,8 @@ const experiment skv_exp_slosh = {
             [WIDTH] = {"slosh.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1.6",
                        "width of the tank"},
             [DEPTH] = {"slosh.depth", SKV_FIELD_NUMBER, "m", 0.05, 2, NULL, "0.4", "depth at rest"},
-            [ANGLE] = {"slosh.angle", SKV_FIELD_NUMBER, "rad", 0.02, 0.4, NULL, "0.15",
-                       "slope of the surface at the start"},
+            [ANGLE] = {"slosh.angle", SKV_FIELD_NUMBER, "rad", 0, 0.4, NULL, "0",
+                       "slope of the surface at the start; 0: 0.15, in shallow water less"},
         },
     .x_label = "time (s)",
     .y_label = "centre of mass, x - middle (m)",
