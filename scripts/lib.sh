@@ -13,7 +13,7 @@ packages_build=(gcc libc6-dev cmake ninja-build pkg-config libgtk-4-dev libadwai
 # Mesa draws; GTK's icons are SVG files, which need the loader.
 packages_run=(libegl1 libgles2 libgl1-mesa-dri adwaita-icon-theme librsvg2-common ffmpeg)
 packages_test=(libcmocka-dev clang-19 xvfb xauth xdotool imagemagick
-    x11-utils dbus gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user lld-19 nodejs python3)
+    x11-utils dbus gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user lld-19 nodejs python3 g++ libsdl2-dev abigail-tools)
 # Besides, for the long forms: Debian packages, and Windows.
 packages_long=(lintian gcc-mingw-w64-x86-64 wine64 wine)
 packages_fuzz=(clang-19 libclang-rt-19-dev zlib1g-dev)
