@@ -24,6 +24,7 @@ typedef struct skv_constants {
     float near_push_scale; /* the same for the near density; m */
     float push_limit;      /* clavet: bound of rho N, m */
     float wall_virial;     /* distance times push of a smooth solid, per h R */
+    float loose_push;      /* P of a particle that no wall holds up, at most; m */
     /* Calibrated law alone. */
     float response_slope; /* how strongly the density answers to a push, per density, ... */
     float response_floor; /* ... and at least */

@@ -14,6 +14,7 @@
 #define EARTH_GRAVITY    9.81
 #define COMPRESSION      0.04  /* allowed at the expected depth, calibrated law */
 #define CLAVET_LOAD      0.006 /* g H dt^2 / h^2 that the clavet law carries */
+#define CLAVET_LOOSE     0.75  /* of the density at rest; P never is positive at rest, either */
 #define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
@@ -115,6 +116,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->tension_from = (float)(TENSION_FROM * skv_surface_gradient(f));
     /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
     c->wall_virial = 1.0f / 6;
+    c->loose_push = (float)h;
 }
 
 static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
@@ -125,6 +127,9 @@ static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
     c->near_push_scale = (float)(0.5 * (double)f->clavet_near_stiffness * h);
     c->push_limit = (float)(CLAVET_LIMIT * h);
     c->wall_virial = 1;
+    skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SPIKY, (double)f->radius_ratio);
+    c->loose_push =
+        c->push_scale * (float)(CLAVET_LOOSE * lattice.density - (double)f->clavet_rest_density);
 }
 
 skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)

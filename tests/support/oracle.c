@@ -194,12 +194,28 @@ void oracle_pressure(oracle *o)
         o->clavet ? pressure_clavet(o, i) : pressure_calibrated(o, i);
 }
 
+/* The walls' part; a pull is freed of what holds against gravity, with clavet's law only where the
+ * density is below three quarters of the lattice's. */
+static void push_off_walls(oracle *o, int i)
+{
+    double x = o->push[i] * o->f1x[i] + o->near_push[i] * o->f2x[i];
+    double y = o->push[i] * o->f1y[i] + o->near_push[i] * o->f2y[i];
+    double g = hypot(o->g_x, o->g_y), up = g > 0 ? -(x * o->g_x + y * o->g_y) / g : 0;
+    double loose = 0.75 * oracle_lattice_density(true, o->eta) - o->rest_density_clavet;
+    bool is_loose = !o->clavet || o->push[i] < 0.5 * o->k * radius_of(o) * loose;
+    if (is_loose && up > 0 && x * o->f1x[i] + y * o->f1y[i] < 0) {
+        x += up * o->g_x / g;
+        y += up * o->g_y / g;
+    }
+    o->dx[i] = x;
+    o->dy[i] = y;
+}
+
 void oracle_displacement(oracle *o)
 {
     double h = radius_of(o);
     for (int i = 0; i < o->n; i++) {
-        o->dx[i] = o->push[i] * o->f1x[i] + o->near_push[i] * o->f2x[i];
-        o->dy[i] = o->push[i] * o->f1y[i] + o->near_push[i] * o->f2y[i];
+        push_off_walls(o, i);
         double virial = 0;
         for (int j = 0; j < o->n; j++) {
             if (j == i)

@@ -7,6 +7,7 @@
  */
 #include "solver/reference/pair.h"
 #include "solver/reference/passes.h"
+#include "solver/wall_push.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -100,10 +101,9 @@ void skv_pass_displacement(const skv_substep *sub, int begin, int end)
             sum_y -= size * pair.uy;
             virial += (1 - pair.q) * size;
         }
-        /* A wall pushes with the particle's own pressure, once: twice, as if it were a mirrored
-         * fluid, heats the fluid. */
-        float wall_x = s->push[i] * s->f1x[i] + s->near_push[i] * s->f2x[i];
-        float wall_y = s->push[i] * s->f1y[i] + s->near_push[i] * s->f2y[i];
+        float wall_x, wall_y;
+        skv_wall_push(s->push[i], s->near_push[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i],
+                      sub->gravity_x, sub->gravity_y, c->loose_push, &wall_x, &wall_y);
         s->dx[i] = sum_x + wall_x;
         s->dy[i] = sum_y + wall_y;
         skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);

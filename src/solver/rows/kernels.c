@@ -6,6 +6,7 @@
  * Here are the passes over single particles; those over pairs are in pair_passes.h.
  */
 #include "solver/rows/pair_passes.h"
+#include "solver/wall_push.h"
 
 /* own + next + tile: what a row's particles have collected. */
 V8_INLINE v8 collected(const float *own, const float *next, const float *in_tile, int i)
@@ -158,8 +159,9 @@ V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
                         const skv_wall_sample *wall, skv_impulse *given)
 {
     const skv_row_particles *p = &s->set[s->current];
-    float dx = s->push[i] * wall->f1x + s->near_push[i] * wall->f2x;
-    float dy = s->push[i] * wall->f1y + s->near_push[i] * wall->f2y;
+    float dx, dy;
+    skv_wall_push(s->push[i], s->near_push[i], wall->f1x, wall->f1y, wall->f2x, wall->f2y,
+                  c->gravity_x, c->gravity_y, c->loose_push, &dx, &dy);
     s->own_move.x[i] += dx;
     s->own_move.y[i] += dy;
     if (!(p->number[i] & ROW_HELD)) {

@@ -36,7 +36,7 @@ typedef struct skv_row_constants {
     float gravity_x, gravity_y;
     float max_speed;
     float viscosity_linear, viscosity_quadratic;
-    float rest_density, push_scale, near_push_scale, push_limit, wall_virial;
+    float rest_density, push_scale, near_push_scale, push_limit, wall_virial, loose_push;
     float response_slope, response_floor, near_share;
     float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale,
         tension_from;

@@ -38,6 +38,7 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .near_push_scale = c->near_push_scale * inv_h,
         .push_limit = c->push_limit * inv_h,
         .wall_virial = c->wall_virial,
+        .loose_push = c->loose_push * inv_h,
         .response_slope = c->response_slope,
         .response_floor = c->response_floor,
         .near_share = c->near_share,

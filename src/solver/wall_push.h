@@ -1,0 +1,29 @@
+/* How a wall pushes a particle in the relaxation; the same in both solvers. */
+#ifndef SKV_SOLVER_WALL_PUSH_H
+#define SKV_SOLVER_WALL_PUSH_H
+
+#include <stdbool.h>
+
+/* Below this square gravity counts as none, in the units of either solver. */
+#define SKV_NO_GRAVITY_SQUARED 1e-30f
+
+/* Writes the wall's part of a displacement, P F1 + N F2: a wall pushes with the particle's own
+ * pressure, once; twice, as if it were a mirrored fluid, heats the fluid. Where P is negative it
+ * pulls, but what would hold a particle up against gravity is left out, or drops would hang from
+ * ceilings for ever. `loose`: only up to this P. Leaving out all of the pull heats the fluid where
+ * its surface meets a wall, since it has no energy then. */
+static inline void skv_wall_push(float push, float near_push, float f1x, float f1y, float f2x,
+                                 float f2y, float gx, float gy, float loose, float *x, float *y)
+{
+    *x = push * f1x + near_push * f2x;
+    *y = push * f1y + near_push * f2y;
+    float down = *x * gx + *y * gy, square = gx * gx + gy * gy;
+    bool pulls = *x * f1x + *y * f1y < 0;
+    if (pulls && down < 0 && push < loose && square > SKV_NO_GRAVITY_SQUARED) {
+        float share = down / square;
+        *x -= share * gx;
+        *y -= share * gy;
+    }
+}
+
+#endif

@@ -1,0 +1,64 @@
+/* Ceilings: nothing hangs from them, however small, at any spacing, in either orientation. */
+#include "support/fixture.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* Puts a group of particles under the ceiling; soon all have let go and are on their way. Clavet's
+ * law takes longer over it, and holds larger drops: it pulls at full density, too. */
+static void expect_fall(skv_law law, skv_solver_kind solver, bool high, float spacing, int count)
+{
+    skv_terrain_def tank = skv_default_terrain_def();
+    tank.width = high ? 200 : 300;
+    tank.height = high ? 300 : 200;
+    tank.pixel_size = 0.01f;
+    skv_world_def def = fixture_def(law, solver, 0, spacing, 1);
+    def.depth = 0.3f;
+    assert_int_equal(skv_terrain_create(&tank, &def.terrain, NULL), SKV_OK);
+    skv_world *world;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    const float ceiling = 0.01f * (float)tank.height;
+    const int wide = (int)ceil(sqrt(count));
+    for (int i = 0; i < count; i++) {
+        int row = i / wide, column = i % wide;
+        float x = 1 + (1.07f * (float)column + 0.53f * (float)(row % 2)) * spacing;
+        float y = ceiling - (0.3f + 0.93f * (float)row) * spacing;
+        assert_int_equal(skv_world_add_particle(world, x, y, 0, 0, NULL), SKV_OK);
+    }
+    fixture_run(world, law == SKV_LAW_CLAVET ? 60 : 25);
+    skv_particles p = skv_world_particles(world);
+    for (int i = 0; i < p.count; i++)
+        if (!(p.y[i] < ceiling - 0.05f))
+            fail_msg(
+                "law %d, solver %d, %s, spacing %g, %d particles: %d is %g m below the ceiling",
+                (int)law, (int)solver, high ? "high" : "wide", (double)spacing, count, i,
+                (double)(ceiling - p.y[i]));
+    skv_world_destroy(world);
+}
+
+static void nothing_hangs_from_a_ceiling(void **unused)
+{
+    (void)unused;
+    const float spacings[] = {0.006f, 0.0155f, 0.04f};
+    const int counts[] = {1, 2, 3, 5, 8, 50};
+    for (int law = 0; law < 2; law++)
+        for (int solver = 0; solver < 2; solver++)
+            for (int high = 0; high < 2; high++)
+                for (int k = 0; k < 3; k++)
+                    for (int n = 0; n < (law == SKV_LAW_CLAVET ? 4 : 6); n++)
+                        expect_fall((skv_law)law, (skv_solver_kind)solver, high, spacings[k],
+                                    counts[n]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_hangs_from_a_ceiling),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
