@@ -96,6 +96,37 @@ static void a_host_may_lend_as_many_threads_as_it_has(void **unused)
     }
 }
 
+/* Who comes when a team is complete has no part in it, not even a late one's. */
+
+typedef struct roll {
+    int calls;
+    int most; /* threads that a member was told of */
+} roll;
+
+static void answer(int thread, int threads, void *context)
+{
+    roll *r = context;
+    assert_true(thread >= 0 && thread < threads);
+    r->calls++;
+    r->most = threads > r->most ? threads : r->most;
+}
+
+static void late_threads_find_the_door_closed(void **unused)
+{
+    (void)unused;
+    int has = 4;
+    const skv_task_system lent = {4, run_one_by_one, &has};
+    skv_pool *pool;
+    assert_int_equal(skv_pool_create_lent(&lent, &pool, NULL), SKV_OK);
+    for (int team = 0; team < 5; team++) {
+        roll r = {0};
+        skv_pool_team(pool, answer, &r);
+        assert_int_equal(r.calls, 1);
+        assert_int_equal(r.most, 1);
+    }
+    skv_pool_destroy(pool);
+}
+
 /* All members of a team meet, as often as they like. */
 
 typedef struct meeting {
@@ -239,6 +270,7 @@ int main(void)
         cmocka_unit_test(every_index_runs_exactly_once),
         cmocka_unit_test(no_pool_means_the_calling_thread),
         cmocka_unit_test(a_host_may_lend_as_many_threads_as_it_has),
+        cmocka_unit_test(late_threads_find_the_door_closed),
         cmocka_unit_test(members_meet_at_barriers),
         cmocka_unit_test(members_gather_and_wait_for_each_other),
         cmocka_unit_test(bad_thread_numbers_are_refused),

@@ -361,6 +361,32 @@ static void a_step_tells_who_left(void **unused)
     skv_world_destroy(world);
 }
 
+/* Out to the right, and then up past the closed top's end: gone as soon as it is round the corner.
+ */
+static void who_goes_round_a_corner_has_left(void **unused)
+{
+    (void)unused;
+    const struct {
+        unsigned open;
+        float x, y, vx, vy;
+    } ways[] = {
+        {SKV_SIDE_RIGHT, 1.63f, 0.895f, 0, 1},
+        {SKV_SIDE_LEFT, -0.03f, 0.005f, 0, -1},
+        {SKV_SIDE_TOP, 0.005f, 0.93f, -1, 0},
+        {SKV_SIDE_BOTTOM, 1.595f, -0.03f, 1, 0},
+    };
+    for (int i = 0; i < 4; i++) {
+        skv_world *world = open_tank(0.03f, ways[i].open, false);
+        assert_int_equal(skv_world_set_gravity(world, 0, 0, NULL), SKV_OK);
+        assert_int_equal(
+            skv_world_add_particle(world, ways[i].x, ways[i].y, ways[i].vx, ways[i].vy, NULL),
+            SKV_OK);
+        fixture_run(world, 1); /* 17 mm, of which 5 to the corner, and 90 were to h */
+        assert_int_equal(skv_world_particle_count(world), 0);
+        skv_world_destroy(world);
+    }
+}
+
 static void removals_are_events_of_the_next_step(void **unused)
 {
     (void)unused;
@@ -505,6 +531,7 @@ int main(void)
         cmocka_unit_test(a_sleeping_world_still_calls),
         cmocka_unit_test(the_callback_may_change_the_world),
         cmocka_unit_test(a_step_tells_who_left),
+        cmocka_unit_test(who_goes_round_a_corner_has_left),
         cmocka_unit_test(removals_are_events_of_the_next_step),
         cmocka_unit_test(a_warm_step_through_an_open_side_allocates_nothing),
         cmocka_unit_test(nothing_is_added_beyond_a_closed_side),

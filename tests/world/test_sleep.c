@@ -132,6 +132,30 @@ static void a_falling_drop_is_not_held_and_wakes_the_pool(void **unused)
     skv_world_destroy(world);
 }
 
+/* So fast that it is through half of the pool within one call: the fluid on its way is awake. */
+static void a_fast_drop_does_not_pass_through_sleeping_fluid(void **unused)
+{
+    (void)unused;
+    skv_world *world = sleeping_pool(1);
+    int pool = skv_world_particle_count(world);
+    skv_fill_def fill = skv_default_fill_def();
+    fill.x0 = 0.75f;
+    fill.x1 = 0.85f;
+    fill.y0 = 0.6f;
+    fill.y1 = 0.65f;
+    fill.vy = -8;
+    assert_int_equal(skv_world_fill(world, &fill, NULL, NULL), SKV_OK);
+    int drop = skv_world_particle_count(world) - pool;
+    assert_int_equal(skv_world_step(world, 0.1f, NULL), SKV_OK); /* a way of 0.8 m, if it is free */
+    assert_true(skv_world_awake_count(world) > 3 * drop);
+    skv_particles p = skv_world_particles(world);
+    double depth = 0;
+    for (int i = pool; i < p.count; i++)
+        depth += (double)p.y[i] / drop;
+    assert_true(depth > 0.1);
+    skv_world_destroy(world);
+}
+
 static void a_push_in_velocity_wakes(void **unused)
 {
     (void)unused;
@@ -185,6 +209,7 @@ int main(void)
         cmocka_unit_test(tilting_wakes_everything),
         cmocka_unit_test(a_hand_wakes_what_it_reaches_and_waves_wake_the_rest),
         cmocka_unit_test(a_falling_drop_is_not_held_and_wakes_the_pool),
+        cmocka_unit_test(a_fast_drop_does_not_pass_through_sleeping_fluid),
         cmocka_unit_test(a_push_in_velocity_wakes),
         cmocka_unit_test(a_partly_sleeping_world_does_not_depend_on_threads),
         cmocka_unit_test(only_the_fast_solver_sleeps),
