@@ -13,6 +13,8 @@
 #include "scene/shapes.h"
 #include "world/parameters.h"
 
+#define THINNEST_WALL 1.2 /* pixels */
+
 /* Everything a composing function needs. */
 typedef struct composer {
     const skv_builder *builder;
@@ -194,6 +196,28 @@ static skv_result compose_list(composer *c, bool water, skv_shape **shapes, int 
     return result;
 }
 
+/* No wall is lost between pixels: the thinnest that leaves solid all along itself, wherever and at
+ * whatever angle it lies. */
+static void thicken_walls(skv_scene *scene)
+{
+    double least = THINNEST_WALL * scene->pixel_size;
+    int count = 0, last = 0;
+    for (int i = 0; i < scene->solid_count; i++) {
+        if (!scene->solids[i].carve && skv_shape_thicken(&scene->solids[i], least)) {
+            count++;
+            last = i;
+        }
+    }
+    char text[32];
+    skv_format_number(least, text);
+    if (count == 1)
+        skv_scene_note(scene, "solid[%d] is made %s m thick, the least that holds water", last,
+                       text);
+    else if (count > 1)
+        skv_scene_note(scene, "%d thin shapes are made %s m thick, the least that holds water",
+                       count, text);
+}
+
 static bool has_air(const skv_scene *scene)
 {
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
@@ -216,6 +240,7 @@ static skv_result compose_walls(composer *c)
     skv_result result = compose_list(c, false, &scene->solids, &scene->solid_count, &points);
     if (result == SKV_OK)
         result = compose_list(c, true, &scene->water.shapes, &scene->water.shape_count, &points);
+    thicken_walls(scene);
     if (result == SKV_OK && scene->solid_count > 0)
         result = skv_raster_solids(scene->solids, scene->solid_count, scene->width, scene->height,
                                    scene->pixel_size, scene->coverage, c->error);

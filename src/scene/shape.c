@@ -37,6 +37,53 @@ void skv_shape_set_bounds(skv_shape *shape)
     shape->y1 += margin;
 }
 
+/* ---- Thickness ------------------------------------------------------------------------------- */
+
+/* Twice the area over the outline's length: of a long shape, its width. */
+static double mean_width(const skv_shape *polygon)
+{
+    double area = 0.0, length = 0.0;
+    const double *previous = polygon->points + 2 * (polygon->point_count - 1);
+    for (int i = 0; i < polygon->point_count; i++) {
+        const double *point = polygon->points + 2 * i;
+        double dx = point[0] - previous[0], dy = point[1] - previous[1];
+        area += previous[0] * dy - previous[1] * dx;
+        length += sqrt(dx * dx + dy * dy);
+        previous = point;
+    }
+    return length > 0.0 ? fabs(area) / length : 0.0;
+}
+
+/* Widens begin..end to `least` around its middle. */
+static bool widen(double *begin, double *end, double least)
+{
+    if (*end - *begin >= least)
+        return false;
+    double middle = 0.5 * (*begin + *end);
+    *begin = middle - 0.5 * least;
+    *end = middle + 0.5 * least;
+    return true;
+}
+
+bool skv_shape_thicken(skv_shape *shape, double least)
+{
+    if (shape->kind == SKV_SHAPE_BOX) {
+        bool wider = widen(&shape->x0, &shape->x1, least);
+        return widen(&shape->y0, &shape->y1, least) || wider;
+    }
+    if (shape->kind == SKV_SHAPE_POLYGON) {
+        if (mean_width(shape) >= least)
+            return false;
+        shape->kind = SKV_SHAPE_LINE;
+        shape->radius = 0.0;
+    }
+    if (2.0 * shape->radius >= least)
+        return false;
+    shape->radius = 0.5 * least;
+    skv_shape_set_bounds(shape);
+    return true;
+}
+
 /* ---- Containment ----------------------------------------------------------------------------- */
 
 /* Where the edge from a to b crosses height y; false if it does not. Half-open, so that a corner

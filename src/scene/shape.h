@@ -32,6 +32,10 @@ typedef struct skv_span {
 /* Fills in x0..y1 of a circle, polygon or line. */
 void skv_shape_set_bounds(skv_shape *shape);
 
+/* Makes a shape at least so thick everywhere, so that no part of a wall is lost between pixels;
+ * whether it had to be. A polygon is taken as a whole: a sliver becomes its outline. */
+bool skv_shape_thicken(skv_shape *shape, double least);
+
 bool skv_shape_contains(const skv_shape *shape, double x, double y);
 
 /* Where the horizontal line at height y runs inside the shape: disjoint spans in ascending order.

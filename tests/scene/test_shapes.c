@@ -167,9 +167,31 @@ static void test_the_picture_below_stays(void **state)
     assert_int_equal(coverage[15 * SIZE + 45], 0);
 }
 
+/* A shape that is thick enough stays; a thin one is widened around its middle. */
+static void test_thin_shapes_are_thickened(void **state)
+{
+    (void)state;
+    skv_shape wall = box(10, 20, 10.5, 40), block = box(10, 20, 14, 40), dot = circle(8, 9, 0.2);
+    skv_shape thread = line(zigzag, 4, 0.5), big = polygon(triangle, 3);
+    static const double corners[] = {10, 10, 50, 10, 50, 10.5, 10, 10.5};
+    skv_shape sliver = polygon(corners, 4);
+    assert_true(skv_shape_thicken(&wall, 2));
+    assert_true(wall.x0 == 9.25 && wall.x1 == 11.25 && wall.y0 == 20 && wall.y1 == 40);
+    assert_false(skv_shape_thicken(&block, 2));
+    assert_true(block.x0 == 10 && block.x1 == 14);
+    assert_true(skv_shape_thicken(&dot, 2) && dot.radius == 1 && dot.x0 == 7);
+    assert_true(skv_shape_thicken(&thread, 2) && thread.radius == 1 && thread.x0 == 4);
+    assert_false(skv_shape_thicken(&big, 2));
+    assert_true(skv_shape_thicken(&sliver, 2));
+    for (int i = 0; i < 100; i++)
+        assert_true(skv_shape_contains(&sliver, 10 + 0.4 * i, 10.25));
+    assert_false(skv_shape_contains(&sliver, 30, 12));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_thin_shapes_are_thickened),
         cmocka_unit_test(test_spans_hold_what_the_shape_contains),
         cmocka_unit_test(test_coverage_is_area),
         cmocka_unit_test(test_edges_are_grey),
