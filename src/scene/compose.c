@@ -366,6 +366,24 @@ static skv_result choose_freely(composer *c, const skv_terrain *terrain, float l
     return count > 0 ? SKV_OK : fail_no_fit(c);
 }
 
+/* How many particles the water can be made of: those at the widest and at the finest spacing. From
+ * coarse to fine, so that a large world is not counted far beyond what fits into it. */
+static void count_range(const composer *c, const skv_terrain *terrain, int *fewest, int *most)
+{
+    const skv_field *spacing = &skv_scene_fields(NULL)[SKV_F_FLUID_SPACING];
+    skv_water water = c->scene->water;
+    water.thinning = 0.0;
+    float finest = (float)spacing->minimum;
+    *fewest = skv_water_count(&water, terrain, (float)spacing->maximum);
+    *most = 0;
+    for (float probe = 32.0f * finest; probe >= finest && *most < SKV_MAX_PARTICLES; probe *= 0.5f)
+        *most = skv_water_count(&water, terrain, probe);
+    if (*fewest < 1)
+        *fewest = 1;
+    if (*most > SKV_MAX_PARTICLES)
+        *most = SKV_MAX_PARTICLES;
+}
+
 /* The number of particles is wanted: the spacing follows. */
 static skv_result choose_spacing(composer *c, const skv_terrain *terrain)
 {
@@ -376,22 +394,20 @@ static skv_result choose_spacing(composer *c, const skv_terrain *terrain)
         return choose_freely(c, terrain, least, wanted);
     skv_result result = skv_water_choose_spacing(&scene->water, terrain, wanted, least,
                                                  &scene->def.fluid.spacing, &count);
-    char message[160];
     if (count == 0)
         return fail_no_fit(c);
-    if (result != SKV_OK) {
-        skv_format(message, sizeof message,
-                   "%d are too few for this much fluid; allowed are %d to %d", wanted, count,
-                   SKV_MAX_PARTICLES);
-        return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE, message);
+    if (result == SKV_OK && count >= wanted) {
+        scene->particles = wanted;
+        return SKV_OK;
     }
-    if (count < wanted) {
-        skv_format(message, sizeof message,
-                   "%d do not fit into this little fluid; allowed are 1 to %d", wanted, count);
-        return fail(c, SKV_F_PARTICLES, SKV_ERROR_LIMIT, message);
-    }
-    scene->particles = wanted;
-    return SKV_OK;
+    int fewest, most;
+    count_range(c, terrain, &fewest, &most);
+    char message[160];
+    skv_format(message, sizeof message, "%d %s; allowed are %d to %d", wanted,
+               result != SKV_OK ? "are too few for this much fluid"
+                                : "do not fit into this little fluid",
+               fewest, most);
+    return fail(c, SKV_F_PARTICLES, result != SKV_OK ? SKV_ERROR_VALUE : SKV_ERROR_LIMIT, message);
 }
 
 static skv_result compose_particles(composer *c, const skv_terrain *terrain)

@@ -178,31 +178,49 @@ static void test_every_mistake_has_its_line(void **state)
     }
 }
 
+/* Whether a scene takes a number of particles; reads the range from the message if not. */
+static bool takes(const char *format, int particles, int *fewest, int *most)
+{
+    char text[400];
+    skv_scene *scene;
+    skv_error error;
+    snprintf(text, sizeof text, format, particles);
+    if (load_text(text, NULL, &scene, &error) == SKV_OK) {
+        assert_int_equal(skv_scene_particles(scene), particles);
+        skv_scene_destroy(scene);
+        return true;
+    }
+    const char *allowed = strstr(error.text, "allowed are ");
+    assert_non_null(allowed);
+    assert_int_equal(sscanf(allowed, "allowed are %d to %d", fewest, most), 2);
+    return false;
+}
+
+/* The range that a message names is the whole truth: both ends are taken, and what lies beyond them
+ * is refused with the same range. */
 static void test_numbers_of_particles_name_what_fits(void **state)
 {
     (void)state;
-    skv_scene *scene;
-    skv_error error;
-    int least, most;
-    const char *few = "{\"particles\": 3, \"world\": {\"width\": 16, \"height\": 9, \"pixel\": "
-                      "0.1}, " WATER "}";
-    assert_int_equal(load_text(few, NULL, &scene, &error), SKV_ERROR_VALUE);
-    assert_int_equal(sscanf(error.text,
-                            "a.json:1: particles: 3 are too few for this much fluid; allowed are "
-                            "%d to 2000000",
-                            &least),
-                     1);
-    assert_true(least > 3);
-
-    const char *many = "{\"particles\": 500,\"water\": [{\"shape\": \"circle\", \"x\": 1, \"y\": "
-                       "0.5, \"radius\": 0.004}]}";
-    assert_int_equal(load_text(many, NULL, &scene, &error), SKV_ERROR_LIMIT);
-    assert_int_equal(sscanf(error.text,
-                            "a.json:1: particles: 500 do not fit into this little fluid; allowed "
-                            "are 1 to %d",
-                            &most),
-                     1);
-    assert_true(most > 100 && most < 500);
+    const char *const scenes[] = {
+        "{\"particles\": %d, \"water\": [{\"shape\": \"circle\", \"x\": 1, \"y\": 0.5, "
+        "\"radius\": 0.004}]}",
+        "{\"particles\": %d, \"world\": {\"width\": 0.4, \"height\": 0.3}, " WATER "}",
+        "{\"particles\": %d, \"world\": {\"width\": 4, \"height\": 4, \"pixel\": 0.1}, " WATER "}",
+    };
+    for (int i = 0; i < 3; i++) {
+        int fewest = 0, most = 0, again_fewest, again_most;
+        assert_false(takes(scenes[i], i < 2 ? SKV_MAX_PARTICLES : 1, &fewest, &most));
+        assert_true(fewest >= 1 && fewest < most && most <= SKV_MAX_PARTICLES);
+        assert_true(takes(scenes[i], fewest, &again_fewest, &again_most));
+        if (i < 2)
+            assert_true(takes(scenes[i], most, &again_fewest, &again_most));
+        if (fewest > 1) {
+            assert_false(takes(scenes[i], fewest - 1, &again_fewest, &again_most));
+            assert_true(again_fewest == fewest && again_most == most);
+        }
+        if (most < SKV_MAX_PARTICLES)
+            assert_false(takes(scenes[i], most + 1, &again_fewest, &again_most));
+    }
 }
 
 static void test_deep_nesting(void **state)
