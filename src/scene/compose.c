@@ -119,6 +119,22 @@ static skv_result scale_picture(composer *c)
     return SKV_OK;
 }
 
+/* Fails for the picture; where a scene file names it, the scene and the line come first. */
+static skv_result fail_picture(const composer *c, skv_result code, const char *message)
+{
+    if (is_given(c, SKV_F_WORLD_PICTURE))
+        return fail(c, SKV_F_WORLD_PICTURE, code, message);
+    return skv_fail(c->error, code, "%s", message);
+}
+
+/* The same for what the picture as a whole is not fit for. */
+static skv_result fail_unfit(const composer *c, const char *message)
+{
+    skv_error named;
+    skv_fail(&named, SKV_ERROR_VALUE, "%s: %s", c->picture_label, message);
+    return fail_picture(c, SKV_ERROR_VALUE, named.text);
+}
+
 /* Takes size, coverage and paint over from a picture. */
 static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
 {
@@ -130,13 +146,14 @@ static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
     }
     skv_image image;
     skv_painting painting;
-    skv_result result = skv_png_read(data, size, c->picture_label, &image, c->error);
+    skv_error cause;
+    skv_result result = skv_png_read(data, size, c->picture_label, &image, &cause);
     if (result != SKV_OK)
-        return result;
-    result = skv_paint_read(&image, c->picture_label, &painting, c->error);
+        return fail_picture(c, result, cause.text);
+    result = skv_paint_read(&image, c->picture_label, &painting, &cause);
     skv_free(image.pixels);
     if (result != SKV_OK)
-        return result;
+        return fail_picture(c, result, cause.text);
     skv_scene *scene = c->scene;
     scene->width = painting.width;
     scene->height = painting.height;
@@ -248,9 +265,7 @@ static skv_result compose_walls(composer *c)
         return result;
     if (!has_air(scene)) {
         if (c->pictured && scene->solid_count == 0)
-            return skv_fail(c->error, SKV_ERROR_VALUE,
-                            "%s: no pixel is free; paint air dark and fluid blue",
-                            c->picture_label);
+            return fail_unfit(c, "no pixel is free; paint air dark and fluid blue");
         return skv_builder_fail(c->builder, values->solid.shapes[0].origin, "solid", c->error,
                                 SKV_ERROR_VALUE, "fills the whole world; leave some air");
     }
@@ -323,15 +338,11 @@ static skv_result fail_no_fit(const composer *c)
 {
     const skv_water *water = &c->scene->water;
     if (water->paint != NULL && water->shape_count == 0)
-        return skv_fail(c->error, SKV_ERROR_VALUE,
-                        "%s: the blue (fluid) pixels have no room for a particle; paint more blue "
-                        "or make the passages wider",
-                        c->picture_label);
+        return fail_unfit(c, "the blue (fluid) pixels have no room for a particle; paint more blue "
+                             "or make the passages wider");
     if (c->pictured && water->shape_count == 0)
-        return skv_fail(c->error, SKV_ERROR_VALUE,
-                        "%s: the dark (air) pixels have no room for a particle; make the passages "
-                        "wider",
-                        c->picture_label);
+        return fail_unfit(c, "the dark (air) pixels have no room for a particle; make the passages "
+                             "wider");
     skv_origin origin = c->builder->values.water.shapes[0].origin;
     return skv_builder_fail(c->builder, origin, "water", c->error, SKV_ERROR_VALUE,
                             "has no room for a particle; it lies in solid or is too small");

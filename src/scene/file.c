@@ -12,6 +12,20 @@
 
 #include "base/memory.h"
 
+/* What could help where a file cannot be opened. */
+static const char *remedy(int cause)
+{
+    return cause == ENOENT || cause == ENOTDIR ? "check the name and the folder"
+           : cause == EACCES                   ? "allow reading it, or copy it"
+                                               : "name another file";
+}
+
+static skv_result fail_to_open(const char *path, skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be opened: %s; %s", path, strerror(errno),
+                    remedy(errno));
+}
+
 static skv_result read_open(FILE *file, const char *path, size_t size, uint8_t **data,
                             skv_error *error)
 {
@@ -20,8 +34,8 @@ static skv_result read_open(FILE *file, const char *path, size_t size, uint8_t *
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", path);
     if (fread(bytes, 1, size, file) != size) {
         skv_free(bytes);
-        return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be read: %s", path,
-                        ferror(file) ? strerror(errno) : "it became shorter");
+        return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be read: %s; try again, or copy it",
+                        path, ferror(file) ? strerror(errno) : "it became shorter");
     }
     *data = bytes;
     return SKV_OK;
@@ -31,17 +45,18 @@ skv_result skv_file_read(const char *path, uint8_t **data, size_t *size, skv_err
 {
     struct stat status;
     if (stat(path, &status) != 0)
-        return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be opened: %s", path, strerror(errno));
+        return fail_to_open(path, error);
     if (S_ISDIR(status.st_mode))
         return skv_fail(error, SKV_ERROR_FILE, "%s: is a directory; a file is needed", path);
     if (!S_ISREG(status.st_mode))
-        return skv_fail(error, SKV_ERROR_FILE, "%s: is not a regular file", path);
+        return skv_fail(error, SKV_ERROR_FILE,
+                        "%s: is not a regular file; copy what it holds into one", path);
     if (status.st_size > SKV_MAX_FILE)
         return skv_fail(error, SKV_ERROR_LIMIT, "%s: has %lld bytes; allowed are %d", path,
                         (long long)status.st_size, SKV_MAX_FILE);
     FILE *file = fopen(path, "rb");
     if (file == NULL)
-        return skv_fail(error, SKV_ERROR_FILE, "%s: cannot be opened: %s", path, strerror(errno));
+        return fail_to_open(path, error);
     *size = (size_t)status.st_size;
     skv_result result = read_open(file, path, *size, data, error);
     fclose(file);

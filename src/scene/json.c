@@ -131,6 +131,16 @@ static skv_result report(const skv_builder *builder, const char *text, size_t si
     case json_error_invalid_utf8:
         return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
                                 "is not UTF-8 text; save the file as UTF-8");
+    case json_error_null_character:
+    case json_error_null_byte_in_key:
+        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_FORMAT,
+                                "holds the character \\u0000, which no text may have; take it out");
+    case json_error_premature_end_of_input:
+        return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
+                                "is not JSON: it ends too early; is a \", } or ] missing?");
+    case json_error_end_of_input_expected:
+        return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
+                                "is not JSON: something follows the last }; take it out");
     case json_error_out_of_memory:
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", builder->label);
     default:
@@ -140,7 +150,8 @@ static skv_result report(const skv_builder *builder, const char *text, size_t si
         strstr(failure->text, "near '-'") != NULL)
         return skv_builder_fail(builder, origin, path, error, SKV_ERROR_FORMAT,
                                 "is not a finite number; %s", allowed);
-    return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT, "is not JSON: %s",
+    return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
+                            "is not JSON: %s; look for a missing quote, comma or bracket",
                             failure->text);
 }
 

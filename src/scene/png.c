@@ -68,6 +68,34 @@ static uint32_t big_endian(const uint8_t *bytes)
     return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 | bytes[3];
 }
 
+static skv_result fail_damaged(const char *label, const char *reason, skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_FORMAT,
+                    "%s: damaged PNG: %s; save it again, or fetch another copy", label, reason);
+}
+
+/* What a file is that is no PNG, by its first bytes. */
+static const char *name_format(const uint8_t *data, size_t size)
+{
+    static const struct {
+        const char *bytes, *name;
+        size_t at, count;
+    } formats[] = {
+        {"\xff\xd8\xff", "a JPEG picture, whatever its name says", 0, 3},
+        {"GIF8", "a GIF picture, whatever its name says", 0, 4},
+        {"BM", "a BMP picture, whatever its name says", 0, 2},
+        {"WEBP", "a WebP picture, whatever its name says", 8, 4},
+        {"II*", "a TIFF picture, whatever its name says", 0, 3},
+        {"MM\0*", "a TIFF picture, whatever its name says", 0, 4},
+    };
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        size_t end = formats[i].at + formats[i].count;
+        if (size >= end && memcmp(data + formats[i].at, formats[i].bytes, formats[i].count) == 0)
+            return formats[i].name;
+    }
+    return "not a PNG picture";
+}
+
 /* Looks at the signature and the size in the first chunk before libpng sees anything. */
 static skv_result check_header(const uint8_t *data, size_t size, const char *label,
                                skv_image *image, skv_error *error)
@@ -77,12 +105,13 @@ static skv_result check_header(const uint8_t *data, size_t size, const char *lab
     if (size == 0)
         return skv_fail(error, SKV_ERROR_FORMAT, "%s: is empty; a PNG picture is needed", label);
     if (memcmp(data, header, size < 8 ? size : 8) != 0)
-        return skv_fail(error, SKV_ERROR_FORMAT, "%s: is not a PNG picture", label);
+        return skv_fail(error, SKV_ERROR_FORMAT,
+                        "%s: is %s; open it in a painting program and export it as PNG", label,
+                        name_format(data, size));
     if (size < 33)
-        return skv_fail(error, SKV_ERROR_FORMAT, "%s: damaged PNG: the file ends too early", label);
+        return fail_damaged(label, "the file ends too early", error);
     if (memcmp(data, header, 16) != 0)
-        return skv_fail(error, SKV_ERROR_FORMAT, "%s: damaged PNG: it begins without a header",
-                        label);
+        return fail_damaged(label, "it begins without a header", error);
     uint32_t width = big_endian(data + 16), height = big_endian(data + 20);
     bool large = width > SKV_TERRAIN_MAX_PIXELS || height > SKV_TERRAIN_MAX_PIXELS;
     if (large || width < SKV_TERRAIN_MIN_PIXELS || height < SKV_TERRAIN_MIN_PIXELS)
@@ -162,7 +191,7 @@ skv_result skv_png_read(const uint8_t *data, size_t size, const char *label, skv
         skv_free(d.pixels);
         if (d.no_memory)
             return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
-        return skv_fail(error, SKV_ERROR_FORMAT, "%s: damaged PNG: %s", label, d.reason);
+        return fail_damaged(label, d.reason, error);
     }
     compose(d.pixels, (size_t)image->width * (size_t)image->height);
     image->pixels = d.pixels;

@@ -239,7 +239,8 @@ static skv_result find_walls(const search *s, const skv_terrain *terrain, double
         clear_ends(&more);
         *any = spread(&more);
     } else {
-        result = skv_fail(error, SKV_ERROR_MEMORY, "thin walls: no memory for %zu cells", cells);
+        result = skv_fail(error, SKV_ERROR_MEMORY,
+                          "walls: no memory for %zu cells; a wider spacing needs fewer", cells);
     }
     skv_free(more.solid);
     skv_free(more.distance);
@@ -267,7 +268,8 @@ skv_result skv_thin_walls_create(const skv_terrain *terrain, float radius, skv_t
         search s = {.thin = thin, .middles = middles};
         result = find_walls(&s, terrain, (double)radius, &any, cells, error);
     } else {
-        result = skv_fail(error, SKV_ERROR_MEMORY, "thin walls: no memory for %zu cells", cells);
+        result = skv_fail(error, SKV_ERROR_MEMORY,
+                          "walls: no memory for %zu cells; a wider spacing needs fewer", cells);
     }
     skv_free(middles);
     if (result == SKV_OK && any) {

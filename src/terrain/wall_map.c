@@ -243,7 +243,8 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
     if (!made || !index) {
         skv_free(made);
         skv_free(index);
-        return skv_fail(error, SKV_ERROR_MEMORY, "wall map: no memory for %.0f blocks",
+        return skv_fail(error, SKV_ERROR_MEMORY,
+                        "walls: no memory for %.0f blocks; a wider spacing needs fewer",
                         columns * rows);
     }
     *made = (skv_wall_map){
@@ -264,7 +265,8 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
     if (!made->blocks) {
         size_t count = made->count;
         skv_wall_map_destroy(made);
-        return skv_fail(error, SKV_ERROR_MEMORY, "wall map: no memory for %zu blocks", count);
+        return skv_fail(error, SKV_ERROR_MEMORY,
+                        "walls: no memory for %zu blocks; a wider spacing needs fewer", count);
     }
     fill_blocks(&b);
     *map = made;

@@ -75,6 +75,11 @@ static void write_palette(png_structp png, png_infop info, const png_form *form)
 
 buffer write_png(const png_form *form, const uint8_t *pixels)
 {
+    return write_noted_png(form, pixels, NULL, 0);
+}
+
+buffer write_noted_png(const png_form *form, const uint8_t *pixels, char *note, int compression)
+{
     buffer b = {0};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png_create_info_struct(png);
@@ -86,6 +91,13 @@ buffer write_png(const png_form *form, const uint8_t *pixels)
         write_palette(png, info, form);
     if (form->clear_grey >= 0 && form->colour == PNG_COLOR_TYPE_GRAY)
         png_set_tRNS(png, info, NULL, 0, &(png_color_16){.gray = (png_uint_16)form->clear_grey});
+    if (note != NULL)
+        png_set_text(png, info,
+                     &(png_text){.compression = compression,
+                                 .key = (char[]){"Comment"},
+                                 .text = note,
+                                 .text_length = strlen(note)},
+                     1);
     png_write_info(png, info);
     size_t stride = png_get_rowbytes(png, info);
     png_bytep *rows = calloc((size_t)form->height, sizeof *rows);

@@ -39,6 +39,9 @@ typedef struct png_form {
 
 buffer write_png(const png_form *form, const uint8_t *pixels);
 
+/* The same with a text in it; `compression` is PNG_TEXT_COMPRESSION_... */
+buffer write_noted_png(const png_form *form, const uint8_t *pixels, char *note, int compression);
+
 /* A picture given by a callback as 8-bit RGB. */
 typedef struct rgb {
     uint8_t r, g, b;

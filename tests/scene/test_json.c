@@ -19,12 +19,21 @@ typedef struct mistake {
 static const mistake mistakes[] = {
     /* Not a scene at all. */
     {"", SKV_ERROR_FORMAT, "a.json: is empty; a scene is { \"water\": [ ... ] }"},
-    {" \n ", SKV_ERROR_FORMAT, "a.json:2: is not JSON: '[' or '{' expected near end of file"},
-    {"hello", SKV_ERROR_FORMAT, "a.json:1: is not JSON: '[' or '{' expected near 'hello'"},
+    {" \n ", SKV_ERROR_FORMAT,
+     "a.json:2: is not JSON: it ends too early; is a \", } or ] missing?"},
+    {"{\"name\": \"a\\u0000b\"}", SKV_ERROR_FORMAT,
+     "a.json:1: name: holds the character \\u0000, which no text may have; take it out"},
+    {"{\"na\\u0000me\": 1}", SKV_ERROR_FORMAT,
+     "a.json:1: na\\u0000me: holds the character \\u0000, which no text may have; take it out"},
+    {"hello", SKV_ERROR_FORMAT,
+     "a.json:1: is not JSON: '[' or '{' expected near 'hello'; look for a missing quote, comma or "
+     "bracket"},
     {"[1, 2]", SKV_ERROR_VALUE,
      "a.json:1: a list is not an object; allowed is { \"name\": value, ... }"},
-    {"{" WATER, SKV_ERROR_FORMAT, "a.json:1: is not JSON: '}' expected near end of file"},
-    {"{" WATER "}\nx", SKV_ERROR_FORMAT, "a.json:2: is not JSON: end of file expected near 'x'"},
+    {"{" WATER, SKV_ERROR_FORMAT,
+     "a.json:1: is not JSON: it ends too early; is a \", } or ] missing?"},
+    {"{" WATER "}\nx", SKV_ERROR_FORMAT,
+     "a.json:2: is not JSON: something follows the last }; take it out"},
     {"{\"title\": \"\xff\"}", SKV_ERROR_FORMAT,
      "a.json:1: is not UTF-8 text; save the file as UTF-8"},
 

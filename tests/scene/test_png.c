@@ -249,11 +249,18 @@ static void test_files_that_are_no_pictures(void **state)
         const char *message;
     } cases[] = {
         {"", 0, "p.png: is empty; a PNG picture is needed"},
-        {"hello, world", 12, "p.png: is not a PNG picture"},
-        {"\xff\xd8\xff\xe0", 4, "p.png: is not a PNG picture"},
-        {"\x89PNG\r\n\x1a\n", 8, "p.png: damaged PNG: the file ends too early"},
+        {"hello, world", 12,
+         "p.png: is not a PNG picture; open it in a painting program and export it as PNG"},
+        {"\xff\xd8\xff\xe0", 4,
+         "p.png: is a JPEG picture, whatever its name says; open it in a painting program and "
+         "export it as PNG"},
+        {"RIFF....WEBPVP8 ", 16,
+         "p.png: is a WebP picture, whatever its name says; open it in a painting program and "
+         "export it as PNG"},
+        {"\x89PNG\r\n\x1a\n", 8,
+         "p.png: damaged PNG: the file ends too early; save it again, or fetch another copy"},
         {"\x89PNG\r\n\x1a\n....IDAT.........................", 40,
-         "p.png: damaged PNG: it begins without a header"},
+         "p.png: damaged PNG: it begins without a header; save it again, or fetch another copy"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         skv_scene *scene;
@@ -441,6 +448,14 @@ static void expect_files(const char *name, const char *first, const char *second
     skv_scene_destroy(scene);
 }
 
+static rgb white(int x, int y, void *user)
+{
+    (void)x;
+    (void)y;
+    (void)user;
+    return (rgb){255, 255, 255};
+}
+
 static void test_a_picture_beside_a_scene(void **state)
 {
     (void)state;
@@ -460,7 +475,7 @@ static void test_a_picture_beside_a_scene(void **state)
         {"{\"world\": {\"picture\": \"UPPER.PNG\", \"width\": 3}}", SKV_OK, NULL},
         {"{\"world\": {\n\"picture\": \"missing.png\"}}", SKV_ERROR_FILE,
          "sub/a.json:2: world.picture: sub/missing.png: cannot be opened: No such file or "
-         "directory"},
+         "directory; check the name and the folder"},
         {"{\"world\": {\"picture\": \"../sub/basin.png\"}}", SKV_ERROR_VALUE,
          "sub/a.json:1: world.picture: \"../sub/basin.png\" leaves the scene's folder; allowed is "
          "a path below it"},
@@ -473,10 +488,17 @@ static void test_a_picture_beside_a_scene(void **state)
         {"{\"world\": {\"picture\": \"basin.png\",\n\"height\": 1}}", SKV_ERROR_VALUE,
          "sub/a.json:2: world.height: has no place beside a picture; its size follows from "
          "world.width"},
-        {"{\"world\": {\"picture\": \"bad.png\"}}", SKV_ERROR_FORMAT,
-         "sub/bad.png: is not a PNG picture"},
+        {"{\"world\": {\n\"picture\": \"bad.png\"}}", SKV_ERROR_FORMAT,
+         "sub/a.json:2: world.picture: sub/bad.png: is not a PNG picture; open it in a painting "
+         "program and export it as PNG"},
+        {"{\"world\":\n\n{\"picture\": \"white.png\"}}", SKV_ERROR_VALUE,
+         "sub/a.json:3: world.picture: sub/white.png: no pixel is free; paint air dark and fluid "
+         "blue"},
     };
     write_file("sub/bad.png", "no picture", 10);
+    buffer blank = write_rgb(32, 32, white, NULL);
+    write_file("sub/white.png", blank.data, blank.size);
+    buffer_free(&blank);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         write_file("sub/a.json", cases[i].text, strlen(cases[i].text));
         expect("sub/a.json", cases[i].code, cases[i].message);
@@ -487,17 +509,19 @@ static void test_a_picture_beside_a_scene(void **state)
     expect_files("sub/a.json", "sub/basin.png", "sub/a.json");
     expect_files("pool", NULL, NULL);
     expect("sub/none.json", SKV_ERROR_FILE,
-           "sub/none.json: cannot be opened: No such file or directory");
+           "sub/none.json: cannot be opened: No such file or directory; check the name and the "
+           "folder");
     assert_int_equal(mkdir("d.json", 0700), 0);
     expect("d.json", SKV_ERROR_FILE, "d.json: is a directory; a file is needed");
     assert_int_equal(mkfifo("f.png", 0600), 0);
-    expect("f.png", SKV_ERROR_FILE, "f.png: is not a regular file");
+    expect("f.png", SKV_ERROR_FILE, "f.png: is not a regular file; copy what it holds into one");
     write_file("large.png", "", 0);
     assert_int_equal(truncate("large.png", 64 * 1024 * 1024 + 1), 0);
     expect("large.png", SKV_ERROR_LIMIT, "large.png: has 67108865 bytes; allowed are 67108864");
 
-    const char *const left[] = {"sub/a.json", "sub/basin.png", "sub/UPPER.PNG", "sub/bad.png",
-                                "sub",        "d.json",        "f.png",         "large.png"};
+    const char *const left[] = {"sub/a.json",  "sub/basin.png", "sub/UPPER.PNG",
+                                "sub/bad.png", "sub/white.png", "sub",
+                                "d.json",      "f.png",         "large.png"};
     for (size_t i = 0; i < sizeof left / sizeof left[0]; i++)
         assert_int_equal(remove(left[i]), 0);
     assert_int_equal(chdir("/"), 0);
@@ -505,9 +529,66 @@ static void test_a_picture_beside_a_scene(void **state)
     buffer_free(&b);
 }
 
+/* ---- Bombs ------------------------------------------------------------------------------------
+ */
+
+static size_t largest; /* block asked for, bytes */
+
+static void *note_size(size_t bytes, size_t alignment, void *user)
+{
+    (void)user;
+    largest = bytes > largest ? bytes : largest;
+    return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+
+static void give_back(void *memory, void *user)
+{
+    (void)user;
+    free(memory);
+}
+
+/* A small picture with a note of `size` letters in it, compressed or not. */
+static buffer write_noted(size_t size, int compression)
+{
+    uint8_t *pixels = calloc(SIZE, SIZE);
+    char *note = malloc(size + 1);
+    memset(note, 'a', size);
+    note[size] = '\0';
+    png_form form = {SIZE, SIZE, 8, PNG_COLOR_TYPE_GRAY, 0, NULL, 0, NULL, -1};
+    buffer b = write_noted_png(&form, pixels, note, compression);
+    free(note);
+    free(pixels);
+    return b;
+}
+
+/* What a chunk beside the pixels inflates to is bounded, whatever it claims. */
+static void test_notes_do_not_fill_the_memory(void **state)
+{
+    (void)state;
+    buffer bomb = write_noted(4 << 20, PNG_TEXT_COMPRESSION_zTXt);
+    assert_true(bomb.size < 65536);
+    skv_set_allocator(&(skv_allocator){note_size, give_back, NULL});
+    largest = 0;
+    skv_image image;
+    skv_error error;
+    if (skv_png_read(bomb.data, bomb.size, "p.png", &image, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    assert_true(largest >= SIZE * SIZE * 4 && largest <= 2 * 65536);
+    skv_free(image.pixels);
+    skv_set_allocator(NULL);
+    buffer_free(&bomb);
+
+    buffer large = write_noted(100000, PNG_TEXT_COMPRESSION_NONE);
+    if (skv_png_read(large.data, large.size, "p.png", &image, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_free(image.pixels);
+    buffer_free(&large);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_notes_do_not_fill_the_memory),
         cmocka_unit_test(test_every_depth_and_colour_type),
         cmocka_unit_test(test_palettes),
         cmocka_unit_test(test_transparency_is_air),
