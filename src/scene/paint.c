@@ -7,8 +7,8 @@
  *     paint share b = chroma(p) / chroma(B)         B: the purest paint around p
  *     solid share   = (min(p) - b min(B)) / 255
  *
- * Invariant: every pixel gets its meaning from its own 3 x 3 neighbourhood in the picture, so the
- * result does not depend on the order in which pixels are read.
+ * Invariant: every pixel gets its meaning from the picture's pixels at most REACH or MEANT away, so
+ * the result does not depend on the order in which they are read.
  */
 #include "scene/paint.h"
 
@@ -17,9 +17,13 @@
 
 #include "base/memory.h"
 
-#define COLOURED_CHROMA 40  /* from here on a pixel can be coloured */
-#define LIGHT           128 /* from here on a grey pixel is light */
-#define FLAT            24  /* channels that differ by less belong to one flat area */
+#define COLOURED_CHROMA 40   /* from here on a pixel can be coloured, */
+#define COLOURED        0.2  /* and with this share of chroma in its highest channel it is */
+#define TINTED          0.45 /* where no paint is meant: paper, wood and lamplight are yellowish */
+#define LIGHT           128  /* from here on a grey pixel is light */
+#define FLAT            24   /* channels that differ by less belong to one flat area */
+#define MEANT           3    /* pixels each way: a flat area as large was painted on purpose */
+#define REACH           2    /* pixels to where a stray colour finds what it belongs to */
 
 /* What a pixel is on its own. The first four are skv_paint. */
 enum { WRONG = 4 };
@@ -78,12 +82,14 @@ static double hue(colour c)
 /* A pixel's meaning by its own colour: a skv_paint or WRONG. */
 static int classify(colour c)
 {
-    if (chroma(c) < COLOURED_CHROMA || chroma(c) * 5 < highest(c))
+    if (chroma(c) < COLOURED_CHROMA || chroma(c) < COLOURED * highest(c))
         return SKV_PAINT_NONE;
     double h = hue(c);
-    if (h <= 30.0 || h >= 330.0)
+    if (h <= 15.0 || h >= 330.0)
         return SKV_PAINT_DRAIN;
-    if (h >= 75.0 && h <= 165.0)
+    if (h < 75.0)
+        return chroma(c) < TINTED * highest(c) ? SKV_PAINT_NONE : WRONG;
+    if (h <= 165.0)
         return SKV_PAINT_EMITTER;
     if (h >= 170.0 && h <= 270.0)
         return SKV_PAINT_FLUID;
@@ -104,50 +110,55 @@ static int difference(colour a, colour b)
 
 /* ---- Wrong colours --------------------------------------------------------------------------- */
 
-/* Whether a 2 x 2 block of one colour holds the place: then somebody meant that colour. */
-static bool is_flat(place p)
+/* Whether the block from (x0, y0) on lies in the picture and is of one wrong colour, p's. */
+static bool is_wrong_block(place p, int x0, int y0)
 {
+    if (x0 < 0 || y0 < 0 || x0 + MEANT > p.image->width || y0 + MEANT > p.image->height)
+        return false;
     colour own = colour_at(p.image, p.x, p.y);
-    for (int corner = 0; corner < 4; corner++) {
-        int x0 = p.x - (corner & 1), y0 = p.y - (corner >> 1);
-        if (x0 < 0 || y0 < 0 || x0 + 1 >= p.image->width || y0 + 1 >= p.image->height)
-            continue;
-        bool same = true;
-        for (int i = 0; i < 4; i++)
-            same = same && difference(own, colour_at(p.image, x0 + (i & 1), y0 + (i >> 1))) < FLAT;
-        if (same)
+    for (int i = 0; i < MEANT * MEANT; i++) {
+        colour c = colour_at(p.image, x0 + i % MEANT, y0 + i / MEANT);
+        if (classify(c) != WRONG || difference(own, c) >= FLAT)
+            return false;
+    }
+    return true;
+}
+
+/* Whether somebody meant the wrong colour of a place: it belongs to an area of it. Less is what
+ * smooth edges between paints and lossy compression leave. */
+static bool is_meant(place p)
+{
+    for (int i = 0; i < MEANT * MEANT; i++) {
+        if (is_wrong_block(p, p.x - i % MEANT, p.y - i / MEANT))
             return true;
     }
     return false;
 }
 
-/* What a pixel of a wrong hue is: the most similar paint around it, if paints from both sides of
- * its hue meet there and it is their blend; WRONG otherwise. */
+/* What a pixel of a wrong hue is: what the most similar pixel around it is, or WRONG. */
 static int resolve(place p)
 {
     colour own = colour_at(p.image, p.x, p.y);
-    double h = hue(own);
-    int before = h < 75.0 ? SKV_PAINT_DRAIN : h < 170.0 ? SKV_PAINT_EMITTER : SKV_PAINT_FLUID;
-    int after = h < 75.0 ? SKV_PAINT_EMITTER : h < 170.0 ? SKV_PAINT_FLUID : SKV_PAINT_DRAIN;
-    bool found_before = false, found_after = false;
     int nearest = WRONG, least = 256;
-    FOR_NEIGHBOURS(p, x, y)
-    {
+    if (is_meant(p))
+        return WRONG;
+    for (int i = 0; i < (2 * REACH + 1) * (2 * REACH + 1); i++) {
+        int x = p.x + i % (2 * REACH + 1) - REACH, y = p.y + i / (2 * REACH + 1) - REACH;
+        if (x < 0 || y < 0 || x >= p.image->width || y >= p.image->height)
+            continue;
         colour c = colour_at(p.image, x, y);
-        int class = classify(c);
-        found_before = found_before || class == before;
-        found_after = found_after || class == after;
-        if ((class == before || class == after) && difference(own, c) < least) {
+        if (classify(c) != WRONG && difference(own, c) < least) {
             least = difference(own, c);
-            nearest = class;
+            nearest = classify(c);
         }
     }
-    return found_before && found_after && !is_flat(p) ? nearest : WRONG;
+    return nearest;
 }
 
-static const char *hue_name(double h)
+static const char *name_colour(colour c)
 {
-    return h < 45.0    ? "orange"
+    double h = hue(c);
+    return h < 45.0    ? highest(c) < 200 ? "brown" : "orange"
            : h < 75.0  ? "yellow"
            : h < 170.0 ? "between green and blue"
            : h < 300.0 ? "violet"
@@ -160,7 +171,7 @@ static skv_result fail_wrong(place p, const char *label, skv_error *error)
     return skv_fail(error, SKV_ERROR_VALUE,
                     "%s: pixel (%d, %d) is %s (#%02x%02x%02x); allowed are light (solid), dark "
                     "(air), blue (fluid), green (emitter) and red (drain)",
-                    label, p.x, p.y, hue_name(hue(c)), (unsigned)c.r, (unsigned)c.g, (unsigned)c.b);
+                    label, p.x, p.y, name_colour(c), (unsigned)c.r, (unsigned)c.g, (unsigned)c.b);
 }
 
 /* ---- Coverage -------------------------------------------------------------------------------- */
