@@ -18,13 +18,14 @@ Usage: ./run.sh [SCENE]     install what is missing, build, and start the app on
                             build/release/skvalp and build/release/skvalp-play
        ./run.sh --help      this text
 
-On a machine without a display the scene is rendered instead, ten seconds of it, as a video and
+Where there is no display, or none that answers, the scene is rendered instead, ten seconds of it, as a video and
 pictures in out/. Packages come from Debian (apt-get, as root or through sudo); once they are
 installed, nothing is fetched any more. SKVALP_VERBOSE=1 shows what apt-get, cmake and ninja say.
 END
 }
 
 build_programs() {
+    require_writable . build build/*
     install_packages "${packages_build[@]}" "${packages_run[@]}"
     # The tests need packages of their own; test.sh adds them to the same folder.
     fresh_options+=(-DSKVALP_TESTS=OFF)
@@ -39,16 +40,18 @@ build_programs() {
 # Pictures along the way, and the whole as a video.
 render() {
     local scene=$1 name seconds
-    name=$(basename "$scene")
-    name=out/${name%.*}
+    require_writable out
     mkdir -p out
-    say "No display here (neither DISPLAY nor WAYLAND_DISPLAY is set): rendering ten seconds of" \
-        "$scene to out/"
+    name=$(basename "$scene")
+    # Named as they are called from where the user stands.
+    name=$(realpath --relative-to="$caller" "$PWD/out")/${name%.*}
+    say "Rendering ten seconds of $scene to ${name%/*}/"
+    cd "$caller"
     for seconds in 0.5 2; do
-        build/release/skvalp run "$scene" --seconds "$seconds" --png "$name-${seconds}s.png" \
+        "$program_folder/skvalp" run "$scene" --seconds "$seconds" --png "$name-${seconds}s.png" \
             >/dev/null || die "rendering $scene failed, see the line above"
     done
-    build/release/skvalp run "$scene" --seconds 10 --png "$name-10s.png" --video "$name.mp4" ||
+    "$program_folder/skvalp" run "$scene" --seconds 10 --png "$name-10s.png" --video "$name.mp4" ||
         die "rendering $scene failed, see the line above"
     say "Written: $name.mp4, $name-0.5s.png, $name-2s.png, $name-10s.png"
 }
@@ -70,12 +73,18 @@ if [[ ${1-} == build ]]; then
     exit
 fi
 
+program_folder=$PWD/build/release
 scene=${1:-$default_scene}
 # A file is meant relative to where the user stands.
 if [[ $scene != /* && -f $caller/$scene ]]; then
     scene=$caller/$scene
 fi
 if [[ -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; then
-    exec build/release/skvalp-play "$scene"
+    status=0
+    "$program_folder/skvalp-play" "$scene" || status=$?
+    # Status 3: the display does not answer, as the app has said.
+    ((status == 3)) || exit "$status"
+else
+    say "There is no display here (neither DISPLAY nor WAYLAND_DISPLAY is set)."
 fi
 render "$scene"

@@ -15,7 +15,8 @@ Usage: ./test.sh            install what is missing, build, run every test; then
        ./test.sh --quick    only the first part
        ./test.sh --help     this text
 
-The last line is "N passed, N failed", where one test is one program or script under tests/ in one
+All of it is about half an hour of processor time, the quick part a third of that; every half minute
+a line says how far it has come. The last line is "N passed, N failed", where one test is one program or script under tests/ in one
 of the builds; the exit status is 0 if none failed. SKV_LONG_TESTS=1 runs the long forms
 of some tests (500 painted worlds instead of 40). SKVALP_VERBOSE=1 shows all output.
 END
@@ -33,8 +34,8 @@ fail() {
 run_tests() {
     local preset=$1 log=$logs/test-$1.log summary bad total
     shift
-    logged "test-$preset" ctest --test-dir "build/$preset" -j "$(nproc)" --output-on-failure \
-        --no-tests=error --timeout 900 "$@" || true
+    watched "test-$preset" ctest --test-dir "build/$preset" -j "$(nproc)" --output-on-failure \
+        --no-tests=error --timeout 3600 "$@" || true
     summary=$(grep -E '^[0-9]+% tests passed, ' "$log" || true)
     if [[ ! $summary =~ \ ([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+) ]]; then
         fail "running the tests of build/$preset failed: $(reason "test-$preset") ($log)"
@@ -103,6 +104,7 @@ case ${1-} in
 esac
 
 trap finish EXIT
+require_writable . build build/*
 install_packages "${packages_build[@]}" "${packages_run[@]}" "${packages_test[@]}"
 [[ ${SKV_LONG_TESTS:-0} != 1 ]] || install_packages "${packages_long[@]}"
 if prepare release; then

@@ -5,6 +5,9 @@
 #include "actions.h"
 #include "window.h"
 
+/* The exit status by which run.sh knows that it has to make pictures instead. */
+enum { NO_DISPLAY = 3 };
+
 #define USAGE                                                                                      \
     "Usage: skvalp-play [SCENE]\n"                                                                 \
     "Shows a scene live: a built-in name such as dam-break, or a .json or .png file.\n"            \
@@ -44,6 +47,18 @@ int main(int argc, char **argv)
         fprintf(stderr, "skvalp-play: %s; try: skvalp-play --help\n",
                 argc > 2 ? "one scene at a time" : "unknown option");
         return 2;
+    }
+
+    if (!gtk_init_check()) {
+        const char *display = g_getenv("WAYLAND_DISPLAY");
+        display = display ? display : g_getenv("DISPLAY");
+        fprintf(
+            stderr,
+            "skvalp-play: %s%s; start it on a desktop, or make pictures without one: skvalp run "
+            "dam-break --png a.png\n",
+            display ? "no answer from the display " : "there is no display",
+            display ? display : "");
+        return NO_DISPLAY;
     }
 
     /* Each process is its own: two windows may show two scenes. */

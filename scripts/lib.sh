@@ -20,6 +20,7 @@ packages_fuzz=(clang-19 libclang-rt-19-dev zlib1g-dev)
 packages_lint=(clang-19 clang-format-19 clang-tidy-19 shellcheck)
 
 logs=build/logs
+progress_seconds=30 # between two lines that say how far a long command has come
 
 say() {
     printf '%s\n' "$*"
@@ -39,6 +40,16 @@ elapsed() {
     fi
 }
 
+# require_writable FOLDER...: what somebody else has built here, root for example, can't be built on.
+require_writable() {
+    local folder
+    for folder in "$@"; do
+        [[ ! -e $folder || -w $folder ]] ||
+            die "$PWD/$folder belongs to $(stat -c %U "$folder") and cannot be written; go on as" \
+                "that user, or make it yours: sudo chown -R $(id -un) $PWD/${folder%%/*}"
+    done
+}
+
 # logged NAME COMMAND...: runs the command with its output in build/logs/NAME.log.
 logged() {
     local log=$logs/$1.log
@@ -49,6 +60,22 @@ logged() {
     else
         "$@" >"$log" 2>&1
     fi
+}
+
+# watched NAME COMMAND...: the same, and says from time to time how far ninja or ctest has come.
+watched() {
+    local log=$logs/$1.log worker next=$((SECONDS + progress_seconds)) far status=0
+    logged "$@" &
+    worker=$!
+    while kill -0 "$worker" 2>/dev/null; do
+        sleep 0.5
+        ((SECONDS >= next)) || continue
+        next=$((SECONDS + progress_seconds))
+        far=$(grep -oE '^(\[[0-9]+/[0-9]+\]|[ 0-9]+/[0-9]+ )' "$log" | tail -n 1 | tr -d ' []' || true)
+        [[ -z $far || ${SKVALP_VERBOSE:-0} == 1 ]] || say "  ${far/\// of } ($(elapsed))"
+    done
+    wait "$worker" || status=$?
+    return "$status"
 }
 
 # reason NAME: the line of a log that says most about why the command failed.
@@ -118,7 +145,7 @@ configure() {
 build() {
     local preset=$1 log=build-$1
     shift
-    logged "$log" ninja -C "build/$preset" "$@"
+    watched "$log" ninja -C "build/$preset" "$@"
 }
 
 # choose_build ["$@"]: for scripts that measure with a build. Sets `build` to the first argument, or

@@ -57,7 +57,7 @@ find_window() {
 start_app() {
     "$build/skvalp-play" "$@" >"$work/app.log" 2>&1 &
     app=$!
-    await 20 find_window || fail "no window came up"
+    await 60 find_window || fail "no window came up"
     xdotool windowfocus "$window"
     eval "$(xdotool getwindowgeometry --shell "$window")" # X Y WIDTH HEIGHT
 }
@@ -98,7 +98,7 @@ ticks() { awk '{ print $14 + $15 }' "/proc/$app/stat"; }
 
 # 1. A pool: fluid in the lower half, none above it.
 start_app pool
-await 20 more 98 fluid 15 65 85 95 || fail "no fluid in the lower half of the pool"
+await 60 more 98 fluid 15 65 85 95 || fail "no fluid in the lower half of the pool"
 less 1 fluid 15 25 85 45 || fail "fluid above the pool"
 point 30 85
 
@@ -118,11 +118,11 @@ lift() { # SECONDS a move
 }
 lift 0.05 || lift 0.2 || lift 0.6 || fail "the mouse did not lift any fluid"
 xdotool mouseup 1
-await 20 less 2 fluid 42 25 58 45 || fail "the fluid did not fall back"
+await 60 less 2 fluid 42 25 58 45 || fail "the fluid did not fall back"
 
 # 3. Pause stands still and costs nothing; one step is a change; reset is the start.
 key space
-await 5 picture_stands || fail "Space did not pause"
+await 60 picture_stands || fail "Space did not pause"
 before=$(ticks)
 sleep 3
 (($(ticks) - before <= 1)) || fail "paused, the app kept working"
@@ -132,18 +132,18 @@ sleep 0.5
 shoot stepped
 ! cmp -s "$work/paused.ppm" "$work/stepped.ppm" || fail "S did not step"
 key r
-await 5 less 1 fluid 15 25 85 45 || fail "R did not reset"
+await 60 less 1 fluid 15 25 85 45 || fail "R did not reset"
 
 # 4. Tracers, while paused.
 less 1 white 15 65 85 95 || fail "white before tracers were asked for"
 key t
-await 5 more 1 white 15 65 85 95 || fail "T shows no tracers"
+await 60 more 1 white 15 65 85 95 || fail "T shows no tracers"
 key t
 
 # 5. Gravity by the arrow keys.
 key space
 key Right
-await 10 more 60 fluid 80 20 95 45 || fail "with gravity to the right the fluid stays left"
+await 60 more 60 fluid 80 20 95 45 || fail "with gravity to the right the fluid stays left"
 key Down
 
 # 6. The open dialog: a bad file is refused and the pool goes on, a painted picture is shown.
@@ -156,41 +156,41 @@ no_dialog() { ! find_dialog; }
 open_by_dialog() {
     xdotool windowfocus "$window"
     key ctrl+o
-    await 10 find_dialog || fail "Ctrl+O shows no dialog"
+    await 60 find_dialog || fail "Ctrl+O shows no dialog"
     sleep 0.5
     xdotool windowfocus "$dialog"
     xdotool type --delay 20 "$1"
     sleep 0.5
     key Return
-    await 10 no_dialog || fail "the dialog stays open"
+    await 60 no_dialog || fail "the dialog stays open"
     xdotool windowfocus "$window"
 }
 printf '{"fluid": {"spacing": "wide"}}' >"$work/broken.json"
 open_by_dialog "$work/broken.json"
-await 10 more 10 red 35 10 65 16 || fail "no message about a broken file"
-await 5 picture_changes || fail "the running scene stopped at a broken file"
-await 20 more 90 fluid 15 75 85 95 || fail "the running scene was lost to a broken file"
+await 60 more 10 red 35 10 65 16 || fail "no message about a broken file"
+await 60 picture_changes || fail "the running scene stopped at a broken file"
+await 60 more 90 fluid 15 75 85 95 || fail "the running scene was lost to a broken file"
 convert -size 160x90 xc:black -fill white -draw 'rectangle 0,86 160,90' \
     -fill '#0000ff' -draw 'rectangle 5,50 60,80' "PNG24:$work/painted.png"
 # Paused, so that the water is still where it was painted when a busy machine comes to look.
 key space
 open_by_dialog "$work/painted.png"
-await 10 less 5 fluid 75 20 95 60 || fail "fluid where none was painted"
-await 10 more 60 fluid 8 62 30 85 || fail "no fluid where it was painted"
-await 5 less 1 red 35 10 65 16 || fail "the message stayed although something was opened"
+await 60 less 5 fluid 75 20 95 60 || fail "fluid where none was painted"
+await 60 more 60 fluid 8 62 30 85 || fail "no fluid where it was painted"
+await 60 less 1 red 35 10 65 16 || fail "the message stayed although something was opened"
 
 key ctrl+q
-await 10 gone || fail "Ctrl+Q did not quit"
+await 60 gone || fail "Ctrl+Q did not quit"
 wait "$app" || fail "the app ended with status $?"
 app=''
 if grep -E 'CRITICAL|ERROR' "$work/app.log"; then fail "the toolkit complained"; fi
 
 # 7. A bad file on the command line: the window says so, and the default scene runs.
 start_app "$work/broken.json"
-await 20 more 10 red 35 10 65 16 || fail "no message about a broken file"
-await 10 more 5 fluid 2 20 98 98 || fail "no default scene beside the message"
-await 5 picture_changes || fail "the default scene does not run"
+await 60 more 10 red 35 10 65 16 || fail "no message about a broken file"
+await 60 more 5 fluid 2 20 98 98 || fail "no default scene beside the message"
+await 60 picture_changes || fail "the default scene does not run"
 key Escape
-await 5 less 1 red 35 10 65 16 || fail "the message did not go away"
+await 60 less 1 red 35 10 65 16 || fail "the message did not go away"
 running || fail "the app died"
 echo "app: a pool was lifted, paused, stepped, reset, tilted; broken files were refused"

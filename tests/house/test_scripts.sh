@@ -3,6 +3,7 @@
 # for nothing that is there. apt-get and dpkg-query are stand-ins here. Arguments: build folder,
 # source folder.
 set -euo pipefail
+build=$(realpath "${1:?usage: test_scripts.sh BUILD SOURCE}")
 cd "${2:?usage: test_scripts.sh BUILD SOURCE}"
 
 bad=0
@@ -77,6 +78,41 @@ for script in run.sh test.sh scripts/lint.sh; do
     expect "$script says so in one line" test "$(wc -l <"$work/err")" -eq 1
     expect "$script points to --help" grep -q -- '--help' "$work/err"
 done
+
+# What another user has built: one line with the remedy.
+mkdir -p "$work/theirs/build"
+chmod 755 "$work"
+chmod 555 "$work/theirs/build"
+as_user=()
+((EUID != 0)) || as_user=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+status=0
+(cd "$work/theirs" && "${as_user[@]}" bash -c 'program=try.sh; source /dev/stdin
+    require_writable . build build/*' <"$OLDPWD/scripts/lib.sh") >"$work/out" 2>"$work/err" ||
+    status=$?
+expect "a build of somebody else's ends the script" test "$status" -eq 1
+expect "one line says so" test "$(wc -l <"$work/err")" -eq 1
+expect "the line says whose it is and what to do" grep -qE \
+    "^try.sh: .*/theirs(/\.|/build)? belongs to $(id -un) .*sudo chown -R .*/theirs" "$work/err"
+
+# What takes long says how far it has come, and keeps its status.
+status=0
+(
+    cd "$work"
+    bash -c 'program=try.sh; source "$0"; progress_seconds=1
+        watched slow sh -c "echo \"[7/9] a.c.o\"; sleep 2.5; exit 5"' "$OLDPWD/scripts/lib.sh"
+) >"$work/out" 2>"$work/err" || status=$?
+expect "a watched command keeps its status" test "$status" -eq 5
+expect "it says how far it has come" grep -q '^  7 of 9 (' "$work/out"
+
+# A display that does not answer: one line and a status of its own, by which run.sh falls back.
+if [[ -x $build/skvalp-play ]]; then
+    status=0
+    env -u WAYLAND_DISPLAY DISPLAY=:54321 "$build/skvalp-play" pool >"$work/out" 2>"$work/err" ||
+        status=$?
+    expect "a dead display is told by the status" test "$status" -eq 3
+    expect "one line says so" test "$(wc -l <"$work/err")" -eq 1
+    expect "the line names it" grep -q '^skvalp-play: no answer from the display :54321; ' "$work/err"
+fi
 
 ((bad == 0)) || exit 1
 printf 'scripts: they explain themselves and install only what is missing\n'
