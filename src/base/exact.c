@@ -1,6 +1,8 @@
-/* exp, log and pow from +, -, *, / alone. Invariant: no call into libm, so the same bits come out
- * of every C library. Speed does not matter: they run when a world is made, never in a step. */
+/* exp, log, pow and atan2 from +, -, *, / and sqrt alone. Invariant: no call into libm, so the same
+ * bits come out of every C library. Speed does not matter: none of them runs in a step. */
 #include "base/exact.h"
+
+#include <math.h>
 
 static const double LN2 = 0.69314718055994530942;
 
@@ -40,4 +42,25 @@ double skv_pow(double b, double e)
     if (e == 0)
         return 1;
     return b > 0 ? skv_exp(e * skv_log(b)) : 0;
+}
+
+double skv_atan2(double y, double x)
+{
+    const double pi = 3.14159265358979323846;
+    double across = fabs(x), up = fabs(y), larger = skv_max(across, up);
+    if (!(larger > 0))
+        return 0;
+    /* Halve the angle three times, tan(a/2) = t / (1 + sqrt(1 + t^2)); then nine terms suffice. */
+    double t = skv_min(across, up) / larger;
+    for (int i = 0; i < 3; i++)
+        t = t / (1 + sqrt(1 + t * t));
+    double square = t * t, sum = 0;
+    for (int k = 17; k >= 1; k -= 2)
+        sum = 1.0 / k - square * sum;
+    double angle = 8 * t * sum;
+    if (up > across)
+        angle = pi / 2 - angle;
+    if (x < 0)
+        angle = pi - angle;
+    return y < 0 ? -angle : angle;
 }

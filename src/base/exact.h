@@ -33,6 +33,9 @@ double skv_exp(double x);
 /* Natural logarithm for normal x > 0, absolute error below 1e-14 near 1, relative elsewhere. */
 double skv_log(double x);
 
+/* The angle of (x, y) against the x axis, -pi..pi, absolute error below 1e-14; 0 for (0, 0). */
+double skv_atan2(double y, double x);
+
 /* b^e for b >= 0; 0^e is 0 for e > 0 and 1 for e = 0. */
 double skv_pow(double b, double e);
 

@@ -6,6 +6,8 @@
  */
 #include "measure/instruments.h"
 
+#include "base/exact.h"
+
 #include <math.h>
 
 #define PI 3.14159265358979323846
@@ -79,9 +81,9 @@ static void count_way(crossing *c, double x0, double y0, double x1, double y1)
 /* Looks at those only who have not travelled too far to have come from the gate. */
 static void count_crossings(const skv_survey *s, const skv_instrument_def *def, crossing *c)
 {
-    cell_range cells =
-        skv_survey_cells(s, fmin(def->x0, def->x1) - s->travel, fmin(def->y0, def->y1) - s->travel,
-                         fmax(def->x0, def->x1) + s->travel, fmax(def->y0, def->y1) + s->travel);
+    cell_range cells = skv_survey_cells(
+        s, skv_min(def->x0, def->x1) - s->travel, skv_min(def->y0, def->y1) - s->travel,
+        skv_max(def->x0, def->x1) + s->travel, skv_max(def->y0, def->y1) + s->travel);
     for (int row = cells.row0; row <= cells.row1; row++) {
         int begin = s->cell_start[row * s->columns + cells.column0];
         int end = s->cell_start[row * s->columns + cells.column1 + 1];
@@ -144,8 +146,8 @@ static skv_result sample_region(instrument *it, const look *seen, double *values
 {
     const skv_instrument_def *def = &it->def;
     const skv_survey *s = seen->survey;
-    double x0 = fmin(def->x0, def->x1), x1 = fmax(def->x0, def->x1);
-    double y0 = fmin(def->y0, def->y1), y1 = fmax(def->y0, def->y1);
+    double x0 = skv_min(def->x0, def->x1), x1 = skv_max(def->x0, def->x1);
+    double y0 = skv_min(def->y0, def->y1), y1 = skv_max(def->y0, def->y1);
     double sums[5] = {0}, speeds = 0;
     int count = 0;
     cell_range cells = skv_survey_cells(s, x0, y0, x1, y1);
@@ -183,7 +185,7 @@ static skv_result sample_ruler(instrument *it, const look *seen, double *values)
     values[0] = sqrt(dx * dx + dy * dy);
     values[1] = dx;
     values[2] = dy;
-    values[3] = atan2(dy, dx);
+    values[3] = skv_atan2(dy, dx);
     return SKV_OK;
 }
 
@@ -225,8 +227,8 @@ static void add_to_waves(wave_sums *w, double time, double level, double slope, 
         w->lowest = w->highest = level;
         w->since_l = w->since_s = 0;
     }
-    w->lowest = fmin(w->lowest, level);
-    w->highest = fmax(w->highest, level);
+    w->lowest = skv_min(w->lowest, level);
+    w->highest = skv_max(w->highest, level);
     w->since_l += level * level;
     w->since_s += slope * slope;
 }
@@ -244,11 +246,11 @@ static void read_waves(const instrument *it, double spacing, double *values)
             continue;
         level += levels[i];
         slope += slopes[i];
-        lowest = fmin(lowest, levels[i]);
-        highest = fmax(highest, levels[i]);
+        lowest = skv_min(lowest, levels[i]);
+        highest = skv_max(highest, levels[i]);
         count++;
     }
-    double noise = fmax(spacing / 4, (highest - lowest) / 10);
+    double noise = skv_max(spacing / 4, (highest - lowest) / 10);
     wave_sums w = {.rise = (double)NAN};
     for (int age = it->count - 1; age >= 0; age--) {
         int at = skv_instrument_slot(it, age);

@@ -9,6 +9,7 @@
 
 #include "base/arrays.h"
 #include "base/assert.h"
+#include "base/exact.h"
 #include "base/memory.h"
 #include "world/world_internal.h"
 
@@ -113,7 +114,8 @@ skv_result skv_force_measure(skv_force_meter *m, const skv_world *world, double 
 {
     SKV_ASSERT_OR(m && world && force, SKV_ERROR_VALUE);
     *force = (skv_wall_force){0};
-    skv_reaction reaction = {fmin(x0, x1), fmin(y0, y1), fmax(x0, x1), fmax(y0, y1), 0, 0, 0};
+    skv_reaction reaction = {
+        skv_min(x0, x1), skv_min(y0, y1), skv_max(x0, x1), skv_max(y0, y1), 0, 0, 0};
     const skv_constants constants =
         skv_make_constants(&world->fluid, 1.0f / 60 / (float)world->substeps);
     skv_pull pulls[SKV_MAX_HANDS];

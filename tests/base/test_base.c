@@ -140,6 +140,9 @@ static void exact_functions_agree_with_libm(void **unused)
     for (double b = 0.01; b < 1; b += 0.01)
         for (double e = 0.01; e < 2; e += 0.05)
             assert_true(fabs(skv_pow(b, e) / pow(b, e) - 1) < 1e-13);
+    for (double angle = -3.1; angle <= 3.1; angle += 0.001)
+        assert_true(fabs(skv_atan2(3 * sin(angle), 3 * cos(angle)) - angle) < 1e-14);
+    assert_true(skv_atan2(0, 0) == 0 && skv_atan2(0, -2) == 3.14159265358979323846);
     assert_true(skv_pow(0, 0) == 1 && skv_pow(0, 0.3) == 0 && skv_exp(0) == 1 && skv_log(1) == 0);
 }
 

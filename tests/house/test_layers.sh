@@ -25,7 +25,6 @@ declare -A may=(
 )
 # What the core may take from the system: what a compiler brings along, and so much of <math.h> and
 # <string.h> as src/base/wasm/include declares. The rest is behind src/base/platform.h.
-# Measuring may take what C has.
 core_system=' float limits math stdarg stdatomic stdbool stddef stdint string immintrin emmintrin
  arm_neon wasm_simd128 '
 declare -A system=(
@@ -34,7 +33,7 @@ declare -A system=(
     [terrain]=$core_system
     [camera]=$core_system
     [world]=$core_system
-    [measure]="$core_system assert ctype errno inttypes stdio stdlib "
+    [measure]=$core_system
 )
 
 bad=0

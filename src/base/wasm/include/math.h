@@ -10,5 +10,9 @@ double ceil(double x);
 double floor(double x);
 
 #define isfinite(x) __builtin_isfinite(x)
+#define isnan(x)    __builtin_isnan(x)
+
+#define NAN      __builtin_nanf("")
+#define HUGE_VAL __builtin_huge_val()
 
 #endif
