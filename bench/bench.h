@@ -40,7 +40,9 @@ typedef struct bench_row {
     double neighbours;
     bench_time fast;
     bench_time reference; /* NaN where it was left out */
-    double bytes;         /* a particle, of the solver's own arrays */
+    double bytes;         /* a particle, of the particles' arrays */
+    double kept_bytes;    /* a particle, of the pairs that are kept */
+    double grid_bytes;    /* a particle, of the grid and of each thread's counts */
     skv_profile phases;   /* seconds a substep of the fastest round */
 } bench_row;
 

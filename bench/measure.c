@@ -257,6 +257,7 @@ static skv_result add_rows(const bench *b, bench_report *report, skv_error *erro
         return result;
     for (int t = 0; t < b->counts; t++) {
         const skv_world *world = b->fast[t].world;
+        skv_memory memory = skv_world_memory(world);
         report->row[report->count++] = (bench_row){
             .what = b->what,
             .particles = stats.particles,
@@ -265,7 +266,9 @@ static skv_result add_rows(const bench *b, bench_report *report, skv_error *erro
             .neighbours = packing.neighbours,
             .fast = summary(&b->fast[t]),
             .reference = summary(&b->reference[t]),
-            .bytes = (double)skv_world_solver_bytes(world) / stats.particles,
+            .bytes = (double)memory.particles / stats.particles,
+            .kept_bytes = (double)memory.kept / stats.particles,
+            .grid_bytes = (double)(memory.grid + memory.histograms) / stats.particles,
             .phases = b->fast[t].best,
         };
         report->threads = skv_world_threads(world);
@@ -284,7 +287,7 @@ skv_result bench_measure(const bench_options *options, bench_progress *progress,
 {
     bench_case cases[BENCH_MAX_CASES];
     int count = bench_plan(options, cases);
-    *report = (bench_report){.instruction_set = skv_instruction_set(),
+    *report = (bench_report){.instruction_set = skv_instruction_set_name(SKV_ISA_BEST),
                              .load = bench_load(),
                              .quick = options->quick,
                              .only = options->particles};

@@ -47,7 +47,7 @@ void bench_write_csv(FILE *out, const bench_report *report)
     fputs("cpu,compiler,instruction_set,scene,law,viscosity,particles,threads,substeps,neighbours,"
           "ms_per_step,ms_per_step_median,ns_per_particle_substep,ns_per_particle_substep_median,"
           "reference_ns_per_particle_substep,reference_ns_per_particle_substep_median,ratio,"
-          "bytes_per_particle",
+          "bytes_per_particle,kept_bytes_per_particle,grid_bytes_per_particle",
           out);
     const skv_profile *names = &report->row[0].phases;
     for (int i = 0; i < names->count; i++)
@@ -66,7 +66,9 @@ void bench_write_csv(FILE *out, const bench_report *report)
                                   bench_ns(row, row->reference.minimum),
                                   bench_ns(row, row->reference.median),
                                   bench_ratio(row),
-                                  row->bytes};
+                                  row->bytes,
+                                  row->kept_bytes,
+                                  row->grid_bytes};
         for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
             number(out, numbers[k]);
         for (int k = 0; k < row->phases.count; k++)

@@ -25,7 +25,7 @@ static json_t *json_row(const bench_report *report, const bench_row *row)
         json_object_set_new(phases, row->phases.name[i],
                             output_number(bench_ns(row, row->phases.seconds[i])));
     /* clang-format off */
-    return json_pack("{so ss sb si si si so so so so so so so so so so so so}",
+    return json_pack("{so ss sb si si si so so so so so so so so so so so so so so}",
         "scene", output_text(row->what.scene),
         "law", skv_law_name(row->what.law),
         "viscosity", row->what.viscous,
@@ -40,6 +40,8 @@ static json_t *json_row(const bench_report *report, const bench_row *row)
         "reference_ns_per_particle_substep", output_number(bench_ns(row, row->reference.minimum)),
         "ratio", output_number(bench_ratio(row)),
         "bytes_per_particle", output_number(row->bytes),
+        "kept_bytes_per_particle", output_number(row->kept_bytes),
+        "grid_bytes_per_particle", output_number(row->grid_bytes),
         "phases", phases,
         "instruction_set", output_text(report->instruction_set),
         "compiler", output_text(report->compiler),

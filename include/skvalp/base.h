@@ -133,6 +133,16 @@ typedef struct skv_pool skv_pool;
 SKV_API skv_result skv_pool_create(int threads, skv_pool **pool, skv_error *error);
 SKV_API void skv_pool_destroy(skv_pool *pool);
 
+/* Instruction sets that the fast solver can compute with. The results are the same. */
+typedef enum skv_instruction_set {
+    SKV_ISA_BEST, /* the best that the processor has */
+    SKV_ISA_SCALAR,
+    SKV_ISA_SSE2,
+    SKV_ISA_AVX2,
+    SKV_ISA_NEON,
+    SKV_ISA_WASM
+} skv_instruction_set;
+
 /* Receives a failed assertion: the condition as text, the file and the line. If it returns, the
  * function that was misused returns without effect (null, zero or SKV_ERROR_VALUE). */
 typedef void skv_assert_handler(const char *condition, const char *file, int line, void *user);

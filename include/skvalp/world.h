@@ -85,7 +85,9 @@ typedef struct skv_world_def {
     skv_pool *pool; /* threads shared with other worlds; null: threads of its own. If set, `threads`
                        and `tasks` are ignored. */
     skv_task_system tasks; /* a host's threads instead, if tasks.run is set; `threads` is ignored */
-    skv_solver_kind solver; /* default SKV_SOLVER_FAST */
+    skv_solver_kind solver;              /* default SKV_SOLVER_FAST */
+    skv_instruction_set instruction_set; /* of the fast solver; default SKV_ISA_BEST. One that this
+                                            machine lacks: SKV_ERROR_VALUE */
     bool sleep;   /* default true: fluid that has been at rest for a while is not stepped until
                      something disturbs it (docs/model.md). Only with SKV_SOLVER_FAST. */
     int capacity; /* particles to make room for at creation; the world grows beyond it */
@@ -243,12 +245,18 @@ typedef struct skv_profile {
 } skv_profile;
 SKV_API skv_profile skv_world_profile(skv_world *world, bool reset);
 
-/* The instruction set that the fast solver uses on this machine: "avx2", "sse2", "neon", "wasm" or
- * "scalar". The environment variable SKVALP_ISA chooses a smaller one; results are the same. */
-SKV_API const char *skv_instruction_set(void);
+/* The name of an instruction set: "scalar", "sse2", "avx2", "neon" or "wasm"; of SKV_ISA_BEST, that
+ * of the best one. Null if this machine, or this build, does not have it. Thread-safe. */
+SKV_API const char *skv_instruction_set_name(skv_instruction_set set);
 
-/* Bytes that the solver holds for its particles' own arrays, kept pairs and grid apart. */
-SKV_API size_t skv_world_solver_bytes(const skv_world *world);
+/* Bytes that a world holds, terrain and walls apart. */
+typedef struct skv_memory {
+    size_t particles;  /* the particles' arrays, the world's and the solver's */
+    size_t kept;       /* what the solver keeps of pairs while it steps */
+    size_t grid;       /* where the solver finds particles */
+    size_t histograms; /* for filling the grid, once for each thread */
+} skv_memory;
+SKV_API skv_memory skv_world_memory(const skv_world *world);
 
 /* A finger or the mouse holding fluid (thesis, section 3.5): within `radius` of (x, y), and fading
  * with the distance, particles are pulled towards the point, slowed down, and carried along with

@@ -23,9 +23,6 @@ _Noreturn void skv_platform_abort(void);
 /* Seconds from an arbitrary origin, monotonic; always 0 where there is no clock. */
 double skv_clock(void);
 
-/* The value of an environment variable; null if it is not set. */
-const char *skv_platform_variable(const char *name);
-
 /* Physical cores, at least 1. */
 int skv_platform_cores(void);
 

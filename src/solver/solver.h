@@ -21,10 +21,11 @@
 
 /* What a solver is made for. */
 typedef struct skv_solver_def {
-    float x0, y0, x1, y1;         /* where fluid is to be expected, m; it may leave */
-    float h;                      /* smoothing radius, m */
-    float per_square;             /* particles in a square of side h at rest */
-    const skv_boundary *boundary; /* has to outlive the solver */
+    float x0, y0, x1, y1;                /* where fluid is to be expected, m; it may leave */
+    float h;                             /* smoothing radius, m */
+    skv_instruction_set instruction_set; /* one that this machine has; not all solvers care */
+    float per_square;                    /* particles in a square of side h at rest */
+    const skv_boundary *boundary;        /* has to outlive the solver */
 } skv_solver_def;
 
 /* The particles, in the caller's arrays: SI units. */
@@ -61,6 +62,14 @@ typedef struct skv_solver_step {
     skv_reaction *reaction; /* adds to it; only with `reacts`. Null: not wanted */
 } skv_solver_step;
 
+/* Bytes that a solver holds. */
+typedef struct skv_solver_memory {
+    size_t particles;  /* its own arrays of particles */
+    size_t kept;       /* what it keeps of pairs */
+    size_t grid;       /* where it finds particles */
+    size_t histograms; /* for filling the grid, once for each thread */
+} skv_solver_memory;
+
 typedef struct skv_solver skv_solver;
 
 enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_PULLS = 16 };
@@ -82,8 +91,7 @@ typedef struct skv_solver_type {
     skv_impulse (*advance)(skv_solver *solver, const skv_solver_step *step);
     /* Wall seconds of each pass since the last call with `reset`. */
     void (*profile)(skv_solver *solver, bool reset, double *seconds);
-    /* Bytes held for the particles' arrays. */
-    size_t (*bytes)(const skv_solver *solver);
+    skv_solver_memory (*memory)(const skv_solver *solver);
 } skv_solver_type;
 
 /* What every solver begins with. */
@@ -92,5 +100,8 @@ struct skv_solver {
 };
 
 extern const skv_solver_type skv_reference_solver, skv_rows_solver;
+
+/* What the rows call an instruction set, or the best one; null if this machine lacks it. */
+const char *skv_rows_instruction_set(skv_instruction_set set);
 
 #endif

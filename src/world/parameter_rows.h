@@ -84,6 +84,9 @@ HOST_WHOLE(CAPACITY, "capacity", capacity, "", 0, SKV_MAX_PARTICLES, 0, false,
            "particles to make room for at creation")
 HOST_CHOICE(SOLVER, "solver", solver, "fast|reference", fast,
             "the production solver, or the one that is written for reading")
+HOST_CHOICE(INSTRUCTION_SET, "instruction_set", instruction_set,
+            "best|scalar|sse2|avx2|neon|wasm", best,
+            "instruction set to compute with; the results are the same")
 /* clang-format on */
 #undef NUMBER
 #undef NUMBER_BY_LAW

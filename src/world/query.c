@@ -92,13 +92,15 @@ skv_wall_impulse skv_world_wall_impulse(const skv_world *world)
     return world->wall_impulse;
 }
 
-const char *skv_instruction_set(void)
+skv_memory skv_world_memory(const skv_world *world)
 {
-    return skv_rows_isa();
-}
-
-size_t skv_world_solver_bytes(const skv_world *world)
-{
-    SKV_ASSERT_OR(world, 0);
-    return world->solver->type->bytes(world->solver);
+    SKV_ASSERT_OR(world, (skv_memory){0});
+    skv_solver_memory solver = world->solver->type->memory(world->solver);
+    return (skv_memory){
+        .particles = skv_state_bytes(&world->state) +
+                     (size_t)world->sleep.room * sizeof *world->sleep.members + solver.particles,
+        .kept = solver.kept,
+        .grid = solver.grid,
+        .histograms = solver.histograms,
+    };
 }

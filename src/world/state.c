@@ -26,6 +26,15 @@ skv_result skv_state_reserve(skv_state *state, int count, skv_error *error)
     return SKV_OK;
 }
 
+size_t skv_state_bytes(const skv_state *state)
+{
+    size_t room = (size_t)state->capacity;
+#define ENTRY(type, name) SKV_ARRAY(state->name, room, 0),
+    const skv_array arrays[] = {SKV_STATE_ARRAYS(ENTRY)};
+#undef ENTRY
+    return room ? skv_arrays_bytes(arrays, sizeof arrays / sizeof *arrays) : 0;
+}
+
 void skv_state_move(skv_state *state, int from, int to)
 {
 #define MOVE(type, name) state->name[to] = state->name[from];

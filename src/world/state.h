@@ -32,6 +32,9 @@ typedef struct skv_state {
 /* Makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_state_reserve(skv_state *state, int count, skv_error *error);
 
+/* Bytes held. */
+size_t skv_state_bytes(const skv_state *state);
+
 /* Puts particle `from` into the place `to`. */
 void skv_state_move(skv_state *state, int from, int to);
 

@@ -86,6 +86,7 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
             .x1 = skv_terrain_width(terrain),
             .y1 = skv_terrain_height(terrain),
             .h = world->h,
+            .instruction_set = def->instruction_set,
             .per_square = fluid->radius_ratio * fluid->radius_ratio,
             .boundary = &world->boundary,
         };
@@ -96,6 +97,12 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     if (result == SKV_OK && def->capacity > 0)
         result = skv_world_reserve(world, def->capacity, error);
     return result;
+}
+
+const char *skv_instruction_set_name(skv_instruction_set set)
+{
+    SKV_ASSERT_OR(set >= SKV_ISA_BEST && set <= SKV_ISA_WASM, NULL);
+    return skv_rows_instruction_set(set);
 }
 
 skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error *error)

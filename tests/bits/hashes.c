@@ -1,5 +1,6 @@
-/* Prints one line "name frames hash" for each of the worlds. Arguments: threads, frames; without
- * any it prints the instruction set in use. Invariant: worlds.c alone decides about the numbers. */
+/* Prints one line "name frames hash" for each of the worlds. Arguments: the instruction set or
+ * "best", threads, frames; without the last two it prints the instruction set in use. Invariant:
+ * worlds.c alone decides about the numbers. */
 #include "worlds.h"
 
 #include <inttypes.h>
@@ -8,13 +9,17 @@
 
 int main(int argc, char **argv)
 {
-    if (argc == 1) {
+    if (argc > 1 && !bits_choose(argv[1])) {
+        fprintf(stderr, "bits_hashes: no instruction set %s\n", argv[1]);
+        return 2;
+    }
+    if (argc == 2) {
         puts(bits_instruction_set());
         return 0;
     }
-    int threads = argc == 3 ? atoi(argv[1]) : 0, frames = argc == 3 ? atoi(argv[2]) : 0;
+    int threads = argc == 4 ? atoi(argv[2]) : 0, frames = argc == 4 ? atoi(argv[3]) : 0;
     if (threads < 1 || frames < 1) {
-        fprintf(stderr, "usage: bits_hashes [THREADS FRAMES]\n");
+        fprintf(stderr, "usage: bits_hashes INSTRUCTION-SET [THREADS FRAMES]\n");
         return 2;
     }
     for (int i = 0; i < bits_count(); i++)

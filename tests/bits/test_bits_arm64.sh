@@ -24,13 +24,12 @@ gcc=$(arm64 arm64-gcc -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_EXE_LINKE
 clang=$(arm64 arm64-clang-19 -DCMAKE_C_COMPILER=clang-19 \
     -DCMAKE_C_COMPILER_TARGET=aarch64-linux-gnu "-DCMAKE_EXE_LINKER_FLAGS=-static -fuse-ld=lld-19")
 for folder in "$gcc" "$clang"; do
-    set_is "arm64, $folder" neon qemu-aarch64 "$folder/bits_hashes"
+    set_is "arm64, $folder" neon qemu-aarch64 "$folder/bits_hashes" best
     fuses_nothing "$folder/src/libskvalp.a" aarch64-linux-gnu-objdump
 done
 same_worlds "arm64, gcc, NEON, 3 threads" "$short_run" \
-    qemu-aarch64 "$gcc/bits_hashes" 3 "$short_run"
-same_worlds "arm64, clang, NEON" "$short_run" qemu-aarch64 "$clang/bits_hashes" 1 "$short_run"
-export SKVALP_ISA=scalar
-set_is "arm64, scalar" scalar qemu-aarch64 "$gcc/bits_hashes"
-same_worlds "arm64, gcc, scalar" "$short_run" qemu-aarch64 "$gcc/bits_hashes" 1 "$short_run"
+    qemu-aarch64 "$gcc/bits_hashes" best 3 "$short_run"
+same_worlds "arm64, clang, NEON" "$short_run" qemu-aarch64 "$clang/bits_hashes" best 1 "$short_run"
+set_is "arm64, scalar" scalar qemu-aarch64 "$gcc/bits_hashes" scalar
+same_worlds "arm64, gcc, scalar" "$short_run" qemu-aarch64 "$gcc/bits_hashes" scalar 1 "$short_run"
 verdict

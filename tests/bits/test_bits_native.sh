@@ -34,17 +34,17 @@ for compiler in gcc clang-19; do
             folder=$(core "$compiler-$type" -DCMAKE_C_COMPILER="$compiler" \
                 -DCMAKE_BUILD_TYPE="$type")
         for set in "${sets[@]}"; do
-            set_is "$compiler $type" "$set" env SKVALP_ISA="$set" "$folder/bits_hashes"
+            set_is "$compiler $type" "$set" "$folder/bits_hashes" "$set"
             threads=(1 "${many[turn++ % ${#many[@]}]}")
             [[ ${SKV_LONG_TESTS:-0} != 1 ]] || threads=(1 "${many[@]}")
             for count in "${threads[@]}"; do
                 same_worlds "$compiler $type, $set, $count threads" "$short_run" \
-                    env SKVALP_ISA="$set" "$folder/bits_hashes" "$count" "$short_run"
+                    "$folder/bits_hashes" "$set" "$count" "$short_run"
             done
         done
         # The long run, on what a user gets: the widest instruction set.
         [[ $type == Debug ]] ||
-            same_worlds "$compiler $type" "$long_run" "$folder/bits_hashes" 1 "$long_run"
+            same_worlds "$compiler $type" "$long_run" "$folder/bits_hashes" best 1 "$long_run"
     done
 done
 verdict

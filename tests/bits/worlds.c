@@ -116,9 +116,20 @@ const char *bits_name(int number)
     return kinds[number].name;
 }
 
+static skv_instruction_set chosen = SKV_ISA_BEST;
+
 const char *bits_instruction_set(void)
 {
-    return skv_instruction_set();
+    return skv_instruction_set_name(chosen);
+}
+
+bool bits_choose(const char *instruction_set)
+{
+    skv_world_def def = skv_default_world_def();
+    if (skv_world_def_set(&def, "instruction_set", instruction_set, NULL) != SKV_OK)
+        return false;
+    chosen = def.instruction_set;
+    return skv_instruction_set_name(chosen) != NULL;
 }
 
 static skv_terrain *make_terrain(const world_kind *kind)
@@ -147,6 +158,7 @@ static skv_world *make_world(const world_kind *kind, int threads)
     def.gravity_x = kind->gravity_x;
     def.solver = kind->solver;
     def.threads = threads;
+    def.instruction_set = chosen;
     skv_world *world = NULL;
     if (!def.terrain)
         return NULL;

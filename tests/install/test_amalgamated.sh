@@ -33,8 +33,8 @@ sets=(scalar)
 [[ $(uname -m) != x86_64 ]] || sets+=(sse2)
 ! grep -qw avx2 /proc/cpuinfo || sets+=(avx2)
 for set in "${sets[@]}"; do
-    set_is "cc, $set" "$set" env SKVALP_ISA="$set" "$program"
-    same_worlds "cc, $set" "$short_run" env SKVALP_ISA="$set" "$program" 2 "$short_run"
+    set_is "cc, $set" "$set" "$program" "$set"
+    same_worlds "cc, $set" "$short_run" "$program" "$set" 2 "$short_run"
 done
 ! nm -g --defined-only "$work/cc.o" | awk '{ print $3 }' | grep -v '^skv_' ||
     complain "it defines names that are not the library's"
@@ -42,10 +42,10 @@ done
 if [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
     for compiler in gcc clang-19; do
         program=$(made "$compiler-native" "$compiler" -march=native)
-        same_worlds "$compiler -march=native" "$short_run" "$program" 1 "$short_run"
+        same_worlds "$compiler -march=native" "$short_run" "$program" best 1 "$short_run"
     done
     program=$(made arm64 aarch64-linux-gnu-gcc -static)
-    same_worlds "arm64" "$short_run" qemu-aarch64 "$program" 1 "$short_run"
+    same_worlds "arm64" "$short_run" qemu-aarch64 "$program" best 1 "$short_run"
 fi
 for option in -ffast-math -ffinite-math-only; do
     said=$(cd "$work/skvalp" && cc "$option" -fsyntax-only skvalp.c 2>&1) &&

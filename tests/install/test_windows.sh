@@ -26,16 +26,16 @@ windows wineboot --init >/dev/null
 
 folder=$(core windows --toolchain cmake/mingw64.cmake -DSKVALP_SHARED=ON -DSKVALP_WERROR=ON)
 ninja -C "$folder" >"$work/log" 2>&1 || complain "the DLL is not built: $(tail -n 3 "$work/log")"
-set_is "Windows" sse2 windows "$folder/bits_hashes.exe"
+set_is "Windows" sse2 windows "$folder/bits_hashes.exe" best
 for threads in 1 3; do
     same_worlds "Windows, $threads threads" "$short_run" \
-        windows "$folder/bits_hashes.exe" "$threads" "$short_run"
+        windows "$folder/bits_hashes.exe" best "$threads" "$short_run"
 done
 
 cp "$folder"/libskvalp-*.dll "$work/"
 "$gcc" -DSKVALP_DLL -Iinclude -Itests/bits tests/bits/hashes.c tests/bits/worlds.c \
     "$folder/src/libskvalp.dll.a" -lm -o "$work/with_dll.exe"
-same_worlds "Windows, DLL" "$short_run" windows "$work/with_dll.exe" 2 "$short_run"
+same_worlds "Windows, DLL" "$short_run" windows "$work/with_dll.exe" best 2 "$short_run"
 headers_declare include/skvalp | sort >"$work/declared"
 x86_64-w64-mingw32-objdump -p "$work"/libskvalp-*.dll |
     sed -nE 's/^\t\[ *[0-9]+\].* (skv_[a-z0-9_]+)$/\1/p' | sort -u >"$work/exported"
@@ -45,5 +45,5 @@ diff "$work/declared" "$work/exported" >"$work/log" ||
 python3 scripts/amalgamate.py "$work/skvalp"
 "$gcc" -O2 "-I$work" -Itests/bits tests/bits/hashes.c tests/bits/worlds.c "$work/skvalp/skvalp.c" \
     -lm -o "$work/one_file.exe"
-same_worlds "Windows, one file" "$short_run" windows "$work/one_file.exe" 2 "$short_run"
+same_worlds "Windows, one file" "$short_run" windows "$work/one_file.exe" best 2 "$short_run"
 verdict

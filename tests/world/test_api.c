@@ -192,7 +192,7 @@ static void facts_are_right(void **unused)
     skv_profile profile = skv_world_profile(world, false);
     assert_int_equal(profile.count, 4);
     assert_string_equal(profile.name[1], "sort");
-    assert_int_equal(skv_world_solver_bytes(world), 0);
+    assert_int_equal(skv_world_memory(world).kept, 0);
     /* An empty world steps, reports and stays empty. */
     fixture_run(world, 3);
     assert_int_equal(skv_world_stats(world).particles, 0);
@@ -208,7 +208,7 @@ static void facts_are_right(void **unused)
         assert_true(p.x[i] == 0.1f + 0.005f * (float)i);
     }
     fixture_run(world, 1);
-    assert_true(skv_world_solver_bytes(world) > 0);
+    assert_true(skv_world_memory(world).kept > 0);
     skv_world_destroy(world);
 }
 

@@ -34,11 +34,6 @@ double skv_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-const char *skv_platform_variable(const char *name)
-{
-    return getenv(name);
-}
-
 /* A core's first hardware thread is the one that heads its sibling list. */
 int skv_platform_cores(void)
 {

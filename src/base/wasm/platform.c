@@ -114,12 +114,6 @@ double skv_clock(void)
     return 0;
 }
 
-const char *skv_platform_variable(const char *name)
-{
-    (void)name;
-    return NULL;
-}
-
 int skv_platform_cores(void)
 {
     return 1;

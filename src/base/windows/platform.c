@@ -6,7 +6,6 @@
 
 #include <malloc.h>
 #include <process.h>
-#include <stdlib.h>
 #include <windows.h>
 
 enum { MAX_CREW = 64, MAX_PROCESSORS = 256 };
@@ -44,11 +43,6 @@ double skv_clock(void)
     QueryPerformanceCounter(&now);
     QueryPerformanceFrequency(&frequency);
     return (double)now.QuadPart / (double)frequency.QuadPart;
-}
-
-const char *skv_platform_variable(const char *name)
-{
-    return getenv(name);
 }
 
 int skv_platform_cores(void)

@@ -218,9 +218,17 @@ static void profile(skv_solver *solver, bool reset, double *seconds)
         memset(r->seconds, 0, sizeof r->seconds);
 }
 
-static size_t bytes(const skv_solver *solver)
+static skv_solver_memory memory(const skv_solver *solver)
 {
-    return ((const reference *)solver)->bytes;
+    const reference *r = (const reference *)solver;
+    const skv_neighbours *n = &r->neighbours;
+    size_t cells = (size_t)n->columns * (size_t)n->rows + 1;
+    return (skv_solver_memory){
+        .particles = r->bytes + (size_t)n->particle_capacity *
+                                    (sizeof *n->sorted + sizeof *n->cell + sizeof *n->start),
+        .kept = (size_t)n->list_capacity * sizeof *n->list,
+        .grid = cells * sizeof *n->cell_start,
+    };
 }
 
 const skv_solver_type skv_reference_solver = {
@@ -234,5 +242,5 @@ const skv_solver_type skv_reference_solver = {
     .reserve = reserve,
     .advance = advance,
     .profile = profile,
-    .bytes = bytes,
+    .memory = memory,
 };

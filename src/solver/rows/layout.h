@@ -167,12 +167,13 @@ struct skv_rows {
     int *row_blocks;          /* blocks of pairs in a row's ranges */
     int *row_walls;           /* particles near a wall in a row; -1: more than a thread keeps */
 
+    const struct skv_row_kernels *kernels;
     skv_row_thread *thread;
     int thread_room, threads; /* threads to have memory for, and at work in this call */
     bool viscous;             /* pair viscosity in the first iteration */
     bool held, gauged;        /* this substep computes the gauge pressure */
     void *particle_block, *viscous_block, *grid_block, *histogram_block;
-    skv_row_bytes bytes;
+    skv_solver_memory memory;
     double seconds[ROW_PHASES];
 };
 

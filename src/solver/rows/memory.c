@@ -25,10 +25,15 @@ enum { BLOCKS_A_TILE = 12 };
  * is cheaper than computing them again. */
 #define MOST_KEPT ((size_t)8 << 20)
 
-skv_result skv_rows_create(float width, float height, float per_square, skv_rows **out,
-                           skv_error *error)
+skv_result skv_rows_create(float width, float height, float per_square, skv_instruction_set set,
+                           skv_rows **out, skv_error *error)
 {
     *out = NULL;
+    const skv_row_kernels *kernels = skv_row_kernels_for(set);
+    if (!kernels)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "instruction_set: this machine lacks it; its best is %s",
+                        skv_row_kernels_for(SKV_ISA_BEST)->isa);
     skv_rows *rows = skv_calloc(1, sizeof *rows);
     if (!rows)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver");
@@ -39,6 +44,7 @@ skv_result skv_rows_create(float width, float height, float per_square, skv_rows
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "the world is too large for its smoothing radius; use a larger spacing");
     }
+    rows->kernels = kernels;
     rows->cells_used = (int)cells;
     rows->stride = ((int)cells + ROW_CELLS + 2 + ROW_LANES - 1) & ~(ROW_LANES - 1);
     rows->row_count = (int)row_count;
@@ -50,7 +56,7 @@ skv_result skv_rows_create(float width, float height, float per_square, skv_rows
         skv_free(rows);
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the solver's grid");
     }
-    rows->bytes.grid = numbers * sizeof *block;
+    rows->memory.grid = numbers * sizeof *block;
     rows->grid_block = block;
     rows->cell_start = block;
     int **by_row[] = {&rows->row_start, &rows->row_end,    &rows->new_start, &rows->new_end,
@@ -70,7 +76,7 @@ static void free_threads(skv_rows *rows)
     rows->thread = NULL;
     rows->histogram_block = NULL;
     rows->thread_room = 0;
-    rows->bytes.histograms = rows->bytes.kept = 0;
+    rows->memory.histograms = rows->memory.kept = 0;
 }
 
 void skv_rows_destroy(skv_rows *rows)
@@ -101,7 +107,7 @@ static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d threads", threads);
     }
     rows->histogram_block = histograms;
-    rows->bytes.histograms = numbers * (size_t)threads * sizeof *histograms;
+    rows->memory.histograms = numbers * (size_t)threads * sizeof *histograms;
     rows->thread_room = threads;
     for (int t = 0; t < threads; t++) {
         rows->thread[t].histogram = histograms + numbers * (size_t)t;
@@ -140,7 +146,7 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
         skv_near_wall *samples = (skv_near_wall *)(void *)memory;
         for (int slot = 0; slot < ROW_SLOTS; slot++, samples += fullest)
             own->samples[slot] = (skv_row_samples){samples, fullest, 0};
-        rows->bytes.kept = bytes * (size_t)rows->thread_room;
+        rows->memory.kept = bytes * (size_t)rows->thread_room;
     }
     return SKV_OK;
 }
@@ -202,7 +208,7 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
         *by_tile[i] = (int *)(void *)block;
     rows->capacity = capacity;
     rows->slots = (int)slots;
-    rows->bytes.particles = total * sizeof *block;
+    rows->memory.particles = total * sizeof *block;
     return SKV_OK;
 }
 
@@ -219,7 +225,7 @@ static skv_result reserve_viscous(skv_rows *rows, bool viscous, skv_error *error
     rows->viscous_block = block;
     for (int a = 0; a < ARRAYS; a++, block += stride)
         rows->viscous_memory[a] = block;
-    rows->bytes.particles += ARRAYS * stride * sizeof *block;
+    rows->memory.particles += ARRAYS * stride * sizeof *block;
     return SKV_OK;
 }
 
@@ -259,7 +265,7 @@ void skv_rows_lend_buffers(skv_rows *rows)
     rows->place = (int *)(void *)own[0];
 }
 
-skv_row_bytes skv_rows_bytes(const skv_rows *rows)
+skv_solver_memory skv_rows_memory(const skv_rows *rows)
 {
-    return rows->bytes;
+    return rows->memory;
 }

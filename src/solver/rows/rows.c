@@ -103,7 +103,7 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
         return (skv_impulse){0};
     rows->held = frame->members != NULL;
     skv_row_run shared = {.rows = rows,
-                          .kernels = skv_row_kernels_chosen(),
+                          .kernels = rows->kernels,
                           .constants = constants,
                           .boundary = boundary,
                           .pool = pool,

@@ -21,10 +21,7 @@
 #ifndef SKV_SOLVER_ROWS_H
 #define SKV_SOLVER_ROWS_H
 
-#include "base/pool.h"
-#include "skvalp/base.h"
-#include "solver/impulse.h"
-#include "terrain/boundary.h"
+#include "solver/solver.h"
 
 /* One finger, in h and substeps. */
 typedef struct skv_row_pull {
@@ -52,9 +49,10 @@ typedef struct skv_row_constants {
 typedef struct skv_rows skv_rows;
 
 /* Makes the grid for a world of the given size (in h, in the solver's axes), in which a square of
- * side h holds `per_square` particles at rest. */
-skv_result skv_rows_create(float width, float height, float per_square, skv_rows **rows,
-                           skv_error *error);
+ * side h holds `per_square` particles at rest. SKV_ERROR_VALUE if the machine lacks the instruction
+ * set. */
+skv_result skv_rows_create(float width, float height, float per_square, skv_instruction_set set,
+                           skv_rows **rows, skv_error *error);
 void skv_rows_destroy(skv_rows *rows);
 
 /* Makes room for `count` particles and for `threads` threads; allocates only when it has to. */
@@ -82,16 +80,6 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
 /* Wall seconds since the last call with `reset`: advance, sort, relaxation, transfer in and out. */
 void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4]);
 
-/* Bytes held. */
-typedef struct skv_row_bytes {
-    size_t particles;  /* the particles' arrays, their dummies and tiles */
-    size_t kept;       /* what each thread keeps of the rows at work */
-    size_t grid;       /* cells and rows */
-    size_t histograms; /* cells and rows, once for each thread */
-} skv_row_bytes;
-skv_row_bytes skv_rows_bytes(const skv_rows *rows);
-
-/* The instruction set in use: "avx2", "sse2", "neon", "wasm" or "scalar". */
-const char *skv_rows_isa(void);
+skv_solver_memory skv_rows_memory(const skv_rows *rows);
 
 #endif

@@ -28,8 +28,8 @@ typedef struct skv_row_kernels {
                    skv_impulse_sum *walls);
 } skv_row_kernels;
 
-/* isa.c: the kernels that suit this processor, or those that SKVALP_ISA names. */
-const skv_row_kernels *skv_row_kernels_chosen(void);
+/* isa.c: the kernels of an instruction set; null if this machine lacks it. */
+const skv_row_kernels *skv_row_kernels_for(skv_instruction_set set);
 
 extern const skv_row_kernels skv_row_kernels_scalar;
 extern const skv_row_kernels skv_row_kernels_base; /* SSE2, NEON or WebAssembly */

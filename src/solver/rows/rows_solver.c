@@ -136,8 +136,8 @@ static skv_result create(const skv_solver_def *def, skv_solver **solver, skv_err
     /* The more rows, the more evenly threads share them. */
     r->swapped = width > height;
     float along = r->swapped ? height : width, across = r->swapped ? width : height;
-    skv_result result =
-        skv_rows_create(along / def->h, across / def->h, def->per_square, &r->rows, error);
+    skv_result result = skv_rows_create(along / def->h, across / def->h, def->per_square,
+                                        def->instruction_set, &r->rows, error);
     if (result != SKV_OK) {
         skv_free(r);
         return result;
@@ -151,9 +151,9 @@ static void profile(skv_solver *solver, bool reset, double *seconds)
     skv_rows_profile(((rows_solver *)solver)->rows, reset, seconds);
 }
 
-static size_t bytes(const skv_solver *solver)
+static skv_solver_memory memory(const skv_solver *solver)
 {
-    return skv_rows_bytes(((const rows_solver *)solver)->rows).particles;
+    return skv_rows_memory(((const rows_solver *)solver)->rows);
 }
 
 const skv_solver_type skv_rows_solver = {
@@ -166,5 +166,5 @@ const skv_solver_type skv_rows_solver = {
     .reserve = reserve,
     .advance = advance,
     .profile = profile,
-    .bytes = bytes,
+    .memory = memory,
 };
