@@ -149,8 +149,7 @@ typedef enum skv_instrument_kind {
                               NaN before a wave has passed. For waves twelve smoothing radii long
                               or longer, higher than half a spacing, that run or stand anywhere but
                               at a node or a crest */
-    SKV_INSTRUMENT_STOPWATCH, /* time at which another instrument's reading passed a threshold */
-    SKV_INSTRUMENT_KINDS
+    SKV_INSTRUMENT_STOPWATCH /* time at which another instrument's reading passed a threshold */
 } skv_instrument_kind;
 
 /* A number in a lab; zero is none. Ids of removed instruments are not used again. */
@@ -183,7 +182,8 @@ typedef struct skv_channel {
     const char *unit; /* "Pa m" */
 } skv_channel;
 SKV_API const skv_channel *skv_instrument_channel(skv_instrument_kind kind, int channel);
-SKV_API const char *skv_instrument_kind_name(skv_instrument_kind kind); /* "pressure probe" */
+/* "pressure probe"; null past the last kind. */
+SKV_API const char *skv_instrument_kind_name(skv_instrument_kind kind);
 
 typedef struct skv_lab skv_lab;
 

@@ -302,7 +302,7 @@ static skv_result sample_stopwatch(instrument *it, const look *seen, double *val
     return SKV_OK;
 }
 
-static const instrument_kind kinds[SKV_INSTRUMENT_KINDS] = {
+static const instrument_kind kinds[] = {
     [SKV_INSTRUMENT_PRESSURE] = {.name = "pressure probe",
                                  .channels = {{"pressure", "Pa m"}},
                                  .sample = sample_pressure},
@@ -361,20 +361,22 @@ static const instrument_kind kinds[SKV_INSTRUMENT_KINDS] = {
 
 const instrument_kind *skv_instrument_kind_info(skv_instrument_kind kind)
 {
-    return (unsigned)kind < SKV_INSTRUMENT_KINDS ? &kinds[kind] : NULL;
+    return (unsigned)kind < sizeof kinds / sizeof *kinds ? &kinds[kind] : NULL;
 }
 
 const skv_channel *skv_instrument_channel(skv_instrument_kind kind, int channel)
 {
-    if ((unsigned)kind >= SKV_INSTRUMENT_KINDS || channel < 0 || channel >= SKV_MAX_CHANNELS)
+    const instrument_kind *info = skv_instrument_kind_info(kind);
+    if (!info || channel < 0 || channel >= SKV_MAX_CHANNELS)
         return NULL;
-    const skv_channel *found = &kinds[kind].channels[channel];
+    const skv_channel *found = &info->channels[channel];
     return found->name ? found : NULL;
 }
 
 const char *skv_instrument_kind_name(skv_instrument_kind kind)
 {
-    return (unsigned)kind < SKV_INSTRUMENT_KINDS ? kinds[kind].name : "";
+    const instrument_kind *info = skv_instrument_kind_info(kind);
+    return info ? info->name : NULL;
 }
 
 int skv_channel_count(skv_instrument_kind kind)

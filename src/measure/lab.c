@@ -102,7 +102,7 @@ static skv_result check_name(const char *name, skv_error *error)
 static skv_result check_def(const skv_lab *lab, const skv_instrument_def *def, skv_error *error)
 {
     SKV_ASSERT_INITIALISED(def, DEF_COOKIE);
-    if ((unsigned)def->kind >= SKV_INSTRUMENT_KINDS)
+    if (!skv_instrument_kind_info(def->kind))
         return skv_fail(error, SKV_ERROR_VALUE, "instrument: there is no kind %d", (int)def->kind);
     if (!points_are_sane(def->kind, def->x0, def->y0, def->x1, def->y1))
         return skv_fail(error, SKV_ERROR_VALUE,

@@ -155,6 +155,56 @@ static void look(host *h)
         fuzz_expect(indices[i] > indices[i - 1], "indices ascend");
 }
 
+static void add_many(host *h)
+{
+    enum { MOST = 64 };
+    skv_particle particles[MOST];
+    skv_particle_id ids[MOST];
+    int count = fuzz_below(&h->in, MOST), before = skv_world_particle_count(h->world);
+    float x = fuzz_float(&h->in, -0.1f, h->width), y = fuzz_float(&h->in, -0.1f, h->height);
+    float apart = fuzz_float(&h->in, 0, 0.1f);
+    for (int i = 0; i < count; i++)
+        particles[i] =
+            (skv_particle){x + apart * (float)(i % 8), y + apart * (float)(i / 8), 1, -1};
+    skv_placed placed = {0};
+    skv_error error = {0};
+    skv_result result = skv_world_add_particles(h->world, particles, count, ids, &placed, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(skv_world_particle_count(h->world) == before + placed.added, "added is counted");
+    for (int i = 0; result == SKV_OK && i < count; i++)
+        fuzz_expect((skv_world_index(h->world, ids[i]) >= 0) == (ids[i] != SKV_NO_PARTICLE),
+                    "who has an id is there");
+}
+
+static void take_away(host *h)
+{
+    float x = fuzz_float(&h->in, 0, h->width), y = fuzz_float(&h->in, 0, h->height);
+    float size = fuzz_float(&h->in, -0.05f, 0.3f);
+    const float corners[] = {x, y, x + size, y, x, y + size};
+    const skv_area areas[] = {skv_circle(x, y, size), skv_box(x, y, x + size, y - size),
+                              skv_polygon(corners, 3)};
+    const skv_area *area = &areas[fuzz_below(&h->in, 3)];
+    int there = skv_world_query(h->world, area, NULL, 0), removed = 0;
+    int before = skv_world_particle_count(h->world);
+    uint32_t revision = skv_world_revision(h->world);
+    skv_error error = {0};
+    skv_result result = skv_world_remove_area(h->world, area, &removed, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(result != SKV_OK || removed == there, "all that are there are removed");
+    fuzz_expect(skv_world_particle_count(h->world) == before - removed, "removed is counted");
+    fuzz_expect((skv_world_revision(h->world) != revision) == (removed > 0), "views go stale");
+}
+
+static void aim(host *h)
+{
+    float x0 = fuzz_any_float(&h->in), y0 = fuzz_float(&h->in, -1, h->height + 1);
+    float x1 = fuzz_float(&h->in, -1, h->width + 1), y1 = fuzz_any_float(&h->in);
+    skv_ray ray = skv_world_ray(h->world, x0, y0, x1, y1);
+    fuzz_expect(ray.wall.share >= 0 && ray.wall.share <= 1, "a share of the way to the wall");
+    fuzz_expect(ray.fluid.share >= 0 && ray.fluid.share <= 1, "a share of the way to fluid");
+    fuzz_expect(ray.fluid.particle < skv_world_particle_count(h->world), "a particle that exists");
+}
+
 static void judge(const host *h)
 {
     skv_particles p = skv_world_particles(h->world);
@@ -169,8 +219,9 @@ static void judge(const host *h)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static void (*const calls[])(host *) = {step, step, step,         add_particle, fill,
-                                            hold, push, turn_gravity, look};
+    static void (*const calls[])(host *) = {step,         step,     step,      add_particle,
+                                            fill,         add_many, hold,      push,
+                                            turn_gravity, look,     take_away, aim};
     host h = {.in = {data, size}};
     h.world = make_world(&h.in);
     if (h.world == NULL)
@@ -179,7 +230,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     h.height = skv_terrain_height(skv_world_terrain(h.world));
     for (int i = 0; i < MOST_CALLS && h.in.size > 0; i++) {
         int call = fuzz_byte(&h.in) % (int)(sizeof calls / sizeof *calls);
-        if (skv_world_particle_count(h.world) > MOST_PARTICLES && (call == 3 || call == 4))
+        if (skv_world_particle_count(h.world) > MOST_PARTICLES && call >= 3 && call <= 5)
             call = 0;
         calls[call](&h);
         judge(&h);

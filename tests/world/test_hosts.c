@@ -2,10 +2,12 @@
  * stale; events, a callback before substeps, a log. */
 #include "support/failing_memory.h"
 #include "support/fixture.h"
+#include "support/host.h"
 
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -435,6 +437,48 @@ static void a_warm_step_through_an_open_side_allocates_nothing(void **unused)
     failing_memory_stop();
 }
 
+/* Two worlds with one terrain, stepped on two threads at the same time and one after the other. */
+typedef struct pair {
+    skv_world *world[2];
+    atomic_int next;
+} pair;
+
+static void run_one(void *user)
+{
+    pair *p = user;
+    fixture_run(p->world[atomic_fetch_add(&p->next, 1)], 40);
+}
+
+static void worlds_that_share_a_terrain_step_side_by_side(void **unused)
+{
+    (void)unused;
+    skv_terrain_def tank = skv_default_terrain_def();
+    skv_terrain *terrain;
+    uint64_t hash[2];
+    assert_int_equal(skv_terrain_create(&tank, &terrain, NULL), SKV_OK);
+    for (int at_once = 0; at_once < 2; at_once++) {
+        pair p = {.next = 0};
+        for (int i = 0; i < 2; i++) {
+            skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.03f, 1);
+            def.terrain = skv_terrain_share(terrain);
+            p.world[i] = fixture_dam_of(&def);
+            assert_ptr_equal(skv_world_terrain(p.world[i]), terrain);
+        }
+        if (at_once) {
+            host_run(2, run_one, &p);
+        } else {
+            run_one(&p);
+            run_one(&p);
+        }
+        hash[at_once] = skv_world_hash(p.world[0]);
+        assert_true(hash[at_once] == skv_world_hash(p.world[1]));
+        skv_world_destroy(p.world[0]);
+        skv_world_destroy(p.world[1]);
+    }
+    assert_true(hash[0] == hash[1]);
+    skv_terrain_destroy(terrain);
+}
+
 /* Beside a closed side and above a closed top there is solid, whatever is open elsewhere. */
 static void nothing_is_added_beyond_a_closed_side(void **unused)
 {
@@ -534,6 +578,7 @@ int main(void)
         cmocka_unit_test(who_goes_round_a_corner_has_left),
         cmocka_unit_test(removals_are_events_of_the_next_step),
         cmocka_unit_test(a_warm_step_through_an_open_side_allocates_nothing),
+        cmocka_unit_test(worlds_that_share_a_terrain_step_side_by_side),
         cmocka_unit_test(nothing_is_added_beyond_a_closed_side),
         cmocka_unit_test(a_world_says_what_is_worth_knowing),
     };
