@@ -57,7 +57,7 @@ static int particles_between(const skv_world *world, double x0, double x1, doubl
     return count;
 }
 
-static void gates_count_who_passes(void **unused)
+static void gates_count_what_passes(void **unused)
 {
     (void)unused;
     skv_world *world = rest_pool(0.02f, 0.5f);
@@ -320,6 +320,28 @@ static void the_floor_carries_the_weight(void **unused)
     skv_world_destroy(world);
 }
 
+/* The force on a floor is the sum of those on its parts, also where a breaking dam flows across the
+ * cut: each part sees all the fluid that its own depends on. */
+static void forces_add_up(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_dam(SKV_LAW_CALIBRATED, 0.02f, 1);
+    skv_lab *lab = new_lab();
+    skv_instrument floor = add(lab, SKV_INSTRUMENT_FORCE, -0.1, -0.05, 1.7, 0.05);
+    skv_instrument left = add(lab, SKV_INSTRUMENT_FORCE, -0.1, -0.05, 0.2, 0.05);
+    skv_instrument right = add(lab, SKV_INSTRUMENT_FORCE, 0.2, -0.05, 1.7, 0.05);
+    for (int i = 0; i < 5; i++) {
+        fixture_run(world, 4);
+        sample(lab, world);
+        double whole = skv_lab_reading(lab, floor, 1);
+        double parts = skv_lab_reading(lab, left, 1) + skv_lab_reading(lab, right, 1);
+        assert_true(whole < -100 && skv_lab_reading(lab, left, 1) / whole < 0.9);
+        assert_near(parts / whole, 1, 1e-12);
+    }
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
 typedef struct text {
     char bytes[4096];
     size_t length, limit;
@@ -537,7 +559,7 @@ static void measuring_changes_nothing_and_repeats(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gates_count_who_passes),
+        cmocka_unit_test(gates_count_what_passes),
         cmocka_unit_test(gates_share_their_common_end),
         cmocka_unit_test(gates_know_particles_by_their_ids),
         cmocka_unit_test(readings_are_means_over_the_window),
@@ -546,6 +568,7 @@ int main(void)
         cmocka_unit_test(a_stopwatch_waits_for_the_condition_to_hold),
         cmocka_unit_test(sums_agree_with_the_world),
         cmocka_unit_test(the_floor_carries_the_weight),
+        cmocka_unit_test(forces_add_up),
         cmocka_unit_test(histories_are_written_as_csv),
         cmocka_unit_test(every_channel_has_a_name_and_a_unit),
         cmocka_unit_test(bad_definitions_are_refused),
