@@ -2,7 +2,8 @@
 #ifndef SKV_SCENE_PAINT_H
 #define SKV_SCENE_PAINT_H
 
-#include "scene/png.h"
+#include "scene/image.h"
+#include "skvalp/base.h"
 
 /* What a pixel is, beside being solid to some degree. */
 typedef enum skv_paint {

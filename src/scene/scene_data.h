@@ -2,7 +2,7 @@
 #ifndef SKV_SCENE_DATA_H
 #define SKV_SCENE_DATA_H
 
-#include "scene/builder.h"
+#include "scene/draft.h"
 #include "scene/paint.h"
 #include "scene/water.h"
 
@@ -29,11 +29,10 @@ struct skv_scene {
     char *notices[SKV_MAX_NOTICES];
 };
 
-/* Makes the scene that a builder's values describe. `picture` (null: none, or the file that
- * world.picture names) is a PNG's content. On failure `*scene` is null. */
-skv_result skv_scene_compose(const skv_builder *builder, const uint8_t *picture,
-                             size_t picture_size, const char *picture_label, skv_scene **scene,
-                             skv_error *error);
+/* Makes the scene that a draft's values describe, over a picture (null: none), which stays the
+ * caller's. On failure `*scene` is null. */
+skv_result skv_scene_build(const skv_draft *draft, const skv_image *picture,
+                           const char *picture_label, skv_scene **scene, skv_error *error);
 
 /* Says something without failing; cut to fit. */
 void skv_scene_note(skv_scene *scene, const char *format, ...) SKV_PRINTF(2, 3);

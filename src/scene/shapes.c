@@ -32,7 +32,7 @@ static const kind_fields kinds[] = {
 
 /* What a message needs to name a field of a shape. */
 typedef struct context {
-    const skv_builder *builder;
+    const skv_draft *draft;
     const skv_shape_values *values;
     const char *list; /* "water" */
     int index;
@@ -60,7 +60,7 @@ static skv_result fail(const context *c, int field, const char *message)
     skv_origin origin = c->values->origin;
     if (field >= 0 && c->values->value[field].origin.source != SKV_FROM_DEFAULT)
         origin = c->values->value[field].origin;
-    return skv_builder_fail(c->builder, origin, path, c->error, SKV_ERROR_VALUE, "%s", message);
+    return skv_draft_fail(c->draft, origin, path, c->error, SKV_ERROR_VALUE, "%s", message);
 }
 
 /* Every field that is given belongs to the kind, and every one the kind needs is given. */
@@ -160,12 +160,12 @@ static skv_result make_shape(const context *c, double width, double height, skv_
     return SKV_OK;
 }
 
-skv_result skv_shapes_make(const skv_builder *builder, bool water, double width, double height,
+skv_result skv_shapes_make(const skv_draft *draft, bool water, double width, double height,
                            skv_shape *shapes, skv_error *error)
 {
-    const skv_shape_list *list = water ? &builder->values.water : &builder->values.solid;
+    const skv_shape_list *list = water ? &draft->values.water : &draft->values.solid;
     for (int i = 0; i < list->count; i++) {
-        context c = {.builder = builder,
+        context c = {.draft = draft,
                      .values = &list->shapes[i],
                      .list = water ? "water" : "solid",
                      .index = i,

@@ -2,12 +2,12 @@
 #ifndef SKV_SCENE_SHAPES_H
 #define SKV_SCENE_SHAPES_H
 
-#include "scene/builder.h"
+#include "scene/draft.h"
 #include "scene/shape.h"
 
 /* Writes the shapes of a list (`water`, or else solid) to `shapes`, which has room for them. Their
  * points stay the values'. Boxes without a far corner end at the world's (`width`, `height`). */
-skv_result skv_shapes_make(const skv_builder *builder, bool water, double width, double height,
+skv_result skv_shapes_make(const skv_draft *draft, bool water, double width, double height,
                            skv_shape *shapes, skv_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* What a scene file says, as plain values: filled by the builder, read by the composer. */
+/* What a scene file says, as plain values: filled by a draft, read by build.c. */
 #ifndef SKV_SCENE_VALUES_H
 #define SKV_SCENE_VALUES_H
 

@@ -104,6 +104,16 @@ check_face_file() {
     done < <(includes "$file")
 }
 
+# A scene's core, all of src/scene but read/, knows no files and no parsers: a host brings those.
+check_scene_core() {
+    local file=$1 include
+    while read -r include; do
+        [[ $include != ?scene/read/* ]] || complain "$file" "the core must not include $include"
+        [[ $include != '<'* || "$core_system stdlib " == *[[:space:]]"${include:1:-3}"[[:space:]]* ]] ||
+            complain "$file" "the core must not depend on $include"
+    done < <(includes "$file")
+}
+
 files=0
 for layer in "${!may[@]}"; do
     while IFS= read -r file; do
@@ -121,6 +131,9 @@ for file in include/skvalp/*.h; do
     check_library_file "$file" "$layer"
     files=$((files + 1))
 done
+while IFS= read -r file; do
+    check_scene_core "$file"
+done < <(find src/scene -maxdepth 1 -name '*.[ch]')
 while IFS= read -r file; do
     check_face_file "$file"
     files=$((files + 1))

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"
-#include "scene/png.h"
+#include "scene/read/png.h"
 
 #define SIZE 32
 

@@ -3,7 +3,7 @@
  * Invariant: what is no regular file (a directory, a pipe, a device) is refused before it is
  * opened, and no more is read than the size that was found and allowed.
  */
-#include "scene/file.h"
+#include "scene/read/file.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
  * Invariant: the cursor never leaves the text and always moves on, whatever the bytes are; on a
  * valid text it yields exactly the tokens in the order in which a parser meets them.
  */
-#include "scene/json_text.h"
+#include "scene/read/json_text.h"
 
 #include <stdbool.h>
 #include <string.h>

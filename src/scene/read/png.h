@@ -2,14 +2,8 @@
 #ifndef SKV_SCENE_PNG_H
 #define SKV_SCENE_PNG_H
 
+#include "scene/image.h"
 #include "skvalp/base.h"
-
-/* Pixels as painted: top row first, four bytes each (red, green, blue, 255), what was transparent
- * laid over black. */
-typedef struct skv_image {
-    int width, height;
-    uint8_t *pixels; /* skv_free */
-} skv_image;
 
 /* Decodes a PNG of SKV_TERRAIN_MIN_PIXELS..SKV_TERRAIN_MAX_PIXELS each way: 1 to 16 bits, grey,
  * palette or colour, with or without transparency, interlaced or not. `label` is the file's name in

@@ -3,16 +3,16 @@
  * Invariant: the cursor moves over the text in step with the visit, so that each value's line is
  * known without an index; jansson keeps members in the order of the text and refuses duplicates.
  */
-#include "scene/json.h"
+#include "scene/read/json.h"
 
 #include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/json_text.h"
+#include "scene/read/json_text.h"
 
 typedef struct visitor {
-    skv_builder *builder;
+    skv_draft *draft;
     skv_json_cursor cursor;
     char path[SKV_PATH_SIZE];
     skv_error *error;
@@ -66,13 +66,13 @@ static skv_entry as_entry(const json_t *value)
     return entry;
 }
 
-/* Hands a value and everything below it to the builder. The builder refuses objects and lists that
+/* Hands a value and everything below it to the draft. The draft refuses objects and lists that
  * no field lies below, which bounds the recursion. */
 static skv_result visit(visitor *v, const json_t *value)
 {
     skv_json_next(&v->cursor);
     skv_entry entry = as_entry(value);
-    skv_result result = skv_builder_accept(v->builder, v->path, &entry, v->cursor.line, v->error);
+    skv_result result = skv_draft_accept(v->draft, v->path, &entry, v->cursor.line, v->error);
     if (result != SKV_OK)
         return result;
     if (entry.kind == SKV_ENTRY_OBJECT) {
@@ -105,7 +105,7 @@ static skv_result visit(visitor *v, const json_t *value)
 }
 
 /* Says in a scene's terms why jansson refused a text. */
-static skv_result report(const skv_builder *builder, const char *text, size_t size,
+static skv_result report(const skv_draft *draft, const char *text, size_t size,
                          const json_error_t *failure, skv_error *error)
 {
     skv_origin origin = {SKV_FROM_FILE, failure->line > 0 ? failure->line : 1};
@@ -120,49 +120,49 @@ static skv_result report(const skv_builder *builder, const char *text, size_t si
 
     switch (json_error_code(failure)) {
     case json_error_duplicate_key:
-        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_FORMAT,
-                                "is given twice; allowed is once");
+        return skv_draft_fail(draft, origin, path, error, SKV_ERROR_FORMAT,
+                              "is given twice; allowed is once");
     case json_error_numeric_overflow:
-        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_VALUE,
-                                "the number is too large; %s", allowed);
+        return skv_draft_fail(draft, origin, path, error, SKV_ERROR_VALUE,
+                              "the number is too large; %s", allowed);
     case json_error_stack_overflow:
-        return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
-                                "is nested too deeply for a scene");
+        return skv_draft_fail(draft, origin, "", error, SKV_ERROR_FORMAT,
+                              "is nested too deeply for a scene");
     case json_error_invalid_utf8:
-        return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
-                                "is not UTF-8 text; save the file as UTF-8");
+        return skv_draft_fail(draft, origin, "", error, SKV_ERROR_FORMAT,
+                              "is not UTF-8 text; save the file as UTF-8");
     case json_error_null_character:
     case json_error_null_byte_in_key:
-        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_FORMAT,
-                                "holds the character \\u0000, which no text may have; take it out");
+        return skv_draft_fail(draft, origin, path, error, SKV_ERROR_FORMAT,
+                              "holds the character \\u0000, which no text may have; take it out");
     case json_error_premature_end_of_input:
-        return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
-                                "is not JSON: it ends too early; is a \", } or ] missing?");
+        return skv_draft_fail(draft, origin, "", error, SKV_ERROR_FORMAT,
+                              "is not JSON: it ends too early; is a \", } or ] missing?");
     case json_error_end_of_input_expected:
-        return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
-                                "is not JSON: something follows the last }; take it out");
+        return skv_draft_fail(draft, origin, "", error, SKV_ERROR_FORMAT,
+                              "is not JSON: something follows the last }; take it out");
     case json_error_out_of_memory:
-        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", builder->label);
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", draft->label);
     default:
         break;
     }
     if (strstr(failure->text, "near 'NaN") != NULL || strstr(failure->text, "near 'Inf") != NULL ||
         strstr(failure->text, "near '-'") != NULL)
-        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_FORMAT,
-                                "is not a finite number; %s", allowed);
-    return skv_builder_fail(builder, origin, "", error, SKV_ERROR_FORMAT,
-                            "is not JSON: %s; look for a missing quote, comma or bracket",
-                            failure->text);
+        return skv_draft_fail(draft, origin, path, error, SKV_ERROR_FORMAT,
+                              "is not a finite number; %s", allowed);
+    return skv_draft_fail(draft, origin, "", error, SKV_ERROR_FORMAT,
+                          "is not JSON: %s; look for a missing quote, comma or bracket",
+                          failure->text);
 }
 
-skv_result skv_json_read(skv_builder *builder, const char *text, size_t size, skv_error *error)
+skv_result skv_json_read(skv_draft *draft, const char *text, size_t size, skv_error *error)
 {
     if (size == 0)
         return skv_fail(error, SKV_ERROR_FORMAT, "%s: is empty; a scene is { \"water\": [ ... ] }",
-                        builder->label);
+                        draft->label);
     if (size > SKV_MAX_JSON)
         return skv_fail(error, SKV_ERROR_LIMIT, "%s: %zu bytes are too many; allowed are %d",
-                        builder->label, size, SKV_MAX_JSON);
+                        draft->label, size, SKV_MAX_JSON);
     /* Some editors put a byte order mark in front. */
     if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
         text += 3;
@@ -171,8 +171,8 @@ skv_result skv_json_read(skv_builder *builder, const char *text, size_t size, sk
     json_error_t failure;
     json_t *root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &failure);
     if (root == NULL)
-        return report(builder, text, size, &failure, error);
-    visitor v = {.builder = builder, .cursor = skv_json_cursor_at(text, size), .error = error};
+        return report(draft, text, size, &failure, error);
+    visitor v = {.draft = draft, .cursor = skv_json_cursor_at(text, size), .error = error};
     skv_result result = visit(&v, root);
     json_decref(root);
     return result;

@@ -1,4 +1,4 @@
-/* Composer: from checked values to a scene.
+/* From a draft's checked values to a scene.
  *
  * Invariant: a scene that comes out can build its world: its walls leave air, its fluid lies in it,
  * and its spacing gives the number of particles that it reports.
@@ -15,31 +15,31 @@
 
 #define THINNEST_WALL 1.2 /* pixels */
 
-/* Everything a composing function needs. */
-typedef struct composer {
-    const skv_builder *builder;
-    const skv_value *value; /* the builder's single values */
+/* Everything a building function needs. */
+typedef struct builder {
+    const skv_draft *draft;
+    const skv_value *value; /* the draft's single values */
     skv_scene *scene;
     bool pictured;
     const char *picture_label;
     skv_error *error;
-} composer;
+} builder;
 
-static bool is_given(const composer *c, skv_field_id id)
+static bool is_given(const builder *c, skv_field_id id)
 {
     return c->value[id].origin.source != SKV_FROM_DEFAULT;
 }
 
 /* Fails for a field, where it was given. */
-static skv_result fail(const composer *c, skv_field_id id, skv_result code, const char *message)
+static skv_result fail(const builder *c, skv_field_id id, skv_result code, const char *message)
 {
-    return skv_builder_fail(c->builder, c->value[id].origin, skv_scene_fields(NULL)[id].path,
-                            c->error, code, "%s", message);
+    return skv_draft_fail(c->draft, c->value[id].origin, skv_scene_fields(NULL)[id].path, c->error,
+                          code, "%s", message);
 }
 
-static skv_result fail_memory(const composer *c)
+static skv_result fail_memory(const builder *c)
 {
-    return skv_fail(c->error, SKV_ERROR_MEMORY, "%s: out of memory", c->builder->label);
+    return skv_fail(c->error, SKV_ERROR_MEMORY, "%s: out of memory", c->draft->label);
 }
 
 static char *copy_text(const char *text, size_t length)
@@ -76,13 +76,13 @@ static char *name_of_file(const char *label)
     return copy_text(name, point != NULL ? (size_t)(point - name) : strlen(name));
 }
 
-static skv_result compose_texts(composer *c)
+static skv_result build_texts(builder *c)
 {
     skv_scene *scene = c->scene;
     const char *name = c->value[SKV_F_NAME].text, *title = c->value[SKV_F_TITLE].text;
     const char *description = c->value[SKV_F_DESCRIPTION].text;
     scene->name = name != NULL && name[0] != '\0' ? copy_text(name, strlen(name))
-                                                  : name_of_file(c->builder->label);
+                                                  : name_of_file(c->draft->label);
     if (title == NULL || title[0] == '\0')
         title = scene->name;
     scene->title = title != NULL ? copy_text(title, strlen(title)) : NULL;
@@ -97,7 +97,7 @@ static skv_result compose_texts(composer *c)
 
 /* A picture is as wide as world.width says; one so tall that this would make it too high becomes
  * narrower, unless the width was asked for. */
-static skv_result scale_picture(composer *c)
+static skv_result scale_picture(builder *c)
 {
     skv_scene *scene = c->scene;
     double most = skv_scene_fields(NULL)[SKV_F_WORLD_HEIGHT].maximum;
@@ -120,7 +120,7 @@ static skv_result scale_picture(composer *c)
 }
 
 /* Fails for the picture; where a scene file names it, the scene and the line come first. */
-static skv_result fail_picture(const composer *c, skv_result code, const char *message)
+static skv_result fail_picture(const builder *c, skv_result code, const char *message)
 {
     if (is_given(c, SKV_F_WORLD_PICTURE))
         return fail(c, SKV_F_WORLD_PICTURE, code, message);
@@ -128,7 +128,7 @@ static skv_result fail_picture(const composer *c, skv_result code, const char *m
 }
 
 /* The same for what the picture as a whole is not fit for. */
-static skv_result fail_unfit(const composer *c, const char *message)
+static skv_result fail_unfit(const builder *c, const char *message)
 {
     skv_error named;
     skv_fail(&named, SKV_ERROR_VALUE, "%s: %s", c->picture_label, message);
@@ -136,7 +136,7 @@ static skv_result fail_unfit(const composer *c, const char *message)
 }
 
 /* Takes size, coverage and paint over from a picture. */
-static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
+static skv_result build_picture(builder *c, const skv_image *image)
 {
     static const skv_field_id own[] = {SKV_F_WORLD_HEIGHT, SKV_F_WORLD_PIXEL};
     for (int i = 0; i < 2; i++) {
@@ -144,14 +144,9 @@ static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
             return fail(c, own[i], SKV_ERROR_VALUE,
                         "has no place beside a picture; its size follows from world.width");
     }
-    skv_image image;
     skv_painting painting;
     skv_error cause;
-    skv_result result = skv_png_read(data, size, c->picture_label, &image, &cause);
-    if (result != SKV_OK)
-        return fail_picture(c, result, cause.text);
-    result = skv_paint_read(&image, c->picture_label, &painting, &cause);
-    skv_free(image.pixels);
+    skv_result result = skv_paint_read(image, c->picture_label, &painting, &cause);
     if (result != SKV_OK)
         return fail_picture(c, result, cause.text);
     skv_scene *scene = c->scene;
@@ -165,7 +160,7 @@ static skv_result compose_picture(composer *c, const uint8_t *data, size_t size)
 }
 
 /* Whole pixels of a side; the pixel size fits the width exactly. */
-static skv_result compose_blank(composer *c)
+static skv_result build_blank(builder *c)
 {
     double width = c->value[SKV_F_WORLD_WIDTH].number;
     double height = c->value[SKV_F_WORLD_HEIGHT].number;
@@ -189,10 +184,10 @@ static skv_result compose_blank(composer *c)
 }
 
 /* Makes the shapes of a list; their points move to `points`. */
-static skv_result compose_list(composer *c, bool water, skv_shape **shapes, int *count,
-                               double **points)
+static skv_result build_list(builder *c, bool water, skv_shape **shapes, int *count,
+                             double **points)
 {
-    const skv_shape_list *list = water ? &c->builder->values.water : &c->builder->values.solid;
+    const skv_shape_list *list = water ? &c->draft->values.water : &c->draft->values.solid;
     if (list->count == 0)
         return SKV_OK;
     skv_scene *scene = c->scene;
@@ -200,7 +195,7 @@ static skv_result compose_list(composer *c, bool water, skv_shape **shapes, int 
     if (*shapes == NULL)
         return fail_memory(c);
     *count = list->count;
-    skv_result result = skv_shapes_make(c->builder, water, scene->width * scene->pixel_size,
+    skv_result result = skv_shapes_make(c->draft, water, scene->width * scene->pixel_size,
                                         scene->height * scene->pixel_size, *shapes, c->error);
     for (int i = 0; result == SKV_OK && i < list->count; i++) {
         skv_shape *shape = &(*shapes)[i];
@@ -245,18 +240,18 @@ static bool has_air(const skv_scene *scene)
     return false;
 }
 
-static skv_result compose_walls(composer *c)
+static skv_result build_walls(builder *c)
 {
     skv_scene *scene = c->scene;
-    const skv_values *values = &c->builder->values;
+    const skv_values *values = &c->draft->values;
     int total = values->solid.total_points + values->water.total_points;
     scene->points = skv_calloc((size_t)total + 1, 2 * sizeof *scene->points);
     if (scene->points == NULL)
         return fail_memory(c);
     double *points = scene->points;
-    skv_result result = compose_list(c, false, &scene->solids, &scene->solid_count, &points);
+    skv_result result = build_list(c, false, &scene->solids, &scene->solid_count, &points);
     if (result == SKV_OK)
-        result = compose_list(c, true, &scene->water.shapes, &scene->water.shape_count, &points);
+        result = build_list(c, true, &scene->water.shapes, &scene->water.shape_count, &points);
     thicken_walls(scene);
     if (result == SKV_OK && scene->solid_count > 0)
         result = skv_raster_solids(scene->solids, scene->solid_count, scene->width, scene->height,
@@ -266,8 +261,8 @@ static skv_result compose_walls(composer *c)
     if (!has_air(scene)) {
         if (c->pictured && scene->solid_count == 0)
             return fail_unfit(c, "no pixel is free; paint air dark and fluid blue");
-        return skv_builder_fail(c->builder, values->solid.shapes[0].origin, "solid", c->error,
-                                SKV_ERROR_VALUE, "fills the whole world; leave some air");
+        return skv_draft_fail(c->draft, values->solid.shapes[0].origin, "solid", c->error,
+                              SKV_ERROR_VALUE, "fills the whole world; leave some air");
     }
     for (int i = 0; i < 4; i++) {
         static const unsigned sides[] = {SKV_SIDE_LEFT, SKV_SIDE_RIGHT, SKV_SIDE_BOTTOM,
@@ -279,7 +274,7 @@ static skv_result compose_walls(composer *c)
 }
 
 /* Makes the terrain; the coverage has served then. */
-static skv_result compose_terrain(composer *c)
+static skv_result build_terrain(builder *c)
 {
     skv_scene *scene = c->scene;
     skv_terrain_def def = skv_default_terrain_def();
@@ -297,7 +292,7 @@ static skv_result compose_terrain(composer *c)
 /* ---- Fluid ----------------------------------------------------------------------------------- */
 
 /* The parameters that were given, over the defaults: first those that set others. */
-static void compose_parameters(composer *c)
+static void build_parameters(builder *c)
 {
     skv_world_def *def = &c->scene->def;
     *def = skv_default_world_def();
@@ -310,7 +305,7 @@ static void compose_parameters(composer *c)
 }
 
 /* Where the fluid starts. */
-static skv_result compose_water(composer *c, const skv_terrain *terrain)
+static skv_result build_water(builder *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
     skv_water *water = &scene->water;
@@ -324,7 +319,7 @@ static skv_result compose_water(composer *c, const skv_terrain *terrain)
             return skv_fail(c->error, SKV_ERROR_VALUE,
                             "%s: water: is missing; say where the fluid starts, such as "
                             "[ { \"shape\": \"box\", \"y1\": 0.45 } ]",
-                            c->builder->label);
+                            c->draft->label);
         float low, high;
         skv_terrain_free_range(terrain, &low, &high);
         water->level = (double)low + 0.4 * ((double)high - (double)low);
@@ -334,7 +329,7 @@ static skv_result compose_water(composer *c, const skv_terrain *terrain)
     return SKV_OK;
 }
 
-static skv_result fail_no_fit(const composer *c)
+static skv_result fail_no_fit(const builder *c)
 {
     const skv_water *water = &c->scene->water;
     if (water->paint != NULL && water->shape_count == 0)
@@ -343,13 +338,13 @@ static skv_result fail_no_fit(const composer *c)
     if (c->pictured && water->shape_count == 0)
         return fail_unfit(c, "the dark (air) pixels have no room for a particle; make the passages "
                              "wider");
-    skv_origin origin = c->builder->values.water.shapes[0].origin;
-    return skv_builder_fail(c->builder, origin, "water", c->error, SKV_ERROR_VALUE,
-                            "has no room for a particle; it lies in solid or is too small");
+    skv_origin origin = c->draft->values.water.shapes[0].origin;
+    return skv_draft_fail(c->draft, origin, "water", c->error, SKV_ERROR_VALUE,
+                          "has no room for a particle; it lies in solid or is too small");
 }
 
 /* The spacing was given: the number of particles follows. */
-static skv_result count_particles(composer *c, const skv_terrain *terrain)
+static skv_result count_particles(builder *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
     scene->particles = skv_water_count(&scene->water, terrain, scene->def.fluid.spacing);
@@ -364,7 +359,7 @@ static skv_result count_particles(composer *c, const skv_terrain *terrain)
 /* Chooses the spacing for a number that nobody asked for, which gives way where it does not fit:
  * the spacing is at least 1/400 of the width, so that a few blue pixels do not become dust, unless
  * nothing fits then; and it is at most the largest allowed. */
-static skv_result choose_freely(composer *c, const skv_terrain *terrain, float least, int wanted)
+static skv_result choose_freely(builder *c, const skv_terrain *terrain, float least, int wanted)
 {
     skv_scene *scene = c->scene;
     float coarse = (float)(scene->width * scene->pixel_size / 400.0);
@@ -379,7 +374,7 @@ static skv_result choose_freely(composer *c, const skv_terrain *terrain, float l
 
 /* How many particles the water can be made of: those at the widest and at the finest spacing. From
  * coarse to fine, so that a large world is not counted far beyond what fits into it. */
-static void count_range(const composer *c, const skv_terrain *terrain, int *fewest, int *most)
+static void count_range(const builder *c, const skv_terrain *terrain, int *fewest, int *most)
 {
     const skv_field *spacing = &skv_scene_fields(NULL)[SKV_F_FLUID_SPACING];
     skv_water water = c->scene->water;
@@ -396,7 +391,7 @@ static void count_range(const composer *c, const skv_terrain *terrain, int *fewe
 }
 
 /* The number of particles is wanted: the spacing follows. */
-static skv_result choose_spacing(composer *c, const skv_terrain *terrain)
+static skv_result choose_spacing(builder *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
     float least = (float)skv_scene_fields(NULL)[SKV_F_FLUID_SPACING].minimum;
@@ -421,7 +416,7 @@ static skv_result choose_spacing(composer *c, const skv_terrain *terrain)
     return fail(c, SKV_F_PARTICLES, result != SKV_OK ? SKV_ERROR_VALUE : SKV_ERROR_LIMIT, message);
 }
 
-static skv_result compose_particles(composer *c, const skv_terrain *terrain)
+static skv_result build_particles(builder *c, const skv_terrain *terrain)
 {
     skv_source number = c->value[SKV_F_PARTICLES].origin.source;
     skv_source spacing = c->value[SKV_F_FLUID_SPACING].origin.source;
@@ -433,7 +428,7 @@ static skv_result compose_particles(composer *c, const skv_terrain *terrain)
 }
 
 /* The deepest fluid to expect. Gravity that is not vertical may pile it up anywhere. */
-static void compose_depth(composer *c, const skv_terrain *terrain)
+static void build_depth(builder *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
     float low, high;
@@ -465,42 +460,41 @@ static void note_marks(skv_scene *scene)
 
 /* ---- All of it ------------------------------------------------------------------------------- */
 
-static skv_result compose(composer *c, const uint8_t *picture, size_t picture_size)
+static skv_result build(builder *c, const skv_image *picture)
 {
-    skv_result result = compose_texts(c);
+    skv_result result = build_texts(c);
     if (result == SKV_OK)
-        result = c->pictured ? compose_picture(c, picture, picture_size) : compose_blank(c);
+        result = c->pictured ? build_picture(c, picture) : build_blank(c);
     if (result == SKV_OK)
-        result = compose_walls(c);
+        result = build_walls(c);
     if (result == SKV_OK)
-        result = compose_terrain(c);
+        result = build_terrain(c);
     if (result != SKV_OK)
         return result;
     const skv_terrain *terrain = c->scene->terrain;
-    compose_parameters(c);
-    result = compose_water(c, terrain);
+    build_parameters(c);
+    result = build_water(c, terrain);
     if (result == SKV_OK)
-        result = compose_particles(c, terrain);
+        result = build_particles(c, terrain);
     if (result == SKV_OK) {
-        compose_depth(c, terrain);
+        build_depth(c, terrain);
         note_marks(c->scene);
     }
     return result;
 }
 
-skv_result skv_scene_compose(const skv_builder *builder, const uint8_t *picture,
-                             size_t picture_size, const char *picture_label, skv_scene **scene,
-                             skv_error *error)
+skv_result skv_scene_build(const skv_draft *draft, const skv_image *picture,
+                           const char *picture_label, skv_scene **scene, skv_error *error)
 {
-    composer c = {.builder = builder,
-                  .value = builder->values.value,
-                  .scene = skv_calloc(1, sizeof *c.scene),
-                  .pictured = picture != NULL,
-                  .picture_label = picture_label,
-                  .error = error};
+    builder c = {.draft = draft,
+                 .value = draft->values.value,
+                 .scene = skv_calloc(1, sizeof *c.scene),
+                 .pictured = picture != NULL,
+                 .picture_label = picture_label,
+                 .error = error};
     if (c.scene == NULL)
         return fail_memory(&c);
-    skv_result result = compose(&c, picture, picture_size);
+    skv_result result = build(&c, picture);
     if (result == SKV_OK)
         *scene = c.scene;
     else

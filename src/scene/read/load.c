@@ -1,4 +1,4 @@
-/* Loading: finds out what was named, reads it, and hands it from reader to builder to composer.
+/* Loading: finds out what was named, reads it into a draft, and has the scene built from that.
  *
  * Invariant: on failure nothing is left behind and the message has named the file.
  */
@@ -9,8 +9,9 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "scene/builtin.h"
-#include "scene/file.h"
-#include "scene/json.h"
+#include "scene/read/file.h"
+#include "scene/read/json.h"
+#include "scene/read/png.h"
 #include "scene/scene_data.h"
 
 #define OPTIONS_COOKIE 0x5ce0e
@@ -57,33 +58,50 @@ static skv_result remember_file(skv_scene **scene, const char *path, skv_error *
     return SKV_OK;
 }
 
-/* Composes a scene whose values name a picture beside the file. */
-static skv_result compose_with_picture(const skv_builder *builder, skv_scene **scene,
-                                       skv_error *error)
+/* Builds a scene over the picture in a PNG's content. Where a scene file names the picture, the
+ * file and the line come first in a message. */
+static skv_result build_over_png(const skv_draft *draft, const void *data, size_t size,
+                                 const char *label, skv_scene **scene, skv_error *error)
 {
-    const skv_value *picture = &builder->values.value[SKV_F_WORLD_PICTURE];
+    const skv_value *named = &draft->values.value[SKV_F_WORLD_PICTURE];
+    skv_image image;
+    skv_error cause;
+    skv_result result = skv_png_read(data, size, label, &image, &cause);
+    if (result != SKV_OK)
+        return named->text != NULL ? skv_draft_fail(draft, named->origin, "world.picture", error,
+                                                    result, "%s", cause.text)
+                                   : skv_fail(error, result, "%s", cause.text);
+    result = skv_scene_build(draft, &image, label, scene, error);
+    skv_free(image.pixels);
+    return result;
+}
+
+/* Builds a scene whose values name a picture beside the file. */
+static skv_result build_with_picture(const skv_draft *draft, skv_scene **scene, skv_error *error)
+{
+    const skv_value *picture = &draft->values.value[SKV_F_WORLD_PICTURE];
     const char *wrong = NULL;
-    if (builder->folder == NULL)
+    if (draft->folder == NULL)
         wrong = "needs a scene in a file; a picture is looked for in its folder";
     else if (!is_below(picture->text))
         wrong = "leaves the scene's folder; allowed is a path below it";
     else if (!ends_with(picture->text, ".png"))
         wrong = "is not a PNG; allowed is a name that ends in .png";
     if (wrong != NULL)
-        return skv_builder_fail(builder, picture->origin, "world.picture", error, SKV_ERROR_VALUE,
-                                "\"%s\" %s", picture->text, wrong);
+        return skv_draft_fail(draft, picture->origin, "world.picture", error, SKV_ERROR_VALUE,
+                              "\"%s\" %s", picture->text, wrong);
     char path[4096];
-    size_t length = skv_format(path, sizeof path, "%s%s", builder->folder, picture->text);
+    size_t length = skv_format(path, sizeof path, "%s%s", draft->folder, picture->text);
     skv_error cause;
     uint8_t *data = NULL;
     size_t size = 0;
-    if (length >= (int)sizeof path)
-        return skv_fail(error, SKV_ERROR_FILE, "%s: the path is too long", builder->label);
+    if (length >= sizeof path)
+        return skv_fail(error, SKV_ERROR_FILE, "%s: the path is too long", draft->label);
     skv_result result = skv_file_read(path, &data, &size, &cause);
     if (result != SKV_OK)
-        return skv_builder_fail(builder, picture->origin, "world.picture", error, result, "%s",
-                                cause.text);
-    result = skv_scene_compose(builder, data, size, path, scene, error);
+        return skv_draft_fail(draft, picture->origin, "world.picture", error, result, "%s",
+                              cause.text);
+    result = build_over_png(draft, data, size, path, scene, error);
     skv_free(data);
     return result == SKV_OK ? remember_file(scene, path, error) : result;
 }
@@ -94,37 +112,37 @@ static skv_result compose_with_picture(const skv_builder *builder, skv_scene **s
 static skv_result load_json(const void *data, size_t size, const char *label, const char *folder,
                             const skv_scene_options *options, skv_scene **scene, skv_error *error)
 {
-    skv_builder builder;
-    skv_result result = skv_builder_begin(&builder, label, folder, error);
+    skv_draft draft;
+    skv_result result = skv_draft_begin(&draft, label, folder, error);
     if (result != SKV_OK)
         return result;
-    result = skv_json_read(&builder, data, size, error);
+    result = skv_json_read(&draft, data, size, error);
     if (result == SKV_OK)
-        result = skv_builder_options(&builder, options, error);
-    const char *picture = builder.values.value[SKV_F_WORLD_PICTURE].text;
+        result = skv_draft_options(&draft, options, error);
+    const char *picture = draft.values.value[SKV_F_WORLD_PICTURE].text;
     if (result == SKV_OK && picture != NULL && picture[0] != '\0')
-        result = compose_with_picture(&builder, scene, error);
+        result = build_with_picture(&draft, scene, error);
     else if (result == SKV_OK)
-        result = skv_scene_compose(&builder, NULL, 0, NULL, scene, error);
-    skv_builder_end(&builder);
+        result = skv_scene_build(&draft, NULL, NULL, scene, error);
+    skv_draft_end(&draft);
     return result;
 }
 
 static skv_result load_png(const void *data, size_t size, const char *label,
                            const skv_scene_options *options, skv_scene **scene, skv_error *error)
 {
-    skv_builder builder;
-    skv_result result = skv_builder_begin(&builder, label, NULL, error);
+    skv_draft draft;
+    skv_result result = skv_draft_begin(&draft, label, NULL, error);
     if (result != SKV_OK)
         return result;
-    result = skv_builder_options(&builder, options, error);
-    const skv_value *picture = &builder.values.value[SKV_F_WORLD_PICTURE];
+    result = skv_draft_options(&draft, options, error);
+    const skv_value *picture = &draft.values.value[SKV_F_WORLD_PICTURE];
     if (result == SKV_OK && picture->text != NULL)
-        result = skv_builder_fail(&builder, picture->origin, "world.picture", error,
-                                  SKV_ERROR_VALUE, "the scene is a picture itself");
+        result = skv_draft_fail(&draft, picture->origin, "world.picture", error, SKV_ERROR_VALUE,
+                                "the scene is a picture itself");
     if (result == SKV_OK)
-        result = skv_scene_compose(&builder, data, size, label, scene, error);
-    skv_builder_end(&builder);
+        result = build_over_png(&draft, data, size, label, scene, error);
+    skv_draft_end(&draft);
     return result;
 }
 

@@ -4,7 +4,7 @@
  * allowed, and the decoder holds no more than those pixels: whatever a chunk inflates to is bounded
  * by them. libpng leaves through longjmp; everything it may leave behind is in `decoder`.
  */
-#include "scene/png.h"
+#include "scene/read/png.h"
 
 #include <png.h>
 #include <setjmp.h>

@@ -1,19 +1,18 @@
-/* Builder: checks entries against the registry and keeps them as plain values.
+/* A draft: checks entries against the registry and keeps them as plain values.
  *
  * Invariant: a value that is stored has its field's type and lies within its range, wherever it
- * came from; only what concerns several fields at once is left to the composer.
+ * came from; only what concerns several fields at once is left to the builder.
  */
-#include "scene/builder.h"
+#include "scene/draft.h"
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
 
-skv_result skv_builder_fail(const skv_builder *builder, skv_origin origin, const char *path,
-                            skv_error *error, skv_result code, const char *format, ...)
+skv_result skv_draft_fail(const skv_draft *draft, skv_origin origin, const char *path,
+                          skv_error *error, skv_result code, const char *format, ...)
 {
     char message[400];
     va_list arguments;
@@ -26,9 +25,9 @@ skv_result skv_builder_fail(const skv_builder *builder, skv_origin origin, const
         return skv_fail(error, code, "--%s: %s", path, message);
     const char *colon = path[0] != '\0' ? ": " : "";
     if (origin.line > 0)
-        return skv_fail(error, code, "%s:%d: %s%s%s", builder->label, origin.line, path, colon,
+        return skv_fail(error, code, "%s:%d: %s%s%s", draft->label, origin.line, path, colon,
                         message);
-    return skv_fail(error, code, "%s: %s%s%s", builder->label, path, colon, message);
+    return skv_fail(error, code, "%s: %s%s%s", draft->label, path, colon, message);
 }
 
 /* Replaces a text; false if memory is out. */
@@ -53,18 +52,18 @@ static void set_default(skv_value *value, const skv_field *field)
         value->number = 0.0;
 }
 
-skv_result skv_builder_begin(skv_builder *builder, const char *label, const char *folder,
-                             skv_error *error)
+skv_result skv_draft_begin(skv_draft *draft, const char *label, const char *folder,
+                           skv_error *error)
 {
-    *builder = (skv_builder){.label = label, .folder = folder};
-    skv_values *values = &builder->values;
+    *draft = (skv_draft){.label = label, .folder = folder};
+    skv_values *values = &draft->values;
     const skv_field *fields = skv_scene_fields(NULL);
     for (int i = 0; i < SKV_F_SINGLE; i++)
         set_default(&values->value[i], &fields[i]);
     values->solid.shapes = skv_calloc(SKV_MAX_SHAPES, sizeof *values->solid.shapes);
     values->water.shapes = skv_calloc(SKV_MAX_SHAPES, sizeof *values->water.shapes);
     if (values->solid.shapes == NULL || values->water.shapes == NULL) {
-        skv_builder_end(builder);
+        skv_draft_end(draft);
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
     }
     return SKV_OK;
@@ -78,12 +77,12 @@ static void free_shapes(skv_shape_list *list)
     *list = (skv_shape_list){0};
 }
 
-void skv_builder_end(skv_builder *builder)
+void skv_draft_end(skv_draft *draft)
 {
     for (int i = 0; i < SKV_F_SINGLE; i++)
-        skv_free(builder->values.value[i].text);
-    free_shapes(&builder->values.solid);
-    free_shapes(&builder->values.water);
+        skv_free(draft->values.value[i].text);
+    free_shapes(&draft->values.solid);
+    free_shapes(&draft->values.water);
 }
 
 /* ---- One value ------------------------------------------------------------------------------- */
@@ -158,9 +157,8 @@ static const char *complaint(const skv_field *field, const skv_entry *entry)
 }
 
 /* Checks an entry and stores it in `value`. */
-static skv_result store(const skv_builder *builder, int id, const char *path,
-                        const skv_entry *entry, skv_origin origin, skv_value *value,
-                        skv_error *error)
+static skv_result store(const skv_draft *draft, int id, const char *path, const skv_entry *entry,
+                        skv_origin origin, skv_value *value, skv_error *error)
 {
     const skv_field *field = &skv_scene_fields(NULL)[id];
     const char *wrong = complaint(field, entry);
@@ -170,13 +168,12 @@ static skv_result store(const skv_builder *builder, int id, const char *path,
         skv_field_allowed(field, allowed, sizeof allowed);
         bool many = id == SKV_F_PARTICLES && entry->kind == SKV_ENTRY_NUMBER &&
                     entry->number > field->maximum;
-        return skv_builder_fail(builder, origin, path, error,
-                                many ? SKV_ERROR_LIMIT : SKV_ERROR_VALUE, "%s %s; %s", what, wrong,
-                                allowed);
+        return skv_draft_fail(draft, origin, path, error, many ? SKV_ERROR_LIMIT : SKV_ERROR_VALUE,
+                              "%s %s; %s", what, wrong, allowed);
     }
     if (field->type == SKV_FIELD_TEXT) {
         if (!set_text(&value->text, entry->text))
-            return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", builder->label);
+            return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", draft->label);
     } else if (field->type == SKV_FIELD_CHOICE) {
         value->number = skv_field_choice(field->choices, entry->text);
     } else if (field->type == SKV_FIELD_BOOLEAN) {
@@ -191,24 +188,24 @@ static skv_result store(const skv_builder *builder, int id, const char *path,
 /* ---- Lists of shapes ------------------------------------------------------------------------- */
 
 /* The element `index` of a list, made if it is the next one. Null: `*result` says why. */
-static skv_shape_values *element(skv_builder *builder, bool water, const skv_field_path *path,
+static skv_shape_values *element(skv_draft *draft, bool water, const skv_field_path *path,
                                  skv_origin origin, const char *text, skv_result *result,
                                  skv_error *error)
 {
-    skv_shape_list *list = water ? &builder->values.water : &builder->values.solid;
+    skv_shape_list *list = water ? &draft->values.water : &draft->values.solid;
     const char *name = water ? "water" : "solid";
     int index = path->index[0];
     if (index < list->count)
         return &list->shapes[index];
     if (index >= SKV_MAX_SHAPES) {
-        *result = skv_builder_fail(builder, origin, text, error, SKV_ERROR_LIMIT,
-                                   "too many shapes; allowed are %d", SKV_MAX_SHAPES);
+        *result = skv_draft_fail(draft, origin, text, error, SKV_ERROR_LIMIT,
+                                 "too many shapes; allowed are %d", SKV_MAX_SHAPES);
         return NULL;
     }
     if (index > list->count) {
-        *result = skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE,
-                                   "there is no %s[%d]; the next free one is %s[%d]", name, index,
-                                   name, list->count);
+        *result = skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE,
+                                 "there is no %s[%d]; the next free one is %s[%d]", name, index,
+                                 name, list->count);
         return NULL;
     }
     skv_shape_values *shape = &list->shapes[list->count++];
@@ -220,24 +217,24 @@ static skv_shape_values *element(skv_builder *builder, bool water, const skv_fie
 }
 
 /* Makes room for point number `index`; its coordinates are NaN until they are given. */
-static skv_result reserve_point(const skv_builder *builder, skv_shape_list *list,
+static skv_result reserve_point(const skv_draft *draft, skv_shape_list *list,
                                 skv_shape_values *shape, int index, skv_origin origin,
                                 const char *path, skv_error *error)
 {
     if (index < shape->point_count)
         return SKV_OK;
     if (index >= SKV_MAX_POINTS || list->total_points >= SKV_MAX_TOTAL_POINTS)
-        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_LIMIT,
-                                "too many points; allowed are %d in a shape and %d in all",
-                                SKV_MAX_POINTS, SKV_MAX_TOTAL_POINTS);
+        return skv_draft_fail(draft, origin, path, error, SKV_ERROR_LIMIT,
+                              "too many points; allowed are %d in a shape and %d in all",
+                              SKV_MAX_POINTS, SKV_MAX_TOTAL_POINTS);
     if (index > shape->point_count)
-        return skv_builder_fail(builder, origin, path, error, SKV_ERROR_VALUE,
-                                "there is no point %d; the next free one is %d", index,
-                                shape->point_count);
+        return skv_draft_fail(draft, origin, path, error, SKV_ERROR_VALUE,
+                              "there is no point %d; the next free one is %d", index,
+                              shape->point_count);
     if (shape->points == NULL)
         shape->points = skv_calloc(SKV_MAX_POINTS, 2 * sizeof *shape->points);
     if (shape->points == NULL)
-        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", builder->label);
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", draft->label);
     shape->points[2 * index] = (double)NAN;
     shape->points[2 * index + 1] = (double)NAN;
     shape->point_count++;
@@ -246,18 +243,18 @@ static skv_result reserve_point(const skv_builder *builder, skv_shape_list *list
 }
 
 /* Accepts an entry at or below an element of a list. `id` is -1 for one of its lists. */
-static skv_result accept_shape(skv_builder *builder, const skv_field_path *path, int id,
+static skv_result accept_shape(skv_draft *draft, const skv_field_path *path, int id,
                                const char *text, const skv_entry *entry, skv_origin origin,
                                skv_error *error)
 {
     bool water = strncmp(path->pattern, "water", 5) == 0;
     skv_result result = SKV_OK;
-    skv_shape_values *shape = element(builder, water, path, origin, text, &result, error);
+    skv_shape_values *shape = element(draft, water, path, origin, text, &result, error);
     if (shape == NULL)
         return result;
     if (path->index_count >= 2) {
-        result = reserve_point(builder, water ? &builder->values.water : &builder->values.solid,
-                               shape, path->index[1], origin, text, error);
+        result = reserve_point(draft, water ? &draft->values.water : &draft->values.solid, shape,
+                               path->index[1], origin, text, error);
         if (result != SKV_OK)
             return result;
     }
@@ -265,9 +262,9 @@ static skv_result accept_shape(skv_builder *builder, const skv_field_path *path,
         return SKV_OK;
     skv_value *value = &shape->value[id - (water ? SKV_F_WATER : SKV_F_SOLID)];
     if (path->index_count == 3 && path->index[2] > 1)
-        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE,
-                                "one value too many; a point is a pair [x, y]");
-    result = store(builder, id, text, entry, origin, value, error);
+        return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE,
+                              "one value too many; a point is a pair [x, y]");
+    result = store(draft, id, text, entry, origin, value, error);
     if (result == SKV_OK && path->index_count == 3)
         shape->points[2 * path->index[1] + path->index[2]] = value->number;
     return result;
@@ -276,7 +273,7 @@ static skv_result accept_shape(skv_builder *builder, const skv_field_path *path,
 /* ---- Entries --------------------------------------------------------------------------------- */
 
 /* Accepts an entry where no field is: an object or a list, or a mistake. */
-static skv_result accept_group(skv_builder *builder, const skv_field_path *path, const char *text,
+static skv_result accept_group(skv_draft *draft, const skv_field_path *path, const char *text,
                                const skv_entry *entry, skv_origin origin, skv_error *error)
 {
     bool object = skv_field_is_object(path->pattern), list = skv_field_is_list(path->pattern);
@@ -287,43 +284,42 @@ static skv_result accept_group(skv_builder *builder, const skv_field_path *path,
         else
             skv_field_suggest(skv_scene_fields(NULL), SKV_F_COUNT, path->pattern, hint,
                               sizeof hint);
-        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "unknown field%s",
-                                hint);
+        return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "unknown field%s", hint);
     }
     if (entry->kind == (list ? SKV_ENTRY_LIST : SKV_ENTRY_OBJECT))
-        return path->index_count > 0 ? accept_shape(builder, path, -1, text, entry, origin, error)
+        return path->index_count > 0 ? accept_shape(draft, path, -1, text, entry, origin, error)
                                      : SKV_OK;
     char what[64];
     describe(entry, what);
     if (origin.source == SKV_FROM_SETTING)
-        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE,
-                                "holds several values; set one of them");
-    return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "%s is not %s; %s", what,
-                            list ? "a list" : "an object",
-                            list ? "allowed is [ ... ]" : "allowed is { \"name\": value, ... }");
+        return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE,
+                              "holds several values; set one of them");
+    return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "%s is not %s; %s", what,
+                          list ? "a list" : "an object",
+                          list ? "allowed is [ ... ]" : "allowed is { \"name\": value, ... }");
 }
 
-static skv_result accept(skv_builder *builder, const char *text, const skv_entry *entry,
+static skv_result accept(skv_draft *draft, const char *text, const skv_entry *entry,
                          skv_origin origin, skv_error *error)
 {
     skv_field_path path;
     if (!skv_field_parse_path(text, &path))
-        return skv_builder_fail(builder, origin, text, error, SKV_ERROR_VALUE, "unknown field");
+        return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "unknown field");
     int id = skv_field_find(skv_scene_fields(NULL), SKV_F_COUNT, path.pattern);
     if (id < 0)
-        return accept_group(builder, &path, text, entry, origin, error);
+        return accept_group(draft, &path, text, entry, origin, error);
     if (id >= SKV_F_SINGLE)
-        return accept_shape(builder, &path, id, text, entry, origin, error);
-    return store(builder, id, text, entry, origin, &builder->values.value[id], error);
+        return accept_shape(draft, &path, id, text, entry, origin, error);
+    return store(draft, id, text, entry, origin, &draft->values.value[id], error);
 }
 
-skv_result skv_builder_accept(skv_builder *builder, const char *path, const skv_entry *entry,
-                              int line, skv_error *error)
+skv_result skv_draft_accept(skv_draft *draft, const char *path, const skv_entry *entry, int line,
+                            skv_error *error)
 {
-    return accept(builder, path, entry, (skv_origin){SKV_FROM_FILE, line}, error);
+    return accept(draft, path, entry, (skv_origin){SKV_FROM_FILE, line}, error);
 }
 
-skv_result skv_builder_set(skv_builder *builder, const skv_setting *setting, skv_error *error)
+skv_result skv_draft_set(skv_draft *draft, const skv_setting *setting, skv_error *error)
 {
     skv_field_path path;
     const skv_field *fields = skv_scene_fields(NULL);
@@ -340,19 +336,18 @@ skv_result skv_builder_set(skv_builder *builder, const skv_setting *setting, skv
         entry.kind = SKV_ENTRY_BOOLEAN;
         entry.boolean = entry.number != 0.0;
     }
-    return accept(builder, setting->path, &entry, (skv_origin){SKV_FROM_SETTING, 0}, error);
+    return accept(draft, setting->path, &entry, (skv_origin){SKV_FROM_SETTING, 0}, error);
 }
 
-skv_result skv_builder_options(skv_builder *builder, const skv_scene_options *options,
-                               skv_error *error)
+skv_result skv_draft_options(skv_draft *draft, const skv_scene_options *options, skv_error *error)
 {
     for (int i = 0; i < options->setting_count; i++) {
-        skv_result result = skv_builder_set(builder, &options->settings[i], error);
+        skv_result result = skv_draft_set(draft, &options->settings[i], error);
         if (result != SKV_OK)
             return result;
     }
     if (options->particles == 0)
         return SKV_OK;
     skv_entry entry = {.kind = SKV_ENTRY_NUMBER, .number = options->particles};
-    return accept(builder, "particles", &entry, (skv_origin){SKV_FROM_OPTION, 0}, error);
+    return accept(draft, "particles", &entry, (skv_origin){SKV_FROM_OPTION, 0}, error);
 }
