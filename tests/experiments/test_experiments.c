@@ -13,6 +13,8 @@
 
 #include <cmocka.h>
 
+#include "support/comma_locale.h"
+
 static int number_of(const char *name)
 {
     for (int i = 0; skv_experiment_info(i); i++) {
@@ -279,7 +281,20 @@ static void reports_are_drawn_and_written(void **unused)
     (void)unused;
     const skv_setting few = {"particles", "600"};
     skv_report *report = run("droplet", &few, 1);
-    text t = {malloc(200000), 0, 200000};
+    text t = {malloc(200000), 0, 200000}, plain = {malloc(200000), 0, 200000};
+    assert_int_equal(skv_report_plot(report, keep, &plain, NULL), SKV_OK);
+    assert_int_equal(skv_report_csv(report, keep, &plain, NULL), SKV_OK);
+    set_comma_locale(); /* of a host such as GTK; files are the same in all of them */
+    skv_lab_options options = skv_default_lab_options();
+    options.settings = &(skv_setting){"rest.width", "1.5"};
+    options.setting_count = 1;
+    assert_int_equal(skv_lab_check(&options, NULL), SKV_OK);
+    assert_int_equal(skv_report_plot(report, keep, &t, NULL), SKV_OK);
+    assert_int_equal(skv_report_csv(report, keep, &t, NULL), SKV_OK);
+    reset_locale();
+    assert_string_equal(t.bytes, plain.bytes);
+    free(plain.bytes);
+    t.length = 0;
     assert_int_equal(skv_report_plot(report, keep, &t, NULL), SKV_OK);
     assert_true(strncmp(t.bytes, "<svg xmlns='http://www.w3.org/2000/svg'", 39) == 0);
     assert_string_equal(t.bytes + t.length - 7, "</svg>\n");

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "scene/png.h"
+#include "scene/read/png.h"
 
 #define SIZE 32
 
