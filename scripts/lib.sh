@@ -17,7 +17,7 @@ packages_test=(libcmocka-dev clang-19 xvfb xauth xdotool imagemagick
 # Besides, for the long forms: Debian packages, and Windows.
 packages_long=(lintian gcc-mingw-w64-x86-64 wine64 wine)
 packages_fuzz=(clang-19 libclang-rt-19-dev zlib1g-dev)
-packages_lint=(clang-19 clang-format-19 clang-tidy-19 shellcheck)
+packages_lint=(clang-19 clang-format-19 clang-tidy-19 shellcheck doxygen)
 
 logs=build/logs
 progress_seconds=30 # between two lines that say how far a long command has come

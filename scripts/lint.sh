@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the form of the sources: clang-format, clang-tidy, shellcheck, and that clang compiles all
+# Checks the form of the sources: clang-format, clang-tidy, shellcheck, doxygen, and that clang compiles all
 # of it without a warning. Prints one line per check; the exit status is 1 if one failed.
 set -euo pipefail
 
@@ -58,6 +58,7 @@ mapfile -t shell < <(find scripts tests -name '*.sh' | sort)
 
 check shellcheck shellcheck -x run.sh test.sh .ci/run "${shell[@]}"
 check clang-format clang-format-19 --dry-run -Werror "${all_c[@]}"
+check manual scripts/manual.sh
 SKVALP_WERROR=ON
 outcome=0
 configure clang -DSKVALP_TESTS=ON || outcome=$?

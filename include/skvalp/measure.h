@@ -1,4 +1,5 @@
-/* Measuring: calibrated instruments for a world.
+/** @file
+ * Measuring: calibrated instruments for a world.
  *
  * Two parts. A survey is one look at the fluid: it answers what the pressure, the velocity or the
  * level is at a place. A lab holds instruments that are read after every frame and remembers their
@@ -20,71 +21,71 @@ extern "C" {
 
 typedef struct skv_survey skv_survey;
 
-/* Makes an empty survey. */
+/** Makes an empty survey. */
 SKV_API skv_result skv_survey_create(skv_survey **survey, skv_error *error);
 SKV_API void skv_survey_destroy(skv_survey *survey);
 
-/* Looks at a world: copies its particles and sorts them into cells, once for all questions that
+/** Looks at a world: copies its particles and sorts them into cells, once for all questions that
  * follow. The survey stays valid when the world moves on, but not when it is destroyed: questions
  * near walls ask its terrain. Costs a fraction of a substep; allocates only when the world has
  * outgrown the last one. */
 SKV_API skv_result skv_survey_take(skv_survey *survey, const skv_world *world, skv_error *error);
 
-/* The fluid around a point, averaged with the kernel (1 - r/h)^2 over the smoothing radius h. */
+/** The fluid around a point, averaged with the kernel (1 - r/h)^2 over the smoothing radius h. */
 typedef struct skv_local {
-    bool wet;       /* the free space around the point is at least half full, and it is not solid */
-    double fill;    /* share of the free space that is fluid; 1 in the bulk at rest, 0.5 at a flat
-                       surface */
-    double density; /* kg/m^2: fill times the fluid's density */
-    double pressure; /* Pa m; a plane is fitted, so that a linear field is read exactly */
-    double vx, vy;   /* m/s, fitted in the same way */
-    int particles;   /* within h */
+    bool wet;    /**< the free space around the point is at least half full, and it is not solid */
+    double fill; /**< share of the free space that is fluid; 1 in the bulk at rest, 0.5 at a flat
+                    surface */
+    double density;  /**< kg/m^2: fill times the fluid's density */
+    double pressure; /**< Pa m; a plane is fitted, so that a linear field is read exactly */
+    double vx, vy;   /**< m/s, fitted in the same way */
+    int particles;   /**< within h */
 } skv_local;
 SKV_API skv_local skv_survey_at(const skv_survey *survey, double x, double y);
 
-/* The free surface on the way from (x0, y0), inside the fluid, to (x1, y1), outside: the outermost
+/** The free surface on the way from (x0, y0), inside the fluid, to (x1, y1), outside: the outermost
  * point where fill falls to one half and behind which at least h of fluid lie, so that spray does
  * not count. Writes the distance from (x0, y0) in metres; false if no fluid is found. */
 SKV_API bool skv_survey_surface(const skv_survey *survey, double x0, double y0, double x1,
                                 double y1, double *distance);
 
-/* What a field shows. */
+/** What a field shows. */
 typedef enum skv_quantity {
-    SKV_QUANTITY_PRESSURE,   /* Pa m */
-    SKV_QUANTITY_SPEED,      /* m/s */
-    SKV_QUANTITY_DENSITY,    /* kg/m^2 */
-    SKV_QUANTITY_VELOCITY_X, /* m/s */
-    SKV_QUANTITY_VELOCITY_Y  /* m/s */
+    SKV_QUANTITY_PRESSURE,   /**< Pa m */
+    SKV_QUANTITY_SPEED,      /**< m/s */
+    SKV_QUANTITY_DENSITY,    /**< kg/m^2 */
+    SKV_QUANTITY_VELOCITY_X, /**< m/s */
+    SKV_QUANTITY_VELOCITY_Y  /**< m/s */
 } skv_quantity;
 
-/* A grid of nodes: (x + column*step, y + row*step). */
+/** A grid of nodes: (x + column*step, y + row*step). */
 typedef struct skv_grid {
     double x, y, step;
-    int columns, rows; /* each 2..4096 */
+    int columns, rows; /**< each 2..4096 */
 } skv_grid;
 
-/* Reads a quantity at every node into `values`, row by row from the bottom; NaN where the node is
+/** Reads a quantity at every node into `values`, row by row from the bottom; NaN where the node is
  * not wet. */
 SKV_API skv_result skv_survey_field(const skv_survey *survey, skv_quantity quantity,
                                     const skv_grid *grid, float *values, skv_error *error);
 
-/* A piece of a contour line. */
+/** A piece of a contour line. */
 typedef struct skv_segment {
-    float x0, y0, x1, y1; /* m */
+    float x0, y0, x1, y1; /**< m */
 } skv_segment;
 
-/* The lines on which a field has the value `level` (marching squares, linear between nodes; cells
+/** The lines on which a field has the value `level` (marching squares, linear between nodes; cells
  * with a NaN are left out). Writes at most `capacity` pieces, cell by cell, the higher values on
  * their left; returns how many there are in all. */
 SKV_API int skv_contours(const skv_grid *grid, const float *values, double level,
                          skv_segment *segments, int capacity);
 
-/* A point of a streamline. */
+/** A point of a streamline. */
 typedef struct skv_point {
-    float x, y; /* m */
+    float x, y; /**< m */
 } skv_point;
 
-/* Follows the present velocity downstream from (x, y) in steps of `step` metres (midpoint rule)
+/** Follows the present velocity downstream from (x, y) in steps of `step` metres (midpoint rule)
  * until it leaves the fluid, comes to rest (speed below 1e-6 m/s) or `capacity` points are written.
  * A negative step goes upstream. Returns the number of points, the start included; 0 if it is not
  * in fluid. */
@@ -95,23 +96,23 @@ SKV_API int skv_streamline(const skv_survey *survey, double x, double y, double 
 
 typedef struct skv_surface skv_surface;
 
-/* How to look for it. Initialise with skv_default_surface_def. */
+/** How to look for it. Initialise with skv_default_surface_def. */
 typedef struct skv_surface_def {
-    double step;  /* m: of the grid on which it is found; 0, the default: a spacing */
-    double level; /* the fill that is the surface, 0.05..0.95; default 0.5. A lone particle has
+    double step;  /**< m: of the grid on which it is found; 0, the default: a spacing */
+    double level; /**< the fill that is the surface, 0.05..0.95; default 0.5. A lone particle has
                      about 0.2: with less than that every drop has an outline */
-    bool closed;  /* default false: lines lie where fluid meets air and end at walls. True: they go
-                     on  along walls, so that each is closed and can be filled with colour */
+    bool closed; /**< default false: lines lie where fluid meets air and end at walls. True: they go
+                    on  along walls, so that each is closed and can be filled with colour */
     int cookie;
 } skv_surface_def;
 
 SKV_API skv_surface_def skv_default_surface_def(void);
 
-/* Makes an empty surface. */
+/** Makes an empty surface. */
 SKV_API skv_result skv_surface_create(skv_surface **surface, skv_error *error);
 SKV_API void skv_surface_destroy(skv_surface *surface);
 
-/* Finds the surface of the fluid that a survey has looked at: the contour on which fill has the
+/** Finds the surface of the fluid that a survey has looked at: the contour on which fill has the
  * level, joined to lines, the fluid on their left. `def` may be null. Costs a few substeps with
  * the default step; allocates only when surface or grid have outgrown the last ones. Fails with
  * SKV_ERROR_VALUE (a number out of range, or a step so small that the grid has more than 4096
@@ -119,7 +120,7 @@ SKV_API void skv_surface_destroy(skv_surface *surface);
 SKV_API skv_result skv_surface_find(skv_surface *surface, const skv_survey *survey,
                                     const skv_surface_def *def, skv_error *error);
 
-/* The lines: their number, and the points of one, at least 2, owned by the surface and valid until
+/** The lines: their number, and the points of one, at least 2, owned by the surface and valid until
  * it finds the next. Of a closed line the last point is joined to the first. */
 SKV_API int skv_surface_line_count(const skv_surface *surface);
 SKV_API const skv_point *skv_surface_line(const skv_surface *surface, int line, int *count,
@@ -130,41 +131,41 @@ SKV_API const skv_point *skv_surface_line(const skv_surface *surface, int line, 
 #define SKV_MAX_CHANNELS 8
 
 typedef enum skv_instrument_kind {
-    SKV_INSTRUMENT_PRESSURE, /* probe at (x0, y0): pressure */
-    SKV_INSTRUMENT_VELOCITY, /* probe at (x0, y0): vx, vy, speed */
-    SKV_INSTRUMENT_LEVEL,  /* gauge from (x0, y0) in the fluid to (x1, y1) outside: distance of the
-                              surface from (x0, y0), and its x, y; for a water level, upwards */
-    SKV_INSTRUMENT_GATE,   /* segment (x0, y0)-(x1, y1): flow and particles a second, net, forward
-                              and back; forward is from its left to its right as seen from (x0, y0)
-                              looking at (x1, y1) */
-    SKV_INSTRUMENT_FORCE,  /* on the walls inside the box: fx, fy, torque about its centre */
-    SKV_INSTRUMENT_ENERGY, /* of all fluid: kinetic, potential (against y = 0), rms speed */
-    SKV_INSTRUMENT_REGION, /* fluid inside the box: particles, area, mean x, y, vx, vy, pressure,
+    SKV_INSTRUMENT_PRESSURE, /**< probe at (x0, y0): pressure */
+    SKV_INSTRUMENT_VELOCITY, /**< probe at (x0, y0): vx, vy, speed */
+    SKV_INSTRUMENT_LEVEL, /**< gauge from (x0, y0) in the fluid to (x1, y1) outside: distance of the
+                             surface from (x0, y0), and its x, y; for a water level, upwards */
+    SKV_INSTRUMENT_GATE,  /**< segment (x0, y0)-(x1, y1): flow and particles a second, net, forward
+                             and back; forward is from its left to its right as seen from (x0, y0)
+                             looking at (x1, y1) */
+    SKV_INSTRUMENT_FORCE, /**< on the walls inside the box: fx, fy, torque about its centre */
+    SKV_INSTRUMENT_ENERGY, /**< of all fluid: kinetic, potential (against y = 0), rms speed */
+    SKV_INSTRUMENT_REGION, /**< fluid inside the box: particles, area, mean x, y, vx, vy, pressure,
                               rms speed */
-    SKV_INSTRUMENT_RULER,  /* from (x0, y0) to (x1, y1): length, dx, dy, angle */
-    SKV_INSTRUMENT_WAVES,  /* gauge at x0 from y0 in the fluid up to y1 above it: level and slope of
-                              the surface; of the waves that have passed, as far as the history
+    SKV_INSTRUMENT_RULER,  /**< from (x0, y0) to (x1, y1): length, dx, dy, angle */
+    SKV_INSTRUMENT_WAVES,  /**< gauge at x0 from y0 in the fluid up to y1 above it: level and slope
+                              of  the surface; of the waves that have passed, as far as the history
                               reaches: mean height from trough to crest, period from one rise
                               through the mean level to the next, and steepness, height over length;
                               NaN before a wave has passed. For waves twelve smoothing radii long
                               or longer, higher than half a spacing, that run or stand anywhere but
                               at a node or a crest */
-    SKV_INSTRUMENT_STOPWATCH /* time at which another instrument's reading passed a threshold */
+    SKV_INSTRUMENT_STOPWATCH /**< time at which another instrument's reading passed a threshold */
 } skv_instrument_kind;
 
-/* A number in a lab; zero is none. Ids of removed instruments are not used again. */
+/** A number in a lab; zero is none. Ids of removed instruments are not used again. */
 typedef uint32_t skv_instrument;
 
-/* How to make an instrument. Initialise with skv_default_instrument_def. */
+/** How to make an instrument. Initialise with skv_default_instrument_def. */
 typedef struct skv_instrument_def {
     skv_instrument_kind kind;
-    char name[32];         /* for exports; printable ASCII without commas and quotes */
-    double x0, y0, x1, y1; /* m; a box is spanned by two opposite corners */
-    /* Readings are means over the samples of the last `window` seconds; 0: the last sample alone.
+    char name[32];         /**< for exports; printable ASCII without commas and quotes */
+    double x0, y0, x1, y1; /**< m; a box is spanned by two opposite corners */
+    /** Readings are means over the samples of the last `window` seconds; 0: the last sample alone.
      * A gate always counts over at least one sample interval. Default 0 (gate: 0.25 s). */
     double window;
-    int capacity; /* samples that the history remembers, 1..1000000; default 1200 */
-    /* Stopwatch: runs from the first sample until `channel` of `watched` has been above (or below)
+    int capacity; /**< samples that the history remembers, 1..1000000; default 1200 */
+    /** Stopwatch: runs from the first sample until `channel` of `watched` has been above (or below)
      * the threshold for `hold` seconds; reads the moment at which that began. */
     skv_instrument watched;
     int channel;
@@ -176,13 +177,13 @@ typedef struct skv_instrument_def {
 
 SKV_API skv_instrument_def skv_default_instrument_def(skv_instrument_kind kind);
 
-/* What an instrument's channel is called and measured in; null past the last. Static. */
+/** What an instrument's channel is called and measured in; null past the last. Static. */
 typedef struct skv_channel {
-    const char *name; /* "pressure" */
-    const char *unit; /* "Pa m" */
+    const char *name; /**< "pressure" */
+    const char *unit; /**< "Pa m" */
 } skv_channel;
 SKV_API const skv_channel *skv_instrument_channel(skv_instrument_kind kind, int channel);
-/* "pressure probe"; null past the last kind. */
+/** "pressure probe"; null past the last kind. */
 SKV_API const char *skv_instrument_kind_name(skv_instrument_kind kind);
 
 typedef struct skv_lab skv_lab;
@@ -190,40 +191,41 @@ typedef struct skv_lab skv_lab;
 SKV_API skv_result skv_lab_create(skv_lab **lab, skv_error *error);
 SKV_API void skv_lab_destroy(skv_lab *lab);
 
-/* Adds an instrument, with room for its history; `*id` is 0 on failure. SKV_ERROR_VALUE for
+/** Adds an instrument, with room for its history; `*id` is 0 on failure. SKV_ERROR_VALUE for
  * coordinates that are not finite, an unknown kind, a stopwatch that watches nothing. */
 SKV_API skv_result skv_lab_add(skv_lab *lab, const skv_instrument_def *def, skv_instrument *id,
                                skv_error *error);
-/* Moves an instrument to other points; its history starts anew. */
+/** Moves an instrument to other points; its history starts anew. */
 SKV_API skv_result skv_lab_move(skv_lab *lab, skv_instrument id, double x0, double y0, double x1,
                                 double y1, skv_error *error);
-/* Takes an instrument away; an unknown id is ignored. */
+/** Takes an instrument away; an unknown id is ignored. */
 SKV_API void skv_lab_remove(skv_lab *lab, skv_instrument id);
-/* The instruments in the order in which they were added; 0 past the last. */
+/** The instruments in the order in which they were added; 0 past the last. */
 SKV_API skv_instrument skv_lab_instrument(const skv_lab *lab, int i);
-/* Its definition; null for an unknown id. Valid until the lab changes. */
+/** Its definition; null for an unknown id. Valid until the lab changes. */
 SKV_API const skv_instrument_def *skv_lab_def(const skv_lab *lab, skv_instrument id);
 
-/* Reads every instrument. Call it after each frame, always with the same world; if the world's time
- * has gone back (a reset), every history starts anew. No allocation once every instrument has read
- * a world of this size once. Same world, same readings, bit by bit. */
+/** Reads every instrument. Call it after each frame, always with the same world; if the world's
+ * time has gone back (a reset), every history starts anew. No allocation once every instrument has
+ * read a world of this size once. Same world, same readings, bit by bit. */
 SKV_API skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error);
 
-/* The survey of the last sample, for questions besides the instruments. Owned by the lab. */
+/** The survey of the last sample, for questions besides the instruments. Owned by the lab. */
 SKV_API const skv_survey *skv_lab_survey(const skv_lab *lab);
 
-/* A channel's reading: the mean over the instrument's window of the samples that had one; NaN if
+/** A channel's reading: the mean over the instrument's window of the samples that had one; NaN if
  * none had (a probe in the dry, a stopwatch that still runs, no sample yet). */
 SKV_API double skv_lab_reading(const skv_lab *lab, skv_instrument id, int channel);
 
-/* The last samples of a channel, oldest first, not averaged (a gate: the flow since the sample
+/** The last samples of a channel, oldest first, not averaged (a gate: the flow since the sample
  * before). Writes at most `capacity` times (s) and values; either array may be null. Returns how
  * many the history holds. */
 SKV_API int skv_lab_history(const skv_lab *lab, skv_instrument id, int channel, double *times,
                             double *values, int capacity);
 
-/* Writes the histories as CSV: a head "t,name channel [unit],...", then a row for every sample that
- * the shortest history still holds, oldest first, an empty field for NaN. `id` 0: all instruments.
+/** Writes the histories as CSV: a head "t,name channel [unit],...", then a row for every sample
+ * that the shortest history still holds, oldest first, an empty field for NaN. `id` 0: all
+ * instruments.
  */
 SKV_API skv_result skv_lab_write_csv(const skv_lab *lab, skv_instrument id, skv_write *write,
                                      void *user, skv_error *error);

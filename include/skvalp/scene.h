@@ -1,4 +1,5 @@
-/* Scenes: a terrain, a fluid and where the fluid is at the start, from a JSON file or from a
+/** @file
+ * Scenes: a terrain, a fluid and where the fluid is at the start, from a JSON file or from a
  * painted PNG, or one of the built-in ones.
  *
  * Every file is checked against one registry of fields (skv_scene_fields), which also feeds the
@@ -18,28 +19,28 @@ extern "C" {
 
 typedef struct skv_scene skv_scene;
 
-/* All that a scene file may say, in documentation order; among it all parameters of
+/** All that a scene file may say, in documentation order; among it all parameters of
  * skv_world_fields but those that are the host's (threads, capacity, solver). Static. */
 SKV_API const skv_field *skv_scene_fields(int *count);
 
-/* Options that override a scene while it is loaded. Initialise with skv_default_scene_options. */
+/** Options that override a scene while it is loaded. Initialise with skv_default_scene_options. */
 typedef struct skv_scene_options {
-    int particles;               /* wanted number of particles; 0: what the scene says */
-    const skv_setting *settings; /* applied after the file, in order */
+    int particles;               /**< wanted number of particles; 0: what the scene says */
+    const skv_setting *settings; /**< applied after the file, in order */
     int setting_count;
     int cookie;
 } skv_scene_options;
 
 SKV_API skv_scene_options skv_default_scene_options(void);
 
-/* Loads a scene: a built-in name ("dam-break"), or a path that ends in .json or .png (any letter
+/** Loads a scene: a built-in name ("dam-break"), or a path that ends in .json or .png (any letter
  * case). `options` may be null. On failure `*scene` is null and the message names the file, the
  * line or pixel, the field, and what is allowed. At most 64 MiB of a file are read, and 4 MiB of
  * JSON. */
 SKV_API skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *options,
                                   skv_scene **scene, skv_error *error);
 
-/* The same from memory: what a drop, a share link or a test has. `format` is "json" or "png",
+/** The same from memory: what a drop, a share link or a test has. `format` is "json" or "png",
  * `label` stands for the file's name in messages. A JSON scene in memory may not refer to a picture
  * file. */
 SKV_API skv_result skv_scene_load_memory(const void *data, size_t size, const char *format,
@@ -48,39 +49,39 @@ SKV_API skv_result skv_scene_load_memory(const void *data, size_t size, const ch
 
 SKV_API void skv_scene_destroy(skv_scene *scene);
 
-/* Builds the world of a scene with its particles. `threads` as in skv_world_def. */
+/** Builds the world of a scene with its particles. `threads` as in skv_world_def. */
 SKV_API skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world **world,
                                           skv_error *error);
 
-/* The two halves of skv_scene_create_world, for a host that wants to change something in between.
+/** The two halves of skv_scene_create_world, for a host that wants to change something in between.
  * What the world is like, without its fluid. Its terrain is the scene's, shared: skv_world_create
  * takes it over, or skv_terrain_destroy gives it up. */
 SKV_API skv_world_def skv_scene_world_def(const skv_scene *scene);
-/* Puts the scene's fluid into such a world, at its speed. */
+/** Puts the scene's fluid into such a world, at its speed. */
 SKV_API skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *error);
 
-/* Facts of a loaded scene. Texts belong to the scene. */
-SKV_API const char *skv_scene_name(const skv_scene *scene);        /* "dam-break" */
-SKV_API const char *skv_scene_title(const skv_scene *scene);       /* "Dam break" */
-SKV_API const char *skv_scene_description(const skv_scene *scene); /* one or two sentences */
-SKV_API int skv_scene_particles(const skv_scene *scene);           /* what the world will hold */
-SKV_API double skv_scene_seconds(const skv_scene *scene); /* a fitting length of a recording */
+/** Facts of a loaded scene. Texts belong to the scene. */
+SKV_API const char *skv_scene_name(const skv_scene *scene);        /**< "dam-break" */
+SKV_API const char *skv_scene_title(const skv_scene *scene);       /**< "Dam break" */
+SKV_API const char *skv_scene_description(const skv_scene *scene); /**< one or two sentences */
+SKV_API int skv_scene_particles(const skv_scene *scene);           /**< what the world will hold */
+SKV_API double skv_scene_seconds(const skv_scene *scene); /**< a fitting length of a recording */
 
-/* The files that a scene was read from, a JSON file and its picture for example, in any order; null
- * when i is past the last one. */
+/** The files that a scene was read from, a JSON file and its picture for example, in any order;
+ * null when i is past the last one. */
 SKV_API const char *skv_scene_file(const skv_scene *scene, int i);
 
-/* What the loader wants to say without failing, such as "3 emitter pixels (green) are kept but do
+/** What the loader wants to say without failing, such as "3 emitter pixels (green) are kept but do
  * nothing yet"; null when i is past the last one. */
 SKV_API const char *skv_scene_notice(const skv_scene *scene, int i);
 
-/* Pixels painted as emitter (green) or drain (red), kept for later use: the number, and for each
+/** Pixels painted as emitter (green) or drain (red), kept for later use: the number, and for each
  * its centre in metres. `drain` false: emitters. Returns the number in all; writes at most
  * `capacity` points of two floats. */
 SKV_API int skv_scene_marked_pixels(const skv_scene *scene, bool drain, float *points,
                                     int capacity);
 
-/* The built-in scenes, in the order in which they are presented: name, title, description; null
+/** The built-in scenes, in the order in which they are presented: name, title, description; null
  * past the last one. They are the files of scenes/, compiled in. */
 typedef struct skv_scene_info {
     const char *name;

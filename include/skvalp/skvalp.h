@@ -1,4 +1,5 @@
-/* The core library in one include: terrain, world, step, queries, instruments. No dependency beyond
+/** @file
+ * The core library in one include: terrain, world, step, queries, instruments. No dependency beyond
  * libc and pthreads. What needs more has headers of its own: scenes skvalp/scene.h, experiments
  * skvalp/experiments.h, and the front ends' parts skvalp/session.h and skvalp/render.h. */
 #ifndef SKVALP_SKVALP_H

@@ -1,4 +1,5 @@
-/* World: a fluid in a terrain, and the step that moves it.
+/** @file
+ * World: a fluid in a terrain, and the step that moves it.
  *
  * A world owns its particles and its terrain. Particles are numbered in the order in which they
  * were added; every view and every hash uses that order. The same calls give the same bits on any
@@ -21,164 +22,166 @@ extern "C" {
 #define SKV_MAX_THREADS   64
 #define SKV_MAX_HANDS     16
 
-/* How density becomes displacement. Both go through the same passes. */
+/** How density becomes displacement. Both go through the same passes. */
 typedef enum skv_law {
-    SKV_LAW_CALIBRATED, /* density constraint: pressures and periods of a real liquid (default) */
-    SKV_LAW_CLAVET      /* the thesis' double density relaxation (Algorithm 6, symmetric) */
+    SKV_LAW_CALIBRATED, /**< density constraint: pressures and periods of a real liquid (default) */
+    SKV_LAW_CLAVET      /**< the thesis' double density relaxation (Algorithm 6, symmetric) */
 } skv_law;
 
-/* "calibrated" or "clavet". */
+/** "calibrated" or "clavet". */
 SKV_API const char *skv_law_name(skv_law law);
 
-/* A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. Ranges and
- * defaults are those of skv_world_fields. */
+/** A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. Ranges
+ * and defaults are those of skv_world_fields. */
 typedef struct skv_fluid_def {
     skv_law law;
-    float spacing;               /* s: one particle per s*s square metres at rest, m */
-    float radius_ratio;          /* h/s: smoothing radius in spacings */
-    float density;               /* kg/m^2 of the sheet */
-    float viscosity;             /* kinematic, m^2/s, on top of the method's own */
-    float viscosity_linear;      /* sigma, 1/s: removes a pair's approach speed */
-    float viscosity_quadratic;   /* beta, 1/m: the same, growing with the speed */
-    float near_stiffness;        /* k_near, m/s^2, calibrated law */
-    float cohesion;              /* k_coh, m/s^2, calibrated law */
-    float relaxation;            /* omega, share of the correction applied, calibrated law */
-    int iterations;              /* relaxation rounds a substep */
-    float clavet_stiffness;      /* k h^-1 dt^2, dimensionless */
-    float clavet_near_stiffness; /* k_near h^-1 dt^2, dimensionless */
-    float clavet_rest_density;   /* rho0, dimensionless */
-    float wall_friction;         /* share of the tangential speed lost at a wall in 1/60 s */
-    float wall_softness;         /* share of the penetration corrected in 1/60 s */
-    float contact_distance;      /* in spacings: closer than this to a wall is contact */
+    float spacing;               /**< s: one particle per s*s square metres at rest, m */
+    float radius_ratio;          /**< h/s: smoothing radius in spacings */
+    float density;               /**< kg/m^2 of the sheet */
+    float viscosity;             /**< kinematic, m^2/s, on top of the method's own */
+    float viscosity_linear;      /**< sigma, 1/s: removes a pair's approach speed */
+    float viscosity_quadratic;   /**< beta, 1/m: the same, growing with the speed */
+    float near_stiffness;        /**< k_near, m/s^2, calibrated law */
+    float cohesion;              /**< k_coh, m/s^2, calibrated law */
+    float relaxation;            /**< omega, share of the correction applied, calibrated law */
+    int iterations;              /**< relaxation rounds a substep */
+    float clavet_stiffness;      /**< k h^-1 dt^2, dimensionless */
+    float clavet_near_stiffness; /**< k_near h^-1 dt^2, dimensionless */
+    float clavet_rest_density;   /**< rho0, dimensionless */
+    float wall_friction;         /**< share of the tangential speed lost at a wall in 1/60 s */
+    float wall_softness;         /**< share of the penetration corrected in 1/60 s */
+    float contact_distance;      /**< in spacings: closer than this to a wall is contact */
     int cookie;
 } skv_fluid_def;
 
-/* The default fluid, water, for a law. */
+/** The default fluid, water, for a law. */
 SKV_API skv_fluid_def skv_default_fluid_def(skv_law law);
 
-/* Liquids by name: density in kg/m^3 and kinematic viscosity in m^2/s at 20 degrees Celsius. */
+/** Liquids by name: density in kg/m^3 and kinematic viscosity in m^2/s at 20 degrees Celsius. */
 typedef struct skv_material {
     const char *name;
     float density, viscosity;
 } skv_material;
 
-/* The materials, static; writes their number. The first is water, the default fluid. */
+/** The materials, static; writes their number. The first is water, the default fluid. */
 SKV_API const skv_material *skv_materials(int *count);
 
-/* Which of the two solvers steps a world. They compute the same model; the reference is written
+/** Which of the two solvers steps a world. They compute the same model; the reference is written
  * pass by pass for reading and is about ten times slower. Their results differ by rounding, and by
  * the moment at which viscosity is read (docs/model.md). */
 typedef enum skv_solver_kind { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solver_kind;
 
-/* How to make a world. Initialise with skv_default_world_def. Ranges and defaults of what is not
+/** How to make a world. Initialise with skv_default_world_def. Ranges and defaults of what is not
  * explained here are those of skv_world_fields. */
 typedef struct skv_world_def {
-    /* Taken over by the world if skv_world_create succeeds, left to the caller if it fails. Null:
+    /** Taken over by the world if skv_world_create succeeds, left to the caller if it fails. Null:
      * the default terrain, a closed tank of 1.6 x 0.9 m. */
     skv_terrain *terrain;
     skv_fluid_def fluid;
-    float gravity_x, gravity_y; /* m/s^2 */
-    float depth;  /* m: the deepest fluid to expect along this gravity, for the substep rule; 0: all
-                     the free height. Along another gravity as much of the way counts as filled. */
-    int substeps; /* a 1/60 s frame, at most 1000; 0: by the rule of docs/model.md */
-    int threads;  /* 1..SKV_MAX_THREADS, 0: one per physical core */
-    skv_pool *pool; /* threads shared with other worlds; null: threads of its own. If set, `threads`
-                       and `tasks` are ignored. */
-    skv_task_system tasks; /* a host's threads instead, if tasks.run is set; `threads` is ignored */
-    skv_solver_kind solver;              /* default SKV_SOLVER_FAST */
-    skv_instruction_set instruction_set; /* of the fast solver; default SKV_ISA_BEST. One that this
-                                            machine lacks: SKV_ERROR_VALUE */
-    bool sleep;   /* default true: fluid that has been at rest for a while is not stepped until
+    float gravity_x, gravity_y; /**< m/s^2 */
+    float
+        depth; /**< m: the deepest fluid to expect along this gravity, for the substep rule; 0: all
+                  the free height. Along another gravity as much of the way counts as filled. */
+    int substeps;   /**< a 1/60 s frame, at most 1000; 0: by the rule of docs/model.md */
+    int threads;    /**< 1..SKV_MAX_THREADS, 0: one per physical core */
+    skv_pool *pool; /**< threads shared with other worlds; null: threads of its own. If set,
+                       `threads` and `tasks` are ignored. */
+    skv_task_system
+        tasks; /**< a host's threads instead, if tasks.run is set; `threads` is ignored */
+    skv_solver_kind solver;              /**< default SKV_SOLVER_FAST */
+    skv_instruction_set instruction_set; /**< of the fast solver; default SKV_ISA_BEST. One that
+                                            this machine lacks: SKV_ERROR_VALUE */
+    bool sleep;   /**< default true: fluid that has been at rest for a while is not stepped until
                      something disturbs it (docs/model.md). Only with SKV_SOLVER_FAST. */
-    int capacity; /* particles to make room for at creation; the world grows beyond it */
+    int capacity; /**< particles to make room for at creation; the world grows beyond it */
     int cookie;
 } skv_world_def;
 
 SKV_API skv_world_def skv_default_world_def(void);
 
-/* The parameters of a definition, its fluid's included, by path: "gravity.y", "fluid.viscosity".
+/** The parameters of a definition, its fluid's included, by path: "gravity.y", "fluid.viscosity".
  * The fields in documentation order; static. */
 SKV_API const skv_field *skv_world_fields(int *count);
 
-/* Sets a parameter of a definition from text: "0.001", "clavet", "true". Setting fluid.law gives
+/** Sets a parameter of a definition from text: "0.001", "clavet", "true". Setting fluid.law gives
  * the new law's defaults to what has the old law's; fluid.material sets density and viscosity.
  * SKV_ERROR_VALUE, and nothing changed, for an unknown path or a value that its field does not
  * allow; the message says what it does. */
 SKV_API skv_result skv_world_def_set(skv_world_def *def, const char *path, const char *text,
                                      skv_error *error);
 
-/* Writes a parameter as text that would set it, cut to `size`; 32 bytes hold any. fluid.material is
- * empty if no material has this density and viscosity. SKV_ERROR_VALUE for an unknown path. */
+/** Writes a parameter as text that would set it, cut to `size`; 32 bytes hold any. fluid.material
+ * is empty if no material has this density and viscosity. SKV_ERROR_VALUE for an unknown path. */
 SKV_API skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *text,
                                      size_t size, skv_error *error);
 
 typedef struct skv_world skv_world;
 
-/* Makes an empty world; `*world` is null on failure. */
+/** Makes an empty world; `*world` is null on failure. */
 SKV_API skv_result skv_world_create(const skv_world_def *def, skv_world **world, skv_error *error);
 
-/* Frees a world and its terrain; null is allowed. */
+/** Frees a world and its terrain; null is allowed. */
 SKV_API void skv_world_destroy(skv_world *world);
 
-/* Adds one particle, position in m and velocity in m/s, whether or not others are near. A place in
+/** Adds one particle, position in m and velocity in m/s, whether or not others are near. A place in
  * solid or outside the world (through an open side, more than a smoothing radius) is refused with
  * SKV_ERROR_VALUE, as is anything that is not finite. */
 SKV_API skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, float vy,
                                           skv_error *error);
 
-/* Tells whether a point (m) belongs to the fluid that is to be added. */
+/** Tells whether a point (m) belongs to the fluid that is to be added. */
 typedef bool skv_inside(float x, float y, void *user);
 
-/* A fill: the rest lattice (hexagonal, one particle per spacing^2) inside a box. Initialise with
+/** A fill: the rest lattice (hexagonal, one particle per spacing^2) inside a box. Initialise with
  * skv_default_fill_def. */
 typedef struct skv_fill_def {
-    /* The box, m, each -100..100; what lies outside the terrain does not count. Default: all of the
-     * terrain. */
+    /** The box, m, each -100..100; what lies outside the terrain does not count. Default: all of
+     * the terrain. */
     float x0, y0, x1, y1;
-    skv_inside *inside; /* asked once for every place, from the bottom up; null: everywhere */
-    void *user;         /* handed to `inside` */
-    int limit;          /* at most so many particles are added; negative, the default: no limit */
-    float vx, vy;       /* their velocity, m/s, each -1000..1000; default 0 */
+    skv_inside *inside; /**< asked once for every place, from the bottom up; null: everywhere */
+    void *user;         /**< handed to `inside` */
+    int limit;          /**< at most so many particles are added; negative, the default: no limit */
+    float vx, vy;       /**< their velocity, m/s, each -1000..1000; default 0 */
     int cookie;
 } skv_fill_def;
 
 SKV_API skv_fill_def skv_default_fill_def(void);
 
-/* A particle's name: the number at which it was added to its world, from 0. It stays when others
+/** A particle's name: the number at which it was added to its world, from 0. It stays when others
  * are removed, and is never given to another. */
 typedef uint32_t skv_particle_id;
 
-/* The id of no particle. */
+/** The id of no particle. */
 #define SKV_NO_PARTICLE UINT32_MAX
 
-/* What became of the places at which particles were to be added. */
+/** What became of the places at which particles were to be added. */
 typedef struct skv_placed {
     int added;
-    int occupied; /* skipped: closer than 0.7 spacings to another particle, earlier or new */
-    int blocked;  /* skipped: in solid or outside the world; for a fill, closer than a third of a
+    int occupied; /**< skipped: closer than 0.7 spacings to another particle, earlier or new */
+    int blocked;  /**< skipped: in solid or outside the world; for a fill, closer than a third of a
                      spacing to a wall */
     skv_particle_id
-        first; /* of those added; the others' follow one by one. SKV_NO_PARTICLE: none */
+        first; /**< of those added; the others' follow one by one. SKV_NO_PARTICLE: none */
 } skv_placed;
 
-/* Adds particles on the rest lattice, from the bottom up, where they keep a third of a spacing from
- * walls and 0.7 spacings from other particles. Writes what became of the lattice's places to
+/** Adds particles on the rest lattice, from the bottom up, where they keep a third of a spacing
+ * from walls and 0.7 spacings from other particles. Writes what became of the lattice's places to
  * *placed (null is allowed). All or nothing on failure: SKV_ERROR_VALUE (box or velocity out of
  * range), SKV_ERROR_LIMIT (more than SKV_MAX_PARTICLES) or SKV_ERROR_MEMORY. */
 SKV_API skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed *placed,
                                   skv_error *error);
 
-/* How many particles the fill would add to an empty world of a given spacing (m) in this terrain:
+/** How many particles the fill would add to an empty world of a given spacing (m) in this terrain:
  * for choosing the spacing that gives a wanted number. */
 SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_fill_def *def);
 
-/* A particle to add. */
+/** A particle to add. */
 typedef struct skv_particle {
-    float x, y;   /* m */
-    float vx, vy; /* m/s */
+    float x, y;   /**< m */
+    float vx, vy; /**< m/s */
 } skv_particle;
 
-/* Adds many particles, those that find a free place; *placed (null is allowed) counts them and
+/** Adds many particles, those that find a free place; *placed (null is allowed) counts them and
  * those skipped. `ids` (null is allowed) has room for `count` and takes each one's id,
  * SKV_NO_PARTICLE for a skipped one. All or nothing on failure: SKV_ERROR_VALUE (a number that is
  * not finite or beyond 100 m, 1000 m/s), SKV_ERROR_LIMIT (too many) or SKV_ERROR_MEMORY. */
@@ -186,49 +189,49 @@ SKV_API skv_result skv_world_add_particles(skv_world *world, const skv_particle 
                                            int count, skv_particle_id *ids, skv_placed *placed,
                                            skv_error *error);
 
-/* The index of a particle in the arrays of skv_world_particles, -1 if it is gone. Costs a binary
+/** The index of a particle in the arrays of skv_world_particles, -1 if it is gone. Costs a binary
  * search. */
 SKV_API int skv_world_index(const skv_world *world, skv_particle_id id);
 
-/* Adds (vx, vy) m/s to the velocity of particles [first, first+count), and wakes them. */
+/** Adds (vx, vy) m/s to the velocity of particles [first, first+count), and wakes them. */
 SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx,
                                           float vy, skv_error *error);
 
-/* A region of the plane, to ask for particles or to act on them. Made by one of the functions
+/** A region of the plane, to ask for particles or to act on them. Made by one of the functions
  * below; what is not finite, and a circle of negative radius, contains nothing. */
 typedef enum skv_area_kind { SKV_AREA_CIRCLE, SKV_AREA_BOX, SKV_AREA_POLYGON } skv_area_kind;
 typedef struct skv_area {
     skv_area_kind kind;
-    float x0, y0, x1, y1; /* box: two opposite corners; circle: its centre first; m */
-    float radius;         /* of a circle, m */
-    const float *points;  /* of a polygon: x, y, x, y, ..., m */
-    int count;            /* of its points */
+    float x0, y0, x1, y1; /**< box: two opposite corners; circle: its centre first; m */
+    float radius;         /**< of a circle, m */
+    const float *points;  /**< of a polygon: x, y, x, y, ..., m */
+    int count;            /**< of its points */
 } skv_area;
 
 SKV_API skv_area skv_circle(float x, float y, float radius);
 SKV_API skv_area skv_box(float x0, float y0, float x1, float y1);
-/* `count` corners, at least 3, of two floats each; the last is joined to the first. A point is
+/** `count` corners, at least 3, of two floats each; the last is joined to the first. A point is
  * inside if a line from it to far away crosses an odd number of sides. The points stay the caller's
  * and have to be there as long as the area is used. */
 SKV_API skv_area skv_polygon(const float *points, int count);
 
-/* Sets the velocities of particles [first, first+count), m/s, each within 1000: vx[0] and vy[0] are
- * those of `first`. Wakes the particles whose velocity changes. SKV_ERROR_VALUE, and nothing
+/** Sets the velocities of particles [first, first+count), m/s, each within 1000: vx[0] and vy[0]
+ * are those of `first`. Wakes the particles whose velocity changes. SKV_ERROR_VALUE, and nothing
  * changes, if a number is out of range or a particle does not exist. */
 SKV_API skv_result skv_world_set_velocities(skv_world *world, int first, int count, const float *vx,
                                             const float *vy, skv_error *error);
 
-/* Removes the particles with these ids; those that are gone already are passed over. Fluid that
+/** Removes the particles with these ids; those that are gone already are passed over. Fluid that
  * sleeps beside them wakes. Writes how many were removed to *removed (null is allowed). On failure,
  * SKV_ERROR_MEMORY, nothing changes. */
 SKV_API skv_result skv_world_remove(skv_world *world, const skv_particle_id *ids, int count,
                                     int *removed, skv_error *error);
 
-/* The same for all particles in an area. */
+/** The same for all particles in an area. */
 SKV_API skv_result skv_world_remove_area(skv_world *world, const skv_area *area, int *removed,
                                          skv_error *error);
 
-/* Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60. A substep is 1/(60 substeps) long,
+/** Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60. A substep is 1/(60 substeps) long,
  * whatever dt is: as many are taken as the time owed holds, none perhaps, and the rest stays owed
  * to the next call. So frames may have any length; 1/60 s is a frame exactly. Fails with
  * SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY: with the fast solver nothing has
@@ -236,194 +239,194 @@ SKV_API skv_result skv_world_remove_area(skv_world *world, const skv_area *area,
  * world, whose number of particles has not grown, allocates nothing. */
 SKV_API skv_result skv_world_step(skv_world *world, float dt, skv_error *error);
 
-/* Where the time goes: seconds spent since the last call with `reset`, by phase (the fast solver's
+/** Where the time goes: seconds spent since the last call with `reset`, by phase (the fast solver's
  * phases or the reference's passes). Not part of the deterministic state. */
 typedef struct skv_profile {
-    int count;            /* passes */
-    const char *name[16]; /* e.g. "density" */
-    double seconds[16];   /* wall time summed over substeps */
+    int count;            /**< passes */
+    const char *name[16]; /**< e.g. "density" */
+    double seconds[16];   /**< wall time summed over substeps */
 } skv_profile;
 SKV_API skv_profile skv_world_profile(skv_world *world, bool reset);
 
-/* The name of an instruction set: "scalar", "sse2", "avx2", "neon" or "wasm"; of SKV_ISA_BEST, that
- * of the best one. Null if this machine, or this build, does not have it. Thread-safe. */
+/** The name of an instruction set: "scalar", "sse2", "avx2", "neon" or "wasm"; of SKV_ISA_BEST,
+ * that of the best one. Null if this machine, or this build, does not have it. Thread-safe. */
 SKV_API const char *skv_instruction_set_name(skv_instruction_set set);
 
-/* Bytes that a world holds, terrain and walls apart. */
+/** Bytes that a world holds, terrain and walls apart. */
 typedef struct skv_memory {
-    size_t particles;  /* the particles' arrays, the world's and the solver's */
-    size_t kept;       /* what the solver keeps of pairs while it steps */
-    size_t grid;       /* where the solver finds particles */
-    size_t histograms; /* for filling the grid, once for each thread */
+    size_t particles;  /**< the particles' arrays, the world's and the solver's */
+    size_t kept;       /**< what the solver keeps of pairs while it steps */
+    size_t grid;       /**< where the solver finds particles */
+    size_t histograms; /**< for filling the grid, once for each thread */
 } skv_memory;
 SKV_API skv_memory skv_world_memory(const skv_world *world);
 
-/* A finger or the mouse holding fluid (thesis, section 3.5): within `radius` of (x, y), and fading
+/** A finger or the mouse holding fluid (thesis, section 3.5): within `radius` of (x, y), and fading
  * with the distance, particles are pulled towards the point, slowed down, and carried along with
  * the pointer's velocity. */
 typedef struct skv_hand {
-    float x, y;       /* m */
-    float vx, vy;     /* the pointer's velocity, m/s */
-    float radius;     /* m, > 0; default 0.15 */
-    float attraction; /* m/s^2 towards the point, at half the radius; default 60 */
-    float friction;   /* 1/s: how fast the particles' own velocity fades; default 6 */
-    float follow;     /* 1/s: how fast they take the pointer's velocity; default 6 */
+    float x, y;       /**< m */
+    float vx, vy;     /**< the pointer's velocity, m/s */
+    float radius;     /**< m, > 0; default 0.15 */
+    float attraction; /**< m/s^2 towards the point, at half the radius; default 60 */
+    float friction;   /**< 1/s: how fast the particles' own velocity fades; default 6 */
+    float follow;     /**< 1/s: how fast they take the pointer's velocity; default 6 */
 } skv_hand;
 
 SKV_API skv_hand skv_default_hand(void);
 
-/* Sets the hands that act from the next step on, replacing all earlier ones; count 0 lets go.
+/** Sets the hands that act from the next step on, replacing all earlier ones; count 0 lets go.
  * Fails with SKV_ERROR_VALUE (a field not finite or out of range: the old hands stay) or
  * SKV_ERROR_LIMIT (more than SKV_MAX_HANDS). */
 SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count,
                                        skv_error *error);
 
-/* Sets gravity, m/s^2, each component -1000..1000, from the next substep on. Unless the definition
+/** Sets gravity, m/s^2, each component -1000..1000, from the next substep on. Unless the definition
  * gave their number, the substeps follow it by the rule: up at once, down when a third of them can
  * be spared. */
 SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error);
 
-/* The same as skv_world_def_set and _get for a world that runs. What skv_world_can_change denies is
- * refused with SKV_ERROR_VALUE. The substeps follow as they follow gravity. Fluid that sleeps wakes
- * up. */
+/** The same as skv_world_def_set and _get for a world that runs. What skv_world_can_change denies
+ * is refused with SKV_ERROR_VALUE. The substeps follow as they follow gravity. Fluid that sleeps
+ * wakes up. */
 SKV_API bool skv_world_can_change(const char *path);
 SKV_API skv_result skv_world_set(skv_world *world, const char *path, const char *text,
                                  skv_error *error);
 SKV_API skv_result skv_world_get(const skv_world *world, const char *path, char *text, size_t size,
                                  skv_error *error);
 
-/* Plain facts. Reading functions may run on several threads at once, never beside a step. */
+/** Plain facts. Reading functions may run on several threads at once, never beside a step. */
 SKV_API int skv_world_particle_count(const skv_world *world);
-/* Particles that do not sleep: those that the last step moved, and those added since. */
+/** Particles that do not sleep: those that the last step moved, and those added since. */
 SKV_API int skv_world_awake_count(const skv_world *world);
-SKV_API int skv_world_substeps_per_frame(const skv_world *world); /* of 1/60 s, at present */
+SKV_API int skv_world_substeps_per_frame(const skv_world *world); /**< of 1/60 s, at present */
 SKV_API int skv_world_threads(const skv_world *world);
-SKV_API double skv_world_time(const skv_world *world);            /* s, of the substeps taken */
-SKV_API int64_t skv_world_substep_count(const skv_world *world);  /* substeps taken */
-SKV_API float skv_world_spacing(const skv_world *world);          /* s, m */
-SKV_API float skv_world_smoothing_radius(const skv_world *world); /* h, m */
+SKV_API double skv_world_time(const skv_world *world);            /**< s, of the substeps taken */
+SKV_API int64_t skv_world_substep_count(const skv_world *world);  /**< substeps taken */
+SKV_API float skv_world_spacing(const skv_world *world);          /**< s, m */
+SKV_API float skv_world_smoothing_radius(const skv_world *world); /**< h, m */
 SKV_API const skv_fluid_def *skv_world_fluid(const skv_world *world);
 SKV_API void skv_world_gravity(const skv_world *world, float *gx, float *gy);
 SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
 
-/* A number that changes whenever particles have been added, have left or were removed: as long as
+/** A number that changes whenever particles have been added, have left or were removed: as long as
  * it is the same, the arrays of skv_world_particles lie where they did and an index means the same
  * particle; only the values change, with steps. */
 SKV_API uint32_t skv_world_revision(const skv_world *world);
 
-/* The particles, in the order in which they were added. The arrays belong to the world and are
+/** The particles, in the order in which they were added. The arrays belong to the world and are
  * valid until skv_world_revision changes. */
 typedef struct skv_particles {
     int count;
-    const float *x, *y;     /* m */
-    const float *vx, *vy;   /* m/s */
-    const float *pressure;  /* Pa m (force per length of the sheet), 0 at the free surface; from the
-                               last substep; 0 before the first */
-    const float *clearance; /* m: a lower bound of the distance to the nearest wall, from the
+    const float *x, *y;     /**< m */
+    const float *vx, *vy;   /**< m/s */
+    const float *pressure;  /**< Pa m (force per length of the sheet), 0 at the free surface; from
+                               the  last substep; 0 before the first */
+    const float *clearance; /**< m: a lower bound of the distance to the nearest wall, from the
                                last substep; 0: not known */
-    const skv_particle_id *id; /* ascending */
+    const skv_particle_id *id; /**< ascending */
 } skv_particles;
 SKV_API skv_particles skv_world_particles(const skv_world *world);
 
-/* What a run reports about a world: one look at every particle. */
+/** What a run reports about a world: one look at every particle. */
 typedef struct skv_stats {
     int particles;
-    int escaped;                   /* outside the world, or inside a wall deeper than h */
-    int not_finite;                /* particles with a NaN or infinity */
-    double kinetic_energy;         /* J per metre of depth: sum of m v^2 / 2, m = density s^2 */
-    double potential_energy;       /* J per metre of depth, against the world's origin */
-    double momentum_x, momentum_y; /* kg/s */
-    double rms_speed, max_speed;   /* m/s */
-    double centre_x, centre_y;     /* of mass, m */
+    int escaped;                   /**< outside the world, or inside a wall deeper than h */
+    int not_finite;                /**< particles with a NaN or infinity */
+    double kinetic_energy;         /**< J per metre of depth: sum of m v^2 / 2, m = density s^2 */
+    double potential_energy;       /**< J per metre of depth, against the world's origin */
+    double momentum_x, momentum_y; /**< kg/s */
+    double rms_speed, max_speed;   /**< m/s */
+    double centre_x, centre_y;     /**< of mass, m */
 } skv_stats;
 SKV_API skv_stats skv_world_stats(const skv_world *world);
 
-/* How the particles of a world are packed. */
+/** How the particles of a world are packed. */
 typedef struct skv_packing {
-    double neighbours;   /* particles within h of a particle, on average; 0 without particles */
-    double volume_ratio; /* area a particle takes in the bulk over s^2; 1 if there is no bulk */
+    double neighbours;   /**< particles within h of a particle, on average; 0 without particles */
+    double volume_ratio; /**< area a particle takes in the bulk over s^2; 1 if there is no bulk */
 } skv_packing;
 
-/* Measures the packing. Unlike the statistics it has to find all pairs: it takes as long as two
+/** Measures the packing. Unlike the statistics it has to find all pairs: it takes as long as two
  * substeps of the reference solver, and for that time some 200 bytes a particle. Fails with
  * SKV_ERROR_MEMORY. */
 SKV_API skv_result skv_world_packing(const skv_world *world, skv_packing *packing,
                                      skv_error *error);
 
-/* What walls did to the fluid in the last step, per metre of depth: the impulse that they gave it,
+/** What walls did to the fluid in the last step, per metre of depth: the impulse that they gave it,
  * and its moment about the origin, counter-clockwise. Fluid that sleeps gets nothing. Over a second
  * at rest walls give the fluid its weight; the fluid gives them the opposite. The same bits for any
  * number of threads. */
 typedef struct skv_wall_impulse {
-    double x, y;   /* N s/m */
-    double moment; /* N s */
+    double x, y;   /**< N s/m */
+    double moment; /**< N s */
 } skv_wall_impulse;
 SKV_API skv_wall_impulse skv_world_wall_impulse(const skv_world *world);
 
-/* 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order. */
+/** 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order. */
 SKV_API uint64_t skv_world_hash(const skv_world *world);
 
-/* Writes the indices (into the arrays of skv_world_particles) of the particles in an area,
+/** Writes the indices (into the arrays of skv_world_particles) of the particles in an area,
  * ascending, at most `capacity`; returns how many there are in all. */
 SKV_API int skv_world_query(const skv_world *world, const skv_area *area, int *indices,
                             int capacity);
 
-/* Where a ray meets something. */
+/** Where a ray meets something. */
 typedef struct skv_hit {
     bool found;
-    float share;  /* of the ray's way, 0..1; 1 if nothing was found */
-    float x, y;   /* m */
-    float nx, ny; /* unit normal there, out of what was met; 0 if nothing was */
-    int particle; /* index of the particle met; -1 for a wall or nothing */
+    float share;  /**< of the ray's way, 0..1; 1 if nothing was found */
+    float x, y;   /**< m */
+    float nx, ny; /**< unit normal there, out of what was met; 0 if nothing was */
+    int particle; /**< index of the particle met; -1 for a wall or nothing */
 } skv_hit;
 typedef struct skv_ray {
     skv_hit wall;
-    skv_hit fluid; /* before the wall; a particle counts as a disc of area spacing^2 */
+    skv_hit fluid; /**< before the wall; a particle counts as a disc of area spacing^2 */
 } skv_ray;
 
-/* What the straight way from (x0, y0) to (x1, y1), m, each within 1000 m, meets first. A ray that
+/** What the straight way from (x0, y0) to (x1, y1), m, each within 1000 m, meets first. A ray that
  * begins in solid or in fluid meets it at share 0. */
 SKV_API skv_ray skv_world_ray(const skv_world *world, float x0, float y0, float x1, float y1);
 
 /* ---- The host ---- */
 
-/* What has happened to a particle. */
+/** What has happened to a particle. */
 typedef enum skv_event_kind {
-    SKV_EVENT_LEFT,   /* went out through an open side */
-    SKV_EVENT_REMOVED /* was removed by skv_world_remove or skv_world_remove_area */
+    SKV_EVENT_LEFT,   /**< went out through an open side */
+    SKV_EVENT_REMOVED /**< was removed by skv_world_remove or skv_world_remove_area */
 } skv_event_kind;
 typedef struct skv_event {
     skv_event_kind kind;
     skv_particle_id particle;
 } skv_event;
 
-/* The events of the last step, in the order in which they happened: from the end of the step before
- * it to its own end, so that whoever reads them after each step misses none. Writes their number.
- * They belong to the world and are valid until the next call that steps or changes it. */
+/** The events of the last step, in the order in which they happened: from the end of the step
+ * before it to its own end, so that whoever reads them after each step misses none. Writes their
+ * number. They belong to the world and are valid until the next call that steps or changes it. */
 SKV_API const skv_event *skv_world_events(const skv_world *world, int *count);
 
-/* Called before each substep, by the thread that called skv_world_step: the place for forces of the
- * host's own, as velocities that it adds. `dt` is the substep's length, s. It is called for a world
- * that sleeps, too. It may read the world, set velocities, hands and gravity, add and remove
+/** Called before each substep, by the thread that called skv_world_step: the place for forces of
+ * the host's own, as velocities that it adds. `dt` is the substep's length, s. It is called for a
+ * world that sleeps, too. It may read the world, set velocities, hands and gravity, add and remove
  * particles; views have to be asked for anew once the revision changes. It must not step, destroy
  * or restore the world. Substeps of a length given by gravity stay as they are until the step ends.
  */
 typedef void skv_before_substep(skv_world *world, float dt, void *user);
 
-/* Sets that callback; null: none. As long as it does the same, the world's future is the same on
+/** Sets that callback; null: none. As long as it does the same, the world's future is the same on
  * any number of threads. A world with one steps its substeps one by one, which costs a little and
  * rounds differently. */
 SKV_API void skv_world_set_before_substep(skv_world *world, skv_before_substep *callback,
                                           void *user);
 
-/* Receives one line of text, without a line feed, that the library would print if it printed. */
+/** Receives one line of text, without a line feed, that the library would print if it printed. */
 typedef void skv_logger(const char *text, void *user);
 
-/* Sets where a world says what is no failure but worth knowing: that it had to grow, or that it is
+/** Sets where a world says what is no failure but worth knowing: that it had to grow, or that it is
  * overfull. Null, the default: nowhere. Called by the thread that calls the world. */
 SKV_API void skv_world_set_log(skv_world *world, skv_logger *log, void *user);
 
-/* A pointer for the host's own use; null at first. */
+/** A pointer for the host's own use; null at first. */
 SKV_API void skv_world_set_user(skv_world *world, void *user);
 SKV_API void *skv_world_user(const skv_world *world);
 
