@@ -1,5 +1,5 @@
-/* A renderer of your own: the particles drawn with SDL2, held with the mouse. Any toolkit will do:
- * the library hands out plain arrays and takes world coordinates.
+/* A renderer of your own: particles and the outline of the water drawn with SDL2, held with the
+ * mouse. Any toolkit will do: the library hands out plain arrays in metres.
  *   own_renderer [FRAMES]   ends after so many frames; without, when the window is closed */
 #include <skvalp/skvalp.h>
 
@@ -22,25 +22,43 @@ static skv_result hold(skv_world *world, const skv_camera *camera)
     return skv_world_set_hands(world, &hand, 1, NULL);
 }
 
-/* Water is a square a particle, the lighter the higher its pressure. Returns how many. */
-static int draw(SDL_Renderer *renderer, const skv_world *world, const skv_camera *camera)
+static SDL_FPoint in_view(const skv_camera *camera, float x, float y)
+{
+    return (SDL_FPoint){(float)(camera->origin_x + x * camera->scale),
+                        (float)(camera->origin_y - y * camera->scale)};
+}
+
+/* Water is a square a particle. */
+static void draw_particles(SDL_Renderer *renderer, const skv_world *world, const skv_camera *camera)
 {
     skv_particles particles = skv_world_particles(world);
     float size = (float)(skv_world_spacing(world) * camera->scale);
-    SDL_SetRenderDrawColor(renderer, 16, 18, 24, 255);
-    SDL_RenderClear(renderer);
+    SDL_SetRenderDrawColor(renderer, 40, 110, 200, 255);
     for (int i = 0; i < particles.count; i++) {
-        float light = particles.pressure[i] / 5000;
-        light = light < 0 ? 0 : light > 1 ? 1 : light;
-        SDL_SetRenderDrawColor(renderer, (Uint8)(40 + 180 * light), (Uint8)(110 + 100 * light), 235,
-                               255);
-        SDL_FRect square = {(float)(camera->origin_x + particles.x[i] * camera->scale) - size / 2,
-                            (float)(camera->origin_y - particles.y[i] * camera->scale) - size / 2,
-                            size, size};
-        SDL_RenderFillRectF(renderer, &square);
+        SDL_FPoint p = in_view(camera, particles.x[i], particles.y[i]);
+        SDL_RenderFillRectF(renderer, &(SDL_FRect){p.x - size / 2, p.y - size / 2, size, size});
     }
-    SDL_RenderPresent(renderer);
-    return particles.count;
+}
+
+/* The surface is lines; returns how many points they have. */
+static int draw_surface(SDL_Renderer *renderer, const skv_surface *surface,
+                        const skv_camera *camera)
+{
+    int points = 0;
+    SDL_SetRenderDrawColor(renderer, 255, 255, 255, 255);
+    for (int line = 0; line < skv_surface_line_count(surface); line++) {
+        int count;
+        bool closed;
+        const skv_point *point = skv_surface_line(surface, line, &count, &closed);
+        for (int i = closed ? 0 : 1; i < count; i++) {
+            const skv_point *before = &point[i > 0 ? i - 1 : count - 1];
+            SDL_FPoint a = in_view(camera, before->x, before->y);
+            SDL_FPoint b = in_view(camera, point[i].x, point[i].y);
+            SDL_RenderDrawLineF(renderer, a.x, a.y, b.x, b.y);
+        }
+        points += count;
+    }
+    return points;
 }
 
 static skv_result make_world(skv_world **world)
@@ -65,7 +83,13 @@ int main(int argc, char **argv)
     }
 
     skv_world *world = NULL;
+    skv_survey *survey = NULL;
+    skv_surface *surface = NULL;
     skv_result result = make_world(&world);
+    if (result == SKV_OK)
+        result = skv_survey_create(&survey, NULL);
+    if (result == SKV_OK)
+        result = skv_surface_create(&surface, NULL);
     skv_camera camera = {0};
     if (world)
         camera = skv_camera_fit(WIDTH, HEIGHT, skv_terrain_width(skv_world_terrain(world)),
@@ -77,10 +101,20 @@ int main(int argc, char **argv)
         result = hold(world, &camera);
         if (result == SKV_OK)
             result = skv_world_step(world, 1.0f / 60, NULL);
-        drawn = draw(renderer, world, &camera);
+        if (result == SKV_OK)
+            result = skv_survey_take(survey, world, NULL);
+        if (result == SKV_OK)
+            result = skv_surface_find(surface, survey, NULL, NULL);
+        SDL_SetRenderDrawColor(renderer, 16, 18, 24, 255);
+        SDL_RenderClear(renderer);
+        draw_particles(renderer, world, &camera);
+        drawn = draw_surface(renderer, surface, &camera);
+        SDL_RenderPresent(renderer);
     }
-    SDL_Log("%d particles drawn, %s", drawn, skv_result_text(result));
+    SDL_Log("%d points of the surface drawn, %s", drawn, skv_result_text(result));
 
+    skv_surface_destroy(surface);
+    skv_survey_destroy(survey);
     skv_world_destroy(world);
     SDL_DestroyRenderer(renderer);
     SDL_DestroyWindow(window);

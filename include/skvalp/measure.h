@@ -102,7 +102,7 @@ typedef struct skv_surface_def {
     double level; /**< the fill that is the surface, 0.05..0.95; default 0.5. A lone particle has
                      about 0.2: with less than that every drop has an outline */
     bool closed; /**< default false: lines lie where fluid meets air and end at walls. True: they go
-                    on  along walls, so that each is closed and can be filled with colour */
+                    on along walls, so that each is closed and can be filled with colour */
     int cookie;
 } skv_surface_def;
 
@@ -144,7 +144,7 @@ typedef enum skv_instrument_kind {
                               rms speed */
     SKV_INSTRUMENT_RULER,  /**< from (x0, y0) to (x1, y1): length, dx, dy, angle */
     SKV_INSTRUMENT_WAVES,  /**< gauge at x0 from y0 in the fluid up to y1 above it: level and slope
-                              of  the surface; of the waves that have passed, as far as the history
+                              of the surface; of the waves that have passed, as far as the history
                               reaches: mean height from trough to crest, period from one rise
                               through the mean level to the next, and steepness, height over length;
                               NaN before a wave has passed. For waves twelve smoothing radii long

@@ -321,7 +321,7 @@ typedef struct skv_particles {
     const float *x, *y;     /**< m */
     const float *vx, *vy;   /**< m/s */
     const float *pressure;  /**< Pa m (force per length of the sheet), 0 at the free surface; from
-                               the  last substep; 0 before the first */
+                               the last substep; 0 before the first */
     const float *clearance; /**< m: a lower bound of the distance to the nearest wall, from the
                                last substep; 0: not known */
     const skv_particle_id *id; /**< ascending */

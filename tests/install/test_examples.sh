@@ -30,6 +30,6 @@ quietly instruments "$work/examples/build/instruments"
 # Without a display SDL draws into memory.
 quietly own_renderer env SDL_VIDEODRIVER=dummy SDL_RENDER_DRIVER=software \
     "$work/examples/build/own_renderer" 5
-grep -q '[1-9][0-9]* particles drawn, done' "$work/log" || complain "own_renderer: $(cat "$work/log")"
+grep -q '[1-9][0-9]* points of the surface drawn, done' "$work/log" || complain "own_renderer: $(cat "$work/log")"
 
 conclude "the examples run; $expected"
