@@ -85,10 +85,9 @@ typedef bool skv_write(const char *text, size_t length, void *user);
  * with the zero at the end; returns the length that the whole text has. Knows the conversions d i u
  * x X c s f e g and %, the flags - 0 + and # (of x), width, precision and the lengths hh h l ll z;
  * a directive beyond that and what follows it is copied as it stands. Thread-safe. */
-SKV_API size_t skv_format(char *text, size_t room, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+SKV_API size_t skv_format(char *text, size_t room, const char *format, ...) SKV_PRINTF(3, 4);
 SKV_API size_t skv_format_list(char *text, size_t room, const char *format, va_list arguments)
-    __attribute__((format(printf, 3, 0)));
+    SKV_PRINTF(3, 0);
 
 /** Reads all of `text` as a plain decimal number ("-2.5", "1e-3"), whatever the program's locale
  * is, rounded to the nearest double. False, and *value untouched, for anything else: an empty text,

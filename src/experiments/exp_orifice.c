@@ -30,11 +30,11 @@ typedef struct tank {
     skv_instrument gauges[GAUGES], gate, section;
 } tank;
 
-static shape bevel(double x, double width, double edge, double far)
+static shape bevel(double x, double width, double edge, double end)
 {
     /* From the sharp edge on the inside at 45 degrees outwards. */
-    double up = far > edge ? width : -width;
-    return (shape){4, {x, x + width, x + width, x}, {edge, edge + up, far, far}, 0, 0};
+    double up = end > edge ? width : -width;
+    return (shape){4, {x, x + width, x + width, x}, {edge, edge + up, end, end}, 0, 0};
 }
 
 static stage_plan draw(const stage *s, const tank *t, bool plugged)
