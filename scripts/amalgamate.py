@@ -74,11 +74,24 @@ def text_of(path):
     return text[: guard.start()] + guard.group(2) if guard else text
 
 
+def is_table(path):
+    """Whether a file is meant to be included many times: it has no guard."""
+    return not GUARD.search(path.read_text())
+
+
+def included(match, folder):
+    """What stands in place of an include."""
+    target = resolve(match.group(2), folder)
+    if not target:
+        return match.group(0)
+    return target.read_text() if is_table(target) else ""
+
+
 def includes(path):
     found = []
     for match in INCLUDE.finditer(path.read_text()):
         target = resolve(match.group(2), path.parent)
-        if target:
+        if target and not is_table(target):
             found.append(target)
     return found
 
@@ -98,8 +111,9 @@ def file_local_names(text):
     return {name for name in names if not name.lower().startswith("skv_")}
 
 
-def rename(text, names, new):
-    """Replaces names, but not in comments and texts, and not where they are a member's."""
+def rename(text, names, new, header_tags=()):
+    """Replaces names, but not in comments and texts, and not where they are a member's, or a
+    structure's that a header of the file names."""
     masked = re.sub(OPAQUE, lambda m: " " * len(m.group(0)), text, flags=re.S)
     bodies = [m.span(1) for m in re.finditer(r"^(?:typedef )?(?:struct|union)[^{;]*\{(.*?)^\}",
                                              masked, re.M | re.S)]
@@ -107,7 +121,8 @@ def rename(text, names, new):
     for match in re.finditer(r"(?P<access>\.\s*|->\s*)?\b(?P<name>[A-Za-z_]\w*)"
                              r"(?=(?P<declarator>(?:\[[^\]]*\])*\s*[,;])?)", masked):
         start, end = match.span("name")
-        member = match.group("access") or (
+        member = match.group("access") or masked[:start].endswith("struct ") and \
+            match.group("name") in header_tags or (
             match.group("declarator") and any(a <= start < b for a, b in bodies))
         if match.group("name") in names and not member:
             out += [text[done:start], new(text[start:end])]
@@ -135,15 +150,16 @@ class Amalgamation:
         self.emit(path, self.without_own_includes(path, text_of(path)))
 
     def without_own_includes(self, path, text):
-        return INCLUDE.sub(
-            lambda m: m.group(0) if resolve(m.group(2), path.parent) is None else "", text)
+        return INCLUDE.sub(lambda m: included(m, path.parent), text)
 
     def source(self, path, clashing, condition=None):
         for needed in includes(path):
             self.header(needed)
         text = self.without_own_includes(path, path.read_text())
         stem = path.stem
-        text = rename(text, file_local_names(text) & clashing, lambda name: f"{stem}_{name}")
+        text = rename(text, file_local_names(text) & clashing, lambda name: f"{stem}_{name}",
+                      {tag for header in includes(path)
+                       for tag in re.findall(r"\bstruct (\w+)", header.read_text())})
         macros = re.findall(r"^#[ \t]*define[ \t]+(\w+)", text, re.M)
         text += "".join(f"#undef {name}\n" for name in dict.fromkeys(macros))
         if condition:
