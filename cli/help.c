@@ -79,13 +79,11 @@ static void print_field(const skv_field *field)
 
 void help_print_settings(void)
 {
-    int count = 0;
-    const skv_field *fields = skv_scene_fields(&count);
     puts("Fields of a scene, for scene files and for --set PATH=VALUE. With --set the brackets of "
          "a\n"
          "list hold a number, counted from 0: --set water[0].x1=0.3\n");
-    for (int i = 0; i < count; i++)
-        print_field(&fields[i]);
+    for (int i = 0; skv_scene_field(i); i++)
+        print_field(skv_scene_field(i));
 }
 
 void help_print_lab(void)

@@ -1,7 +1,7 @@
 /** @file
  * Fields: the registry's rows. A field says what a parameter is called, what it may be and what it
- * is for. The world's parameters (skv_world_fields), a scene's (skv_scene_fields) and the
- * experiments' (skv_experiment_fields) are lists of fields; checks, messages, --set, panels and
+ * is for. The world's parameters (skv_world_field), a scene's (skv_scene_field) and the
+ * experiments' (skv_lab_parameter) are lists of fields; checks, messages, --set, panels and
  * documentation derive from them.
  */
 #ifndef SKVALP_FIELDS_H

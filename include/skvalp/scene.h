@@ -2,7 +2,7 @@
  * Scenes: a terrain, a fluid and where the fluid is at the start, from a JSON file or from a
  * painted PNG, or one of the built-in ones.
  *
- * Every file is checked against one registry of fields (skv_scene_fields), which also feeds the
+ * Every file is checked against one registry of fields (skv_scene_field), which also feeds the
  * command line's --set, the panels and the documentation. A scene is immutable once loaded; worlds
  * are built from it as often as wanted (that is what "reset" does).
  */
@@ -20,8 +20,9 @@ extern "C" {
 typedef struct skv_scene skv_scene;
 
 /** All that a scene file may say, in documentation order; among it all parameters of
- * skv_world_fields but those that are the host's (threads, capacity, solver). Static. */
-SKV_API const skv_field *skv_scene_fields(int *count);
+ * skv_world_field but those that are the host's (threads, capacity, solver). Null
+ * past the last. Static. */
+SKV_API const skv_field *skv_scene_field(int i);
 
 /** Options that override a scene while it is loaded. Initialise with skv_default_scene_options. */
 typedef struct skv_scene_options {

@@ -32,7 +32,7 @@ typedef enum skv_law {
 SKV_API const char *skv_law_name(skv_law law);
 
 /** A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. Ranges
- * and defaults are those of skv_world_fields. */
+ * and defaults are those of skv_world_field. */
 typedef struct skv_fluid_def {
     skv_law law;
     float spacing;               /**< s: one particle per s*s square metres at rest, m */
@@ -63,8 +63,8 @@ typedef struct skv_material {
     float density, viscosity;
 } skv_material;
 
-/** The materials, static; writes their number. The first is water, the default fluid. */
-SKV_API const skv_material *skv_materials(int *count);
+/** The materials; null past the last. Static. The first is water, the default fluid. */
+SKV_API const skv_material *skv_material_info(int i);
 
 /** Which of the two solvers steps a world. They compute the same model; the reference is written
  * pass by pass for reading and is about ten times slower. Their results differ by rounding, and by
@@ -72,7 +72,7 @@ SKV_API const skv_material *skv_materials(int *count);
 typedef enum skv_solver_kind { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solver_kind;
 
 /** How to make a world. Initialise with skv_default_world_def. Ranges and defaults of what is not
- * explained here are those of skv_world_fields. */
+ * explained here are those of skv_world_field. */
 typedef struct skv_world_def {
     /** Taken over by the world if skv_world_create succeeds, left to the caller if it fails. Null:
      * the default terrain, a closed tank of 1.6 x 0.9 m. */
@@ -100,8 +100,8 @@ typedef struct skv_world_def {
 SKV_API skv_world_def skv_default_world_def(void);
 
 /** The parameters of a definition, its fluid's included, by path: "gravity.y", "fluid.viscosity".
- * The fields in documentation order; static. */
-SKV_API const skv_field *skv_world_fields(int *count);
+ * The fields in documentation order; null past the last. Static. */
+SKV_API const skv_field *skv_world_field(int i);
 
 /** Sets a parameter of a definition from text: "0.001", "clavet", "true". Setting fluid.law gives
  * the new law's defaults to what has the old law's; fluid.material sets density and viscosity.

@@ -15,7 +15,7 @@ static int cut_length(const char *text)
 
 int skv_edit_distance(const char *a, const char *b)
 {
-    int row[LONGEST + 1];
+    int row[LONGEST + 1] = {0};
     int width = cut_length(b), height = cut_length(a);
     for (int j = 0; j <= width; j++)
         row[j] = j;

@@ -36,11 +36,9 @@ const skv_field *skv_lab_parameter(int i)
     if (i < COMMON_PARAMETERS)
         return &common[i];
     i -= COMMON_PARAMETERS;
-    int count;
-    const skv_field *fields = skv_scene_fields(&count);
-    for (int k = 0; k < count; k++) {
-        if (is_general(&fields[k]) && i-- == 0)
-            return &fields[k];
+    for (int k = 0; skv_scene_field(k); k++) {
+        if (is_general(skv_scene_field(k)) && i-- == 0)
+            return skv_scene_field(k);
     }
     for (int k = 0; skv_experiment_at(k); k++) {
         for (const skv_field *own = skv_experiment_at(k)->parameters; own->path; own++) {

@@ -300,7 +300,7 @@ static void build_parameters(builder *c)
     skv_parameter_store(def, SKV_P_FLUID_MATERIAL, c->value[SKV_F_FLUID_MATERIAL].number);
     for (int i = SKV_F_WORLDS; i < SKV_F_SINGLE; i++) {
         if (i != SKV_F_FLUID_LAW && i != SKV_F_FLUID_MATERIAL && is_given(c, (skv_field_id)i))
-            skv_parameter_store(def, (skv_parameter)(i - SKV_F_WORLDS), c->value[i].number);
+            skv_parameter_store(def, i - SKV_F_WORLDS, c->value[i].number);
     }
 }
 

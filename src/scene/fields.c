@@ -84,6 +84,11 @@ static const skv_field fields[SKV_F_COUNT] = {
 };
 /* clang-format on */
 
+const skv_field *skv_scene_field(int i)
+{
+    return i >= 0 && i < SKV_F_COUNT ? &fields[i] : NULL;
+}
+
 const skv_field *skv_scene_fields(int *count)
 {
     if (count != NULL)

@@ -25,7 +25,7 @@ enum {
     SKV_SHAPE_FIELDS
 };
 
-/* Index of a field in the array of skv_scene_fields. Those of the world's parameters are SKV_F_ and
+/* Index of a field in skv_scene_field. Those of the world's parameters are SKV_F_ and
  * the row's name. */
 typedef enum skv_field_id {
     SKV_F_NAME,
@@ -58,6 +58,9 @@ typedef enum skv_field_id {
 /* The world's parameters among the fields: from here to SKV_F_SINGLE, in the order of their own
  * registry. */
 #define SKV_F_WORLDS (SKV_F_PARTICLES + 1)
+
+/* All of skv_scene_field as an array of SKV_F_COUNT; writes their number if wanted. */
+const skv_field *skv_scene_fields(int *count);
 
 /* A path with its indices taken out: "water[2].points[0][1]" is the pattern "water[].points[][]"
  * with the indices 2, 0, 1. */

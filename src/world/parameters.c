@@ -59,11 +59,9 @@ static bool is_fluids(int parameter)
     return offset >= AT(fluid) && offset < AT(fluid) + sizeof(skv_fluid_def);
 }
 
-const skv_field *skv_world_fields(int *count)
+const skv_field *skv_world_field(int i)
 {
-    SKV_ASSERT_OR(count, NULL);
-    *count = SKV_P_COUNT;
-    return fields;
+    return i >= 0 && i < SKV_P_COUNT ? &fields[i] : NULL;
 }
 
 bool skv_world_can_change(const char *path)
@@ -73,7 +71,7 @@ bool skv_world_can_change(const char *path)
     return parameter >= 0 && places[parameter].live;
 }
 
-const skv_material *skv_materials(int *count)
+const skv_material *skv_material_info(int i)
 {
     static const skv_material materials[] = {
         {"water", 1000, 1.0e-6f},
@@ -81,9 +79,7 @@ const skv_material *skv_materials(int *count)
         {"honey", 1420, 7.0e-3f},
         {"mercury", 13546, 1.15e-7f},
     };
-    SKV_ASSERT_OR(count, NULL);
-    *count = sizeof materials / sizeof *materials;
-    return materials;
+    return i >= 0 && i < (int)(sizeof materials / sizeof *materials) ? &materials[i] : NULL;
 }
 
 const char *skv_law_name(skv_law law)
@@ -153,29 +149,26 @@ static void change_law(skv_world_def *def, int law)
     def->fluid.law = (skv_law)law;
 }
 
-void skv_parameter_store(skv_world_def *def, skv_parameter parameter, double number)
+void skv_parameter_store(skv_world_def *def, int parameter, double number)
 {
-    int materials;
-    const skv_material *material = skv_materials(&materials);
     if (parameter == SKV_P_FLUID_LAW) {
         change_law(def, (int)number);
     } else if (parameter == SKV_P_FLUID_MATERIAL) {
-        def->fluid.density = material[(int)number].density;
-        def->fluid.viscosity = material[(int)number].viscosity;
+        const skv_material *material = skv_material_info((int)number);
+        def->fluid.density = material->density;
+        def->fluid.viscosity = material->viscosity;
     } else {
         store(def, parameter, number);
     }
 }
 
-double skv_parameter_load(const skv_world_def *def, skv_parameter parameter)
+double skv_parameter_load(const skv_world_def *def, int parameter)
 {
-    int materials;
-    const skv_material *material = skv_materials(&materials);
+    const skv_material *material;
     if (parameter != SKV_P_FLUID_MATERIAL)
         return load(def, parameter);
-    for (int i = 0; i < materials; i++) {
-        if (material[i].density == def->fluid.density &&
-            material[i].viscosity == def->fluid.viscosity)
+    for (int i = 0; (material = skv_material_info(i)); i++) {
+        if (material->density == def->fluid.density && material->viscosity == def->fluid.viscosity)
             return i;
     }
     return -1;
@@ -250,7 +243,7 @@ skv_result skv_world_def_set(skv_world_def *def, const char *path, const char *t
     const char *wrong = skv_field_read(&fields[parameter], text, &number);
     if (wrong)
         return skv_field_refuse(&fields[parameter], text, wrong, error);
-    skv_parameter_store(def, (skv_parameter)parameter, number);
+    skv_parameter_store(def, parameter, number);
     return SKV_OK;
 }
 
@@ -263,7 +256,7 @@ skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *t
     skv_result result = find(path, &parameter, error);
     if (result != SKV_OK)
         return result;
-    double number = skv_parameter_load(def, (skv_parameter)parameter);
+    double number = skv_parameter_load(def, parameter);
     text[0] = '\0'; /* no material */
     if (number >= 0 || fields[parameter].type != SKV_FIELD_CHOICE)
         skv_field_write(&fields[parameter], number, text, size);

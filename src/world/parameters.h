@@ -5,7 +5,7 @@
 
 #include "skvalp/world.h"
 
-/* Index of a row in skv_world_fields. */
+/* Index of a row, as in skv_world_field. */
 typedef enum skv_parameter {
 #define NUMBER(id, ...) SKV_P_##id,
 #define WHOLE(id, ...)  SKV_P_##id,
@@ -16,12 +16,12 @@ typedef enum skv_parameter {
     SKV_P_COUNT
 } skv_parameter;
 
-/* Stores a value that the field allows. A law gives its own default to what has the other law's; a
- * material sets density and viscosity. */
-void skv_parameter_store(skv_world_def *def, skv_parameter parameter, double number);
+/* Stores a value that the field of a skv_parameter allows. A law gives its own default to what has
+ * the other law's; a material sets density and viscosity. */
+void skv_parameter_store(skv_world_def *def, int parameter, double number);
 
 /* The value of a parameter; of the material: that of this density and viscosity, or -1. */
-double skv_parameter_load(const skv_world_def *def, skv_parameter parameter);
+double skv_parameter_load(const skv_world_def *def, int parameter);
 
 /* Every parameter lies in its range; SKV_ERROR_VALUE names the first that does not. */
 skv_result skv_check_world_def(const skv_world_def *def, skv_error *error);

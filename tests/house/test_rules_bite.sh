@@ -46,6 +46,9 @@ bites test_layers.sh "the core includes jansson" "the core must not depend on <j
 printf '#include <stdio.h>\n' >>"$work/copy/$sin"
 bites test_layers.sh "the core prints by itself" "the core must not depend on <stdio.h>"
 
+printf '#include <stdio.h>\n' >>"$work/copy/src/scene/shape.c"
+bites test_layers.sh "a scene's core reads files" "src/scene/shape.c: the core must not depend on"
+
 printf '#include <skvalp/render.h>\n' >>"$work/copy/include/skvalp/world.h"
 bites test_layers.sh "a public header includes one to its right" "layer world must not include"
 

@@ -15,6 +15,7 @@ static void test_every_row_is_complete(void **state)
     const skv_field *fields = skv_scene_fields(&count);
     assert_int_equal(count, SKV_F_COUNT);
     for (int i = 0; i < count; i++) {
+        assert_ptr_equal(skv_scene_field(i), &fields[i]);
         assert_non_null(fields[i].path);
         assert_non_null(fields[i].unit);
         assert_non_null(fields[i].default_text);
@@ -68,20 +69,20 @@ static void test_defaults_lie_in_their_ranges(void **state)
 static void test_the_worlds_parameters_are_fields(void **state)
 {
     (void)state;
-    int count, world_count, shared = 0;
-    const skv_field *fields = skv_scene_fields(&count), *world = skv_world_fields(&world_count);
-    for (int i = 0; i < world_count; i++) {
-        int found = skv_field_find(fields, count, world[i].path);
+    int count, shared = 0;
+    const skv_field *fields = skv_scene_fields(&count), *world;
+    for (int i = 0; (world = skv_world_field(i)); i++) {
+        int found = skv_field_find(fields, count, world->path);
         if (found < 0)
             continue;
         shared++;
         const skv_field *f = &fields[found];
-        assert_int_equal(f->type, world[i].type);
-        assert_string_equal(f->unit, world[i].unit);
-        assert_string_equal(f->help, world[i].help);
-        assert_true(f->minimum == world[i].minimum && f->maximum == world[i].maximum);
+        assert_int_equal(f->type, world->type);
+        assert_string_equal(f->unit, world->unit);
+        assert_string_equal(f->help, world->help);
+        assert_true(f->minimum == world->minimum && f->maximum == world->maximum);
         bool spacing = found == SKV_F_FLUID_SPACING;
-        assert_string_equal(f->default_text, spacing ? "" : world[i].default_text);
+        assert_string_equal(f->default_text, spacing ? "" : world->default_text);
     }
     assert_int_equal(shared, SKV_F_SINGLE - SKV_F_WORLDS);
     assert_int_equal(skv_field_find(fields, count, "threads"), -1);
@@ -121,11 +122,12 @@ static void test_range_ends_make_worlds(void **state)
 static void test_materials(void **state)
 {
     (void)state;
-    int count;
-    const skv_material *materials = skv_materials(&count);
+    const skv_material *material;
     const char *choices = skv_scene_fields(NULL)[SKV_F_FLUID_MATERIAL].choices;
-    for (int i = 0; i < count; i++)
-        assert_int_equal(skv_field_choice(choices, materials[i].name), i);
+    int count = 0;
+    for (; (material = skv_material_info(count)); count++)
+        assert_int_equal(skv_field_choice(choices, material->name), count);
+    assert_int_equal(skv_field_choices(choices), count);
     assert_int_equal(skv_field_choice(choices, "tar"), -1);
     const char *text = "{\"particles\":20,\"fluid\":{\"viscosity\":0.001,\"material\":\"honey\"},"
                        "\"water\":[{\"shape\":\"box\",\"y1\":0.1}]}";

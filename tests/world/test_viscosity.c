@@ -99,7 +99,7 @@ static void water_costs_nothing(void **unused)
 {
     (void)unused;
     skv_world *plain = make_box(0.02f, 0),
-              *water = make_box(0.02f, skv_materials(&(int){0})[0].viscosity);
+              *water = make_box(0.02f, skv_material_info(0)->viscosity);
     fixture_run(plain, 10);
     fixture_run(water, 10);
     assert_true(skv_world_hash(plain) == skv_world_hash(water));
@@ -111,15 +111,15 @@ static void water_costs_nothing(void **unused)
 static void materials_are_liquids(void **unused)
 {
     (void)unused;
-    int count;
-    const skv_material *m = skv_materials(&count);
-    assert_int_equal(count, 4);
-    assert_string_equal(m[0].name, "water");
+    const skv_material *m = skv_material_info(0);
+    assert_string_equal(m->name, "water");
     skv_fluid_def fluid = skv_default_fluid_def(SKV_LAW_CALIBRATED);
-    assert_true(m[0].density == fluid.density);
-    for (int i = 0; i < count; i++)
-        assert_true(m[i].density > 500 && m[i].density < 20000 && m[i].viscosity > 0 &&
-                    m[i].viscosity <= 0.05f);
+    assert_true(m->density == fluid.density);
+    for (int i = 0; (m = skv_material_info(i)); i++)
+        assert_true(m->density > 500 && m->density < 20000 && m->viscosity > 0 &&
+                    m->viscosity <= 0.05f);
+    assert_null(skv_material_info(4));
+    assert_null(skv_material_info(-1));
 }
 
 int main(void)

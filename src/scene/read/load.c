@@ -67,10 +67,13 @@ static skv_result build_over_png(const skv_draft *draft, const void *data, size_
     skv_image image;
     skv_error cause;
     skv_result result = skv_png_read(data, size, label, &image, &cause);
-    if (result != SKV_OK)
-        return named->text != NULL ? skv_draft_fail(draft, named->origin, "world.picture", error,
-                                                    result, "%s", cause.text)
-                                   : skv_fail(error, result, "%s", cause.text);
+    if (result != SKV_OK) {
+        if (named->text != NULL)
+            skv_draft_fail(draft, named->origin, "world.picture", error, result, "%s", cause.text);
+        else
+            skv_fail(error, result, "%s", cause.text);
+        return result;
+    }
     result = skv_scene_build(draft, &image, label, scene, error);
     skv_free(image.pixels);
     return result;
