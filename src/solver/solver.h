@@ -5,8 +5,8 @@
  * constants, and never knows a world. All of them come in SI units and in the world's axes; each
  * solver converts to its own.
  *
- * Invariant: the state of the fluid lies in the caller's arrays alone. What a solver keeps from
- * call to call is memory, and what can be found again from positions.
+ * Invariant: the state of the fluid lies in the caller's arrays, and in what a solver says that it
+ * remembers. Whatever else it keeps from call to call is memory.
  */
 #ifndef SKV_SOLVER_SOLVER_H
 #define SKV_SOLVER_SOLVER_H
@@ -72,7 +72,7 @@ typedef struct skv_solver_memory {
 
 typedef struct skv_solver skv_solver;
 
-enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_PULLS = 16 };
+enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_PULLS = 16, SKV_SOLVER_MOST_MEMORIES = 2 };
 
 /* A kind of solver. */
 typedef struct skv_solver_type {
@@ -92,6 +92,15 @@ typedef struct skv_solver_type {
     /* Wall seconds of each pass since the last call with `reset`. */
     void (*profile)(skv_solver *solver, bool reset, double *seconds);
     skv_solver_memory (*memory)(const skv_solver *solver);
+    /* What the next step depends on beside the particles: writes the arrays, with an element per
+     * particle, to `memories` and returns their number; 0: on nothing. Null: never on anything. */
+    int (*recall)(const skv_solver *solver, uint32_t generation,
+                  const float *memories[SKV_SOLVER_MOST_MEMORIES]);
+    /* Makes room for `count` particles' memories, and writes where they have to go; they count from
+     * `remember` on, for particles of that generation. On failure nothing has changed. */
+    skv_result (*make_memories)(skv_solver *solver, int count,
+                                float *memories[SKV_SOLVER_MOST_MEMORIES], skv_error *error);
+    void (*remember)(skv_solver *solver, uint32_t generation);
 } skv_solver_type;
 
 /* What every solver begins with. */

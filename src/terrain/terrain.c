@@ -3,6 +3,7 @@
 #include "terrain/terrain.h"
 
 #include "base/assert.h"
+#include "base/bytes.h"
 #include "base/exact.h"
 #include "base/memory.h"
 #include "terrain/contour.h"
@@ -92,6 +93,20 @@ static double measure_free_area(const skv_terrain *terrain)
     return pixels * (double)terrain->pixel_size * (double)terrain->pixel_size;
 }
 
+static uint64_t hash_of(const skv_terrain *terrain)
+{
+    uint8_t bytes[16];
+    skv_writer head = {bytes, 0};
+    skv_put(&head, (uint32_t)terrain->width, 4);
+    skv_put(&head, (uint32_t)terrain->height, 4);
+    skv_put_float(&head, terrain->pixel_size);
+    skv_put(&head, terrain->open_sides, 4);
+    uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, bytes, head.used);
+    for (int y = 0; y < terrain->height; y++)
+        hash = skv_hash_bytes(hash, skv_terrain_row(terrain, y), (size_t)terrain->width);
+    return hash;
+}
+
 skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain, skv_error *error)
 {
     SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
@@ -118,7 +133,9 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
             .per_metre = 1 / def->pixel_size,
             .open_sides = def->open_sides,
             .field = field,
+            .coverage = coverage.bytes,
         };
+        made->hash = hash_of(made);
         find_free_range(&coverage, made);
         result = skv_distance_transform(&coverage, def->pixel_size, field, error);
         made->free_area = measure_free_area(made);
@@ -126,8 +143,8 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
         result = skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
                           def->width, def->height);
     }
-    skv_coverage_destroy(&coverage);
     if (result != SKV_OK) {
+        skv_coverage_destroy(&coverage);
         skv_free(field);
         skv_free(made);
         return result;
@@ -149,6 +166,7 @@ void skv_terrain_destroy(skv_terrain *terrain)
     if (!terrain || atomic_fetch_sub(&terrain->owners, 1) > 1)
         return;
     skv_free(terrain->field);
+    skv_free(terrain->coverage);
     skv_free(terrain);
 }
 

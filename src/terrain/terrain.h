@@ -24,6 +24,15 @@ struct skv_terrain {
     float lowest, highest; /* the free region, m */
     double free_area;      /* m^2 */
     float *field;          /* columns * rows signed distances, m */
+    uint8_t *coverage;     /* columns * rows: the picture it was made from, with its rim */
+    uint64_t hash;         /* of all that it was made from: equal hashes, equal terrains */
 };
+
+/* The picture as it was given: row `y` from the bottom, `width` bytes. */
+static inline const uint8_t *skv_terrain_row(const skv_terrain *terrain, int y)
+{
+    return terrain->coverage + (size_t)(y + SKV_TERRAIN_RIM) * (size_t)terrain->columns +
+           SKV_TERRAIN_RIM;
+}
 
 #endif

@@ -56,10 +56,16 @@ skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error
     return SKV_OK;
 }
 
-void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid)
+void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid)
 {
     world->fluid = *fluid;
     world->constants_dt = 0; /* they are made anew */
+    world->boundary.contact_distance = fluid->contact_distance * fluid->spacing;
+}
+
+void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid)
+{
+    skv_world_put_fluid(world, fluid);
     adapt_substeps(world);
     skv_sleep_wake_all(world);
 }

@@ -10,9 +10,8 @@ skv_hand skv_default_hand(void)
     return (skv_hand){.radius = 0.15f, .attraction = 60, .friction = 6, .follow = 6};
 }
 
-skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count, skv_error *error)
+skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error)
 {
-    SKV_ASSERT_OR(world && (hands || count == 0), SKV_ERROR_VALUE);
     if (count < 0 || count > SKV_MAX_HANDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "%d hands; allowed is 0..%d", count, SKV_MAX_HANDS);
     for (int i = 0; i < count; i++) {
@@ -30,6 +29,15 @@ skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int coun
                             "follow 0..10000 1/s are allowed",
                             i);
     }
+    return SKV_OK;
+}
+
+skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count, skv_error *error)
+{
+    SKV_ASSERT_OR(world && (hands || count == 0), SKV_ERROR_VALUE);
+    skv_result result = skv_check_hands(hands, count, error);
+    if (result != SKV_OK)
+        return result;
     if (count)
         memcpy(world->hands, hands, (size_t)count * sizeof *hands);
     world->hand_count = count;

@@ -263,8 +263,7 @@ skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *t
     return SKV_OK;
 }
 
-/* What a running world is like, as its definition would have it. */
-static skv_world_def describe(const skv_world *world)
+skv_world_def skv_world_describe(const skv_world *world)
 {
     skv_world_def def = skv_default_world_def();
     def.fluid = world->fluid;
@@ -292,7 +291,7 @@ skv_result skv_world_set(skv_world *world, const char *path, const char *text, s
                         "%s: cannot change while a world runs; set it in the definition of a new "
                         "one",
                         path);
-    skv_world_def def = describe(world);
+    skv_world_def def = skv_world_describe(world);
     result = skv_world_def_set(&def, path, text, error);
     if (result != SKV_OK)
         return result;
@@ -307,6 +306,6 @@ skv_result skv_world_get(const skv_world *world, const char *path, char *text, s
                          skv_error *error)
 {
     SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
-    skv_world_def def = describe(world);
+    skv_world_def def = skv_world_describe(world);
     return skv_world_def_get(&def, path, text, size, error);
 }

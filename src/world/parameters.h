@@ -23,6 +23,9 @@ void skv_parameter_store(skv_world_def *def, int parameter, double number);
 /* The value of a parameter; of the material: that of this density and viscosity, or -1. */
 double skv_parameter_load(const skv_world_def *def, int parameter);
 
+/* What a running world is like, as its definition would have it, its terrain apart. */
+skv_world_def skv_world_describe(const skv_world *world);
+
 /* Every parameter lies in its range; SKV_ERROR_VALUE names the first that does not. */
 skv_result skv_check_world_def(const skv_world_def *def, skv_error *error);
 

@@ -17,7 +17,7 @@ skv_result skv_state_reserve(skv_state *state, int count, skv_error *error)
     if (capacity > SKV_MAX_PARTICLES)
         capacity = SKV_MAX_PARTICLES;
     size_t room = (size_t)capacity, kept = (size_t)state->count;
-#define ENTRY(type, name) SKV_ARRAY(state->name, room, kept),
+#define ENTRY(type, name, saved) SKV_ARRAY(state->name, room, kept),
     const skv_array arrays[] = {SKV_STATE_ARRAYS(ENTRY)};
 #undef ENTRY
     if (!skv_arrays_grow(&state->block, arrays, sizeof arrays / sizeof *arrays))
@@ -29,7 +29,7 @@ skv_result skv_state_reserve(skv_state *state, int count, skv_error *error)
 size_t skv_state_bytes(const skv_state *state)
 {
     size_t room = (size_t)state->capacity;
-#define ENTRY(type, name) SKV_ARRAY(state->name, room, 0),
+#define ENTRY(type, name, saved) SKV_ARRAY(state->name, room, 0),
     const skv_array arrays[] = {SKV_STATE_ARRAYS(ENTRY)};
 #undef ENTRY
     return room ? skv_arrays_bytes(arrays, sizeof arrays / sizeof *arrays) : 0;
@@ -37,7 +37,7 @@ size_t skv_state_bytes(const skv_state *state)
 
 void skv_state_move(skv_state *state, int from, int to)
 {
-#define MOVE(type, name) state->name[to] = state->name[from];
+#define MOVE(type, name, saved) state->name[to] = state->name[from];
     SKV_STATE_ARRAYS(MOVE)
 #undef MOVE
 }

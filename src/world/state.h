@@ -8,23 +8,24 @@
 
 #include "skvalp/base.h"
 
-/* X(type, name): one element per particle, SI units. */
+/* X(type, name, saved): one element per particle, SI units. `saved`: a snapshot holds it; what it
+ * does not is found again, from 0. */
 #define SKV_STATE_ARRAYS(X)                                                                        \
-    X(float, x) /* position, m */                                                                  \
-    X(float, y)                                                                                    \
-    X(float, vx) /* velocity, m/s */                                                               \
-    X(float, vy)                                                                                   \
-    X(float, pressure)  /* gauge, of the last substep, Pa m */                                     \
-    X(float, clearance) /* lower bound of the distance to the nearest wall, m; 0: not known */     \
-    X(float, anchor_x)  /* where it was at sleep's last look round, m */                           \
-    X(float, anchor_y)                                                                             \
-    X(uint32_t, id)    /* number at creation; ascending */                                         \
-    X(uint8_t, unrest) /* skv_unrest, of sleep.h */
+    X(float, x, true) /* position, m */                                                            \
+    X(float, y, true)                                                                              \
+    X(float, vx, true) /* velocity, m/s */                                                         \
+    X(float, vy, true)                                                                             \
+    X(float, pressure, true)   /* gauge, of the last substep, Pa m */                              \
+    X(float, clearance, false) /* lower bound of the distance to the nearest wall, m */            \
+    X(float, anchor_x, true)   /* where it was at sleep's last look round, m */                    \
+    X(float, anchor_y, true)                                                                       \
+    X(uint32_t, id, true)    /* number at creation; ascending */                                   \
+    X(uint8_t, unrest, true) /* skv_unrest, of sleep.h */
 
 typedef struct skv_state {
     int count, capacity;
     void *block; /* the one allocation behind all of the arrays */
-#define SKV_DECLARE_ARRAY(type, name) type *name;
+#define SKV_DECLARE_ARRAY(type, name, saved) type *name;
     SKV_STATE_ARRAYS(SKV_DECLARE_ARRAY)
 #undef SKV_DECLARE_ARRAY
 } skv_state;

@@ -11,6 +11,7 @@
 #include "world/sleep.h"
 #include "world/state.h"
 
+/* What decides the future is in a snapshot, too: see snapshot.c. */
 struct skv_world {
     skv_fluid_def fluid;
     skv_terrain *terrain;
@@ -62,7 +63,9 @@ skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
 /* True if lo <= value <= hi; false for a NaN. */
 bool skv_within(double value, double lo, double hi);
 
-/* hands.c: a hand as the passes see it. */
+/* hands.c: every one of them may be a world's. */
+skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error);
+/* A hand as the passes see it. */
 skv_pull skv_make_pull(const skv_hand *hand, float dt);
 
 /* step.c: what a solver is to take one substep of: all particles, with what acts on them. */
@@ -74,7 +77,10 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
 float skv_extent_along_gravity(const skv_world *world);
 int skv_substeps_needed(const skv_world *world);
 void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid);
-/* Makes room for `count` particles in all; nothing changes on failure. */
+/* The same, and nothing follows from it: neither substeps nor sleep. */
+void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid);
+
+/* world.c: makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
 /* Appends a particle that has been checked; there is room for it. */
 void skv_world_append(skv_world *world, float x, float y, float vx, float vy);

@@ -39,7 +39,11 @@ typedef struct reference {
     void *block;
     size_t bytes;
     skv_neighbours neighbours;
-    uint32_t listed; /* generation of the particles that the lists describe; 0: none */
+    /* Where the particles were when the lists were made, and their generation; 0: there are none.
+     */
+    float *listed_x, *listed_y;
+    uint32_t listed;
+    bool current; /* the lists have been made from there */
     double seconds[PASSES];
 
     /* Of the step under way. */
@@ -94,10 +98,19 @@ static void run(reference *r, int booked, skv_pass *pass)
     r->seconds[booked] += skv_clock() - start;
 }
 
+static void list_from(reference *r, const float *x, const float *y, int count)
+{
+    if (count == 0)
+        return;
+    memcpy(r->listed_x, x, (size_t)count * sizeof *x);
+    memcpy(r->listed_y, y, (size_t)count * sizeof *y);
+}
+
 static void update_neighbours(reference *r)
 {
     double start = skv_clock();
     const skv_pass_data *s = &r->substep.data;
+    list_from(r, s->x, s->y, s->count);
     skv_neighbours_build(&r->neighbours, s->x, s->y, s->count, r->h, r->pool);
     r->seconds[NEIGHBOURS] += skv_clock() - start;
 }
@@ -142,7 +155,7 @@ static skv_result reserve_arrays(reference *r, int count, skv_error *error)
     if (count <= r->capacity)
         return SKV_OK;
     int capacity = count > 2 * r->capacity ? count : 2 * r->capacity;
-    size_t room = (size_t)capacity;
+    size_t room = (size_t)capacity, kept = (size_t)r->capacity;
     skv_pass_data *s = &r->data;
     const skv_array arrays[] = {
         SKV_ARRAY(s->wx, room, 0),           SKV_ARRAY(s->wy, room, 0),
@@ -154,7 +167,8 @@ static skv_result reserve_arrays(reference *r, int count, skv_error *error)
         SKV_ARRAY(s->f1x, room, 0),          SKV_ARRAY(s->f1y, room, 0),
         SKV_ARRAY(s->f2x, room, 0),          SKV_ARRAY(s->f2y, room, 0),
         SKV_ARRAY(s->depth, room, 0),        SKV_ARRAY(s->normal_x, room, 0),
-        SKV_ARRAY(s->normal_y, room, 0),
+        SKV_ARRAY(s->normal_y, room, 0),     SKV_ARRAY(r->listed_x, room, kept),
+        SKV_ARRAY(r->listed_y, room, kept),
     };
     if (!skv_arrays_grow(&r->block, arrays, sizeof arrays / sizeof *arrays))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
@@ -173,13 +187,43 @@ static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_e
     skv_result result = reserve_arrays(r, p->count, error);
     if (result == SKV_OK)
         result = skv_neighbours_reserve(&r->neighbours, p->count, error);
-    while (result == SKV_OK && r->listed != p->generation) {
-        skv_neighbours_build(&r->neighbours, p->x, p->y, p->count, r->h, step->pool);
-        if (r->neighbours.wanted <= r->neighbours.list_capacity)
-            r->listed = p->generation;
+    if (result == SKV_OK && r->listed != p->generation) {
+        list_from(r, p->x, p->y, p->count);
+        r->listed = p->generation;
+        r->current = false;
+    }
+    while (result == SKV_OK && !r->current) {
+        skv_neighbours_build(&r->neighbours, r->listed_x, r->listed_y, p->count, r->h, step->pool);
+        r->current = r->neighbours.wanted <= r->neighbours.list_capacity;
         result = skv_neighbours_reserve(&r->neighbours, p->count, error);
     }
     return result;
+}
+
+static int recall(const skv_solver *solver, uint32_t generation,
+                  const float *memories[SKV_SOLVER_MOST_MEMORIES])
+{
+    const reference *r = (const reference *)solver;
+    memories[0] = r->listed_x;
+    memories[1] = r->listed_y;
+    return r->listed == generation ? 2 : 0;
+}
+
+static skv_result make_memories(skv_solver *solver, int count,
+                                float *memories[SKV_SOLVER_MOST_MEMORIES], skv_error *error)
+{
+    reference *r = (reference *)solver;
+    skv_result result = reserve_arrays(r, count, error);
+    memories[0] = r->listed_x;
+    memories[1] = r->listed_y;
+    return result;
+}
+
+static void remember(skv_solver *solver, uint32_t generation)
+{
+    reference *r = (reference *)solver;
+    r->listed = generation;
+    r->current = false;
 }
 
 static void destroy(skv_solver *solver)
@@ -241,6 +285,9 @@ const skv_solver_type skv_reference_solver = {
     .destroy = destroy,
     .reserve = reserve,
     .advance = advance,
+    .recall = recall,
+    .make_memories = make_memories,
+    .remember = remember,
     .profile = profile,
     .memory = memory,
 };

@@ -1,0 +1,414 @@
+/* The format of a snapshot (docs/snapshot.md): writing it, and reading it whoever wrote it.
+ *
+ * Invariant: what skv_snapshot_read has let through can become the state of a world: every number
+ * is finite and in its range, and every length has been compared with the bytes that are there.
+ */
+#include "world/snapshot.h"
+
+#include "base/assert.h"
+#include "terrain/terrain.h"
+#include "world/parameters.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { VERSION = 1, CHECKSUM_AT = 24, WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2 };
+
+static const uint8_t magic[8] = {0x89, 'S', 'K', 'V', '\r', '\n', 0x1a, '\n'};
+
+/* ---- Writing --------------------------------------------------------------------------------- */
+
+/* Not those that say nothing about the state: the host's, and the material, a name for two others.
+ */
+static bool is_saved(int parameter)
+{
+    return parameter != SKV_P_FLUID_MATERIAL && parameter != SKV_P_THREADS &&
+           parameter != SKV_P_CAPACITY && parameter != SKV_P_INSTRUCTION_SET;
+}
+
+static void put_parameters(skv_writer *w, const skv_world *world)
+{
+    int saved = 0;
+    skv_world_def def = skv_world_describe(world);
+    for (int i = 0; i < SKV_P_COUNT; i++)
+        saved += is_saved(i);
+    skv_put(w, (uint64_t)saved, 2);
+    for (int i = 0; i < SKV_P_COUNT; i++) {
+        if (!is_saved(i))
+            continue;
+        skv_put_text(w, skv_world_field(i)->path);
+        skv_put_double(w, skv_parameter_load(&def, (skv_parameter)i));
+    }
+}
+
+static void put_hand(skv_writer *w, const skv_hand *hand)
+{
+    const float values[] = {hand->x,      hand->y,          hand->vx,       hand->vy,
+                            hand->radius, hand->attraction, hand->friction, hand->follow};
+    for (int i = 0; i < 8; i++)
+        skv_put_float(w, values[i]);
+}
+
+static void put_facts(skv_writer *w, const skv_world *world)
+{
+    skv_put_double(w, world->time);
+    skv_put(w, (uint64_t)world->steps, 8);
+    skv_put_double(w, world->due);
+    skv_put_float(w, world->filled);
+    skv_put(w, world->next_id, 4);
+    skv_put_double(w, world->sleep.watched);
+    skv_put(w, (uint64_t)world->sleep.stepped, 4);
+    skv_put(w, (uint64_t)world->hand_count, 4);
+    for (int i = 0; i < world->hand_count; i++)
+        put_hand(w, &world->hands[i]);
+}
+
+/* The picture in runs of equal bytes, from the lower left corner on. */
+static void put_terrain(skv_writer *w, const skv_terrain *terrain)
+{
+    skv_put(w, (uint64_t)terrain->width, 4);
+    skv_put(w, (uint64_t)terrain->height, 4);
+    skv_put_float(w, terrain->pixel_size);
+    skv_put(w, terrain->open_sides, 4);
+    unsigned run = 0;
+    uint8_t value = 0;
+    for (int y = 0; y < terrain->height; y++) {
+        const uint8_t *row = skv_terrain_row(terrain, y);
+        for (int x = 0; x < terrain->width; x++) {
+            if (run > 0 && (row[x] != value || run == UINT16_MAX)) {
+                skv_put(w, value, 1);
+                skv_put(w, run, 2);
+                run = 0;
+            }
+            value = row[x];
+            run++;
+        }
+    }
+    skv_put(w, value, 1);
+    skv_put(w, run, 2);
+}
+
+static void put_float(skv_writer *w, float value)
+{
+    skv_put_float(w, value);
+}
+
+static void put_uint32_t(skv_writer *w, uint32_t value)
+{
+    skv_put(w, value, 4);
+}
+
+static void put_uint8_t(skv_writer *w, uint8_t value)
+{
+    skv_put(w, value, 1);
+}
+
+static void put_particles(skv_writer *w, const skv_world *world)
+{
+    const skv_state *s = &world->state;
+    const skv_solver *solver = world->solver;
+    const float *memories[SKV_SOLVER_MOST_MEMORIES];
+    int count =
+        solver->type->recall ? solver->type->recall(solver, world->generation, memories) : 0;
+    skv_put(w, (uint64_t)s->count, 4);
+    skv_put(w, (uint64_t)count, 4);
+#define PUT(type, name, saved)                                                                     \
+    for (int i = 0; (saved) && i < s->count; i++)                                                  \
+        put_##type(w, s->name[i]);
+    SKV_STATE_ARRAYS(PUT)
+#undef PUT
+    for (int m = 0; m < count; m++)
+        for (int i = 0; i < s->count; i++)
+            skv_put_float(w, memories[m][i]);
+}
+
+/* The checksum of all bytes but its own. */
+static uint64_t checksum(const uint8_t *bytes, size_t size)
+{
+    uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, bytes, CHECKSUM_AT);
+    return skv_hash_bytes(hash, bytes + CHECKSUM_AT + 8, size - CHECKSUM_AT - 8);
+}
+
+static size_t write(const skv_world *world, bool with_terrain, size_t size, uint8_t *bytes)
+{
+    skv_writer writer = {bytes, 0}, *w = &writer;
+    for (size_t i = 0; i < sizeof magic; i++)
+        skv_put(w, magic[i], 1);
+    skv_put(w, VERSION, 4);
+    skv_put(w, (with_terrain ? WITH_TERRAIN : 0u) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u),
+            4);
+    skv_put(w, size, 8);
+    skv_put(w, 0, 8);
+    skv_put(w, world->terrain->hash, 8);
+    put_parameters(w, world);
+    put_facts(w, world);
+    if (with_terrain)
+        put_terrain(w, world->terrain);
+    put_particles(w, world);
+    if (bytes) {
+        skv_writer sum = {bytes, CHECKSUM_AT};
+        skv_put(&sum, checksum(bytes, writer.used), 8);
+    }
+    return writer.used;
+}
+
+size_t skv_world_snapshot_size(const skv_world *world, bool with_terrain)
+{
+    SKV_ASSERT_OR(world, 0);
+    return write(world, with_terrain, 0, NULL);
+}
+
+skv_result skv_world_save(const skv_world *world, bool with_terrain, void *data, size_t size,
+                          skv_error *error)
+{
+    SKV_ASSERT_OR(world && data && !world->stepping, SKV_ERROR_VALUE);
+    size_t needed = skv_world_snapshot_size(world, with_terrain);
+    if (size < needed)
+        return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: %zu bytes are too few; it takes %zu",
+                        size, needed);
+    if (skv_world_stats(world).not_finite)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "snapshot: a particle is not finite; take more substeps");
+    write(world, with_terrain, needed, data);
+    return SKV_OK;
+}
+
+/* ---- Reading --------------------------------------------------------------------------------- */
+
+static skv_result refuse(skv_error *error, const char *what)
+{
+    return skv_fail(error, SKV_ERROR_FORMAT, "snapshot: %s", what);
+}
+
+static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
+{
+    if (r->size < sizeof magic || memcmp(r->bytes, magic, sizeof magic) != 0)
+        return refuse(error, "these bytes are none; give what skv_world_save has written");
+    r->at = sizeof magic;
+    unsigned version = (unsigned)skv_get(r, 4), flags = (unsigned)skv_get(r, 4);
+    uint64_t size = skv_get(r, 8), sum = skv_get(r, 8);
+    if (!r->failed && version != VERSION)
+        return skv_fail(error, SKV_ERROR_FORMAT,
+                        "snapshot: its version is %u, this library reads %d; use the library that "
+                        "wrote it",
+                        version, VERSION);
+    s->terrain_hash = skv_get(r, 8);
+    if (r->failed || size > r->size)
+        return refuse(error, "it is cut short; take the whole of it");
+    if (size < r->size || sum != checksum(r->bytes, r->size) ||
+        flags > (WITH_TERRAIN | SUBSTEPS_FIXED))
+        return refuse(error, "it is damaged; take another copy");
+    s->with_terrain = flags & WITH_TERRAIN;
+    s->substeps_fixed = flags & SUBSTEPS_FIXED;
+    return SKV_OK;
+}
+
+/* A parameter that is not in the snapshot has its default. */
+static skv_result read_parameters(skv_reader *r, skv_snapshot *s, skv_error *error)
+{
+    int count = (int)skv_get(r, 2);
+    s->def = skv_default_world_def();
+    for (int i = 0; i < count && !r->failed; i++) {
+        char path[256];
+        skv_get_text(r, path);
+        double value = skv_get_double(r);
+        int found = 0;
+        while (found < SKV_P_COUNT &&
+               (!is_saved(found) || strcmp(skv_world_field(found)->path, path) != 0))
+            found++;
+        if (found == SKV_P_COUNT)
+            return skv_fail(error, SKV_ERROR_FORMAT,
+                            "snapshot: this library knows no parameter \"%.60s\"; use the one that "
+                            "wrote it",
+                            path);
+        /* What is no int must not become one. */
+        if (!(fabs(value) <= 1e6))
+            return skv_fail(error, SKV_ERROR_VALUE, "snapshot: %s is out of range", path);
+        if (found == SKV_P_FLUID_LAW)
+            s->def.fluid.law = value == 0 ? SKV_LAW_CALIBRATED : SKV_LAW_CLAVET;
+        else
+            skv_parameter_store(&s->def, (skv_parameter)found, value);
+    }
+    return skv_check_world_def(&s->def, error);
+}
+
+static skv_hand read_hand(skv_reader *r)
+{
+    float values[8];
+    for (int i = 0; i < 8; i++)
+        values[i] = skv_get_float(r);
+    return (skv_hand){values[0], values[1], values[2], values[3],
+                      values[4], values[5], values[6], values[7]};
+}
+
+static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
+{
+    s->time = skv_get_double(r);
+    uint64_t steps = skv_get(r, 8);
+    s->steps = (int64_t)(steps <= INT64_MAX ? steps : 0);
+    s->due = skv_get_double(r);
+    s->filled = skv_get_float(r);
+    s->next_id = (uint32_t)skv_get(r, 4);
+    s->watched = skv_get_double(r);
+    uint64_t stepped = skv_get(r, 4), hands = skv_get(r, 4);
+    /* More substeps than a frame may have are never owed. */
+    if (!skv_within(s->time, 0, 1e12) || steps > INT64_MAX / 2 || !skv_within(s->due, 0, 1000) ||
+        !skv_within((double)s->filled, 0, 1e6) || !skv_within(s->watched, 0, 1e3) ||
+        stepped > SKV_MAX_PARTICLES || s->def.substeps < 1)
+        return skv_fail(error, SKV_ERROR_VALUE, "snapshot: it holds values that no world has");
+    if (hands > SKV_MAX_HANDS)
+        return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: it has too many hands");
+    s->stepped = (int)stepped;
+    s->hand_count = (int)hands;
+    for (int i = 0; i < s->hand_count; i++)
+        s->hands[i] = read_hand(r);
+    return skv_check_hands(s->hands, s->hand_count, error);
+}
+
+static skv_result read_terrain(skv_reader *r, skv_snapshot *s, skv_error *error)
+{
+    s->terrain = skv_default_terrain_def();
+    uint64_t width = skv_get(r, 4), height = skv_get(r, 4);
+    s->terrain.pixel_size = skv_get_float(r);
+    s->terrain.open_sides = (unsigned)skv_get(r, 4);
+    if (r->failed || width > SKV_TERRAIN_MAX_PIXELS || height > SKV_TERRAIN_MAX_PIXELS)
+        return refuse(error, "its terrain is too large");
+    s->terrain.width = (int)width;
+    s->terrain.height = (int)height;
+    s->picture = *r;
+    for (uint64_t pixels = 0; pixels < width * height && !r->failed;) {
+        skv_get(r, 1);
+        uint64_t run = skv_get(r, 2);
+        pixels += run;
+        if (run == 0 || pixels > width * height)
+            return refuse(error, "its terrain's picture is damaged");
+    }
+    return SKV_OK;
+}
+
+bool skv_snapshot_picture(const skv_snapshot *s, uint8_t *coverage)
+{
+    skv_reader r = s->picture;
+    size_t pixels = (size_t)s->terrain.width * (size_t)s->terrain.height, filled = 0;
+    while (filled < pixels && !r.failed) {
+        int value = (int)skv_get(&r, 1);
+        size_t run = (size_t)skv_get(&r, 2);
+        if (run == 0 || run > pixels - filled)
+            return false;
+        memset(coverage + filled, value, run);
+        filled += run;
+    }
+    return !r.failed;
+}
+
+static float get_float(skv_reader *r)
+{
+    return skv_get_float(r);
+}
+
+static uint32_t get_uint32_t(skv_reader *r)
+{
+    return (uint32_t)skv_get(r, 4);
+}
+
+static uint8_t get_uint8_t(skv_reader *r)
+{
+    return (uint8_t)skv_get(r, 1);
+}
+
+/* ---- Particles ------------------------------------------------------------------------------- */
+
+/* What a particle may be, attribute by attribute. */
+static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_before)
+{
+    return skv_within((double)*one->x, -100, 100) && skv_within((double)*one->y, -100, 100) &&
+           isfinite(*one->vx) && isfinite(*one->vy) && isfinite(*one->pressure) &&
+           isfinite(*one->anchor_x) && isfinite(*one->anchor_y) && *one->id > id_before &&
+           *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS &&
+           (s->def.sleep || *one->unrest != SKV_CALM);
+}
+
+/* Bytes of a particle. */
+static size_t particle_size(const skv_snapshot *s)
+{
+    size_t size = (size_t)s->memories * sizeof(float);
+#define ADD(type, name, saved) size += (saved) ? sizeof(type) : 0;
+    SKV_STATE_ARRAYS(ADD)
+#undef ADD
+    return size;
+}
+
+/* Attribute by attribute lies in arrays: the readers of all of them go along. */
+static bool check_particles(const skv_snapshot *s)
+{
+    skv_reader r = s->particles;
+#define LOCATE(type, name, saved)                                                                  \
+    skv_reader name##_at = r;                                                                      \
+    r.at += (saved) ? (size_t)s->count * sizeof(type) : 0;
+    SKV_STATE_ARRAYS(LOCATE)
+#undef LOCATE
+    int64_t id_before = -1;
+    for (int i = 0; i < s->count; i++) {
+        skv_state one = {0};
+#define READ(type, name, saved)                                                                    \
+    type name##_value = (saved) ? get_##type(&name##_at) : 0;                                      \
+    one.name = &name##_value;
+        SKV_STATE_ARRAYS(READ)
+#undef READ
+        if (!is_sane(&one, s, id_before))
+            return false;
+        id_before = *one.id;
+    }
+    bool sane = true;
+    for (int64_t i = 0; i < (int64_t)s->memories * s->count; i++)
+        sane = skv_within((double)skv_get_float(&r), -100, 100) && sane;
+    return sane;
+}
+
+void skv_snapshot_particles(const skv_snapshot *s, skv_state *state, float **memories)
+{
+    skv_reader r = s->particles;
+#define READ(type, name, saved)                                                                    \
+    for (int i = 0; i < s->count; i++)                                                             \
+        state->name[i] = (saved) ? get_##type(&r) : 0;
+    SKV_STATE_ARRAYS(READ)
+#undef READ
+    for (int m = 0; m < s->memories; m++)
+        for (int i = 0; i < s->count; i++)
+            memories[m][i] = skv_get_float(&r);
+    state->count = s->count;
+}
+
+static skv_result read_particles(skv_reader *r, skv_snapshot *s, skv_error *error)
+{
+    uint64_t count = skv_get(r, 4), memories = skv_get(r, 4);
+    if (count > SKV_MAX_PARTICLES)
+        return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: it has more than %d particles",
+                        SKV_MAX_PARTICLES);
+    bool remembers = s->def.solver == SKV_SOLVER_REFERENCE;
+    if (r->failed || memories > (remembers ? SKV_SOLVER_MOST_MEMORIES : 0) || memories == 1)
+        return refuse(error, "it is damaged; take another copy");
+    s->count = (int)count;
+    s->memories = (int)memories;
+    s->particles = *r;
+    if (r->size - r->at != count * particle_size(s))
+        return refuse(error, "its length is not that of its particles");
+    if (!check_particles(s))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "snapshot: a particle has values that none can have");
+    return SKV_OK;
+}
+
+skv_result skv_snapshot_read(const void *data, size_t size, skv_snapshot *s, skv_error *error)
+{
+    *s = (skv_snapshot){0};
+    skv_reader r = {data, size, 0, false};
+    skv_result result = read_head(&r, s, error);
+    if (result == SKV_OK)
+        result = read_parameters(&r, s, error);
+    if (result == SKV_OK)
+        result = read_facts(&r, s, error);
+    if (result == SKV_OK && s->with_terrain)
+        result = read_terrain(&r, s, error);
+    return result == SKV_OK ? read_particles(&r, s, error) : result;
+}

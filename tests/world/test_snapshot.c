@@ -1,0 +1,394 @@
+/* Snapshots: a world that goes on from one gives the bits of one that was never interrupted; what
+ * is no snapshot, or that of another world, is refused and changes nothing. */
+#include "base/bytes.h"
+#include "support/failing_memory.h"
+#include "support/fixture.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { CHECKSUM_AT = 24 };
+
+typedef struct blob {
+    uint8_t *bytes;
+    size_t size;
+} blob;
+
+static blob save(const skv_world *world, bool with_terrain)
+{
+    blob b = {.size = skv_world_snapshot_size(world, with_terrain)};
+    b.bytes = malloc(b.size);
+    assert_int_equal(skv_world_save(world, with_terrain, b.bytes, b.size, NULL), SKV_OK);
+    return b;
+}
+
+/* Makes the checksum right again, so that a mutation gets past it. */
+static void sign(blob b)
+{
+    uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, b.bytes, CHECKSUM_AT);
+    hash = skv_hash_bytes(hash, b.bytes + CHECKSUM_AT + 8, b.size - CHECKSUM_AT - 8);
+    skv_writer w = {b.bytes, CHECKSUM_AT};
+    skv_put(&w, hash, 8);
+}
+
+/* The kinds of world that go on in different ways. */
+typedef struct kind {
+    const char *name;
+    skv_law law;
+    skv_solver_kind solver;
+    float viscosity;
+    unsigned open_sides;
+    bool stirred, calm;
+} kind;
+
+static const kind kinds[] = {
+    {.name = "fast", .stirred = true},
+    {.name = "fast, clavet, viscous", .law = SKV_LAW_CLAVET, .viscosity = 3, .stirred = true},
+    {.name = "fast, open", .viscosity = 3, .open_sides = SKV_SIDE_RIGHT, .stirred = true},
+    {.name = "fast, asleep", .viscosity = 2, .calm = true},
+    {.name = "reference", .solver = SKV_SOLVER_REFERENCE, .stirred = true},
+    {.name = "reference, viscous",
+     .solver = SKV_SOLVER_REFERENCE,
+     .viscosity = 3,
+     .open_sides = SKV_SIDE_RIGHT,
+     .stirred = true},
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static skv_world *make_world(const kind *k, int threads)
+{
+    skv_world_def def = skv_default_world_def();
+    skv_terrain_def terrain = skv_default_terrain_def();
+    terrain.width = 160;
+    terrain.height = 90;
+    terrain.pixel_size = 0.01f;
+    terrain.open_sides = k->open_sides;
+    assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
+    def.fluid = skv_default_fluid_def(k->law);
+    def.fluid.spacing = k->calm ? 0.02f : 0.025f;
+    def.fluid.viscosity_linear = def.fluid.viscosity_quadratic = k->viscosity;
+    def.solver = k->solver;
+    def.threads = threads;
+    skv_world *world;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    return world;
+}
+
+static skv_world *make_filled(const kind *k)
+{
+    skv_world *world = make_world(k, 1);
+    fixture_fill(world, 0, 0, k->calm ? 1.6f : 0.6f, k->calm ? 0.3f : 0.7f);
+    /* A pool that is about to fall asleep. */
+    for (int f = 0; k->calm && f < 3600; f++) {
+        fixture_run(world, 1);
+        if (skv_world_awake_count(world) < skv_world_particle_count(world))
+            break;
+    }
+    return world;
+}
+
+/* One step of a history that depends on its number alone. */
+static void live(skv_world *world, const kind *k, int step)
+{
+    if (k->stirred && step % 7 == 3) {
+        skv_hand hand = skv_default_hand();
+        hand.x = 0.1f * (float)(step % 12);
+        hand.y = 0.2f;
+        hand.vx = 1;
+        assert_int_equal(skv_world_set_hands(world, &hand, step % 2, NULL), SKV_OK);
+    }
+    if (k->calm && (step == 30 || step == 35)) {
+        skv_hand hand = skv_default_hand();
+        hand.y = 0.1f;
+        assert_int_equal(skv_world_set_hands(world, &hand, step == 30, NULL), SKV_OK);
+    }
+    if (k->stirred && step == 20)
+        assert_int_equal(skv_world_set_gravity(world, 3, -9, NULL), SKV_OK);
+    if (k->stirred && step == 24)
+        assert_int_equal(skv_world_set(world, "fluid.viscosity", "0.001", NULL), SKV_OK);
+    if (k->stirred && step == 26)
+        assert_int_equal(skv_world_set(world, "fluid.contact_distance", "0.4", NULL), SKV_OK);
+    /* Of different lengths: a part of a substep is owed at most moments. */
+    float dt = k->stirred ? 0.001f * (float)(5 + step % 17) : 1.0f / 60;
+    assert_int_equal(skv_world_step(world, dt, NULL), SKV_OK);
+}
+
+static void assert_same(const char *name, const skv_world *a, const skv_world *b)
+{
+    skv_particles p = skv_world_particles(a), q = skv_world_particles(b);
+    bool same = p.count == q.count && skv_world_hash(a) == skv_world_hash(b) &&
+                memcmp(p.pressure, q.pressure, (size_t)p.count * sizeof(float)) == 0 &&
+                memcmp(p.id, q.id, (size_t)p.count * sizeof *p.id) == 0;
+    if (!same)
+        fail_msg("%s: it goes on differently", name);
+    assert_true(skv_world_time(a) == skv_world_time(b));
+    assert_int_equal(skv_world_substep_count(a), skv_world_substep_count(b));
+    assert_int_equal(skv_world_awake_count(a), skv_world_awake_count(b));
+    assert_int_equal(skv_world_substeps_per_frame(a), skv_world_substeps_per_frame(b));
+}
+
+static void going_on_gives_the_same_bits(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < KINDS; i++) {
+        const kind *k = &kinds[i];
+        skv_world *world = make_filled(k), *other = make_world(k, 2);
+        int moments = k->calm ? 120 : 30, asleep = 0;
+        for (int step = 0; step < moments; step++) {
+            live(world, k, step);
+            asleep += skv_world_awake_count(world) < skv_world_particle_count(world);
+            if (step % (k->calm ? 9 : 5) != 2)
+                continue;
+            blob b = save(world, false);
+            skv_world *loaded;
+            blob whole = save(world, true);
+            assert_int_equal(skv_world_load(whole.bytes, whole.size, 2, &loaded, NULL), SKV_OK);
+            assert_int_equal(skv_world_restore(other, b.bytes, b.size, NULL), SKV_OK);
+            assert_same(k->name, world, other);
+            for (int later = 1; later <= 10; later++) {
+                live(world, k, step + later);
+                live(other, k, step + later);
+                live(loaded, k, step + later);
+            }
+            assert_same(k->name, world, other);
+            assert_same(k->name, world, loaded);
+            /* Back, and forth again in the world itself. */
+            assert_int_equal(skv_world_restore(world, b.bytes, b.size, NULL), SKV_OK);
+            for (int later = 1; later <= 10; later++)
+                live(world, k, step + later);
+            assert_same(k->name, world, other);
+            assert_int_equal(skv_world_restore(world, b.bytes, b.size, NULL), SKV_OK);
+            skv_world_destroy(loaded);
+            free(whole.bytes);
+            free(b.bytes);
+        }
+        assert_true(!k->calm || asleep > 50);
+        skv_world_destroy(world);
+        skv_world_destroy(other);
+    }
+}
+
+static void a_copy_is_a_world_of_its_own(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_filled(&kinds[0]), *copy;
+    live(world, &kinds[0], 3);
+    assert_int_equal(skv_world_copy(world, 2, &copy, NULL), SKV_OK);
+    assert_ptr_equal(skv_world_terrain(world), skv_world_terrain(copy));
+    assert_int_equal(skv_world_threads(copy), 2);
+    assert_same("copy", world, copy);
+    uint64_t before = skv_world_hash(world);
+    live(copy, &kinds[0], 4);
+    assert_true(skv_world_hash(world) == before);
+    live(world, &kinds[0], 4);
+    assert_same("copy", world, copy);
+    skv_world_destroy(world);
+    live(copy, &kinds[0], 5);
+    skv_world_destroy(copy);
+}
+
+/* A world of some sixty particles, for many tries. */
+static skv_world *make_small(skv_solver_kind solver)
+{
+    skv_world_def def = skv_default_world_def();
+    skv_terrain_def terrain = skv_default_terrain_def();
+    terrain.width = 32;
+    terrain.height = 24;
+    terrain.pixel_size = 0.02f;
+    assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
+    def.fluid.spacing = 0.05f;
+    def.fluid.viscosity_linear = 1;
+    def.solver = solver;
+    def.threads = 1;
+    skv_world *world;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 0.64f, 0.25f);
+    skv_hand hand = skv_default_hand();
+    assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+    fixture_run(world, 3);
+    return world;
+}
+
+/* Gives bytes to the loader: it refuses them, or the world steps on. */
+static void try_to_load(blob b)
+{
+    skv_world *loaded = NULL;
+    if (skv_world_load(b.bytes, b.size, 1, &loaded, NULL) == SKV_OK)
+        skv_world_step(loaded, 1.0f / 60, NULL);
+    else
+        assert_null(loaded);
+    skv_world_destroy(loaded);
+}
+
+/* Gives them to a world: it refuses with a message and nothing changes, or steps on. Returns
+ * whether they were refused. */
+static bool try_bytes(skv_world *world, blob b, blob good)
+{
+    skv_error error = {0};
+    uint64_t before = skv_world_hash(world);
+    double time = skv_world_time(world);
+    skv_result result = skv_world_restore(world, b.bytes, b.size, &error);
+    if (result != SKV_OK) {
+        assert_true(error.text[0] && !strchr(error.text, '\n'));
+        assert_true(skv_world_hash(world) == before && skv_world_time(world) == time);
+        return true;
+    }
+    skv_world_step(world, 1.0f / 60, NULL);
+    skv_world_stats(world);
+    assert_int_equal(skv_world_restore(world, good.bytes, good.size, NULL), SKV_OK);
+    assert_true(skv_world_hash(world) == before);
+    return false;
+}
+
+static void every_byte_may_be_wrong(void **unused)
+{
+    (void)unused;
+    for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
+        skv_world *world = make_small((skv_solver_kind)solver);
+        blob good = save(world, true), bad = {malloc(good.size), good.size};
+        static const uint8_t flips[] = {0x01, 0x80, 0xff};
+        int refused = 0;
+        for (size_t at = 0; at < good.size; at++) {
+            memcpy(bad.bytes, good.bytes, good.size);
+            bad.bytes[at] ^= flips[at % 3];
+            assert_true(try_bytes(world, bad, good));
+            sign(bad);
+            refused += try_bytes(world, bad, good);
+            /* The particles, which begin behind the terrain, are the same to both. */
+            if (at < good.size / 2 || at % 16 == 0)
+                try_to_load(bad);
+        }
+        /* Most bytes are digits of numbers, which may be others. */
+        assert_true(refused > (int)good.size / 8);
+        free(bad.bytes);
+        free(good.bytes);
+        skv_world_destroy(world);
+    }
+}
+
+static void a_part_of_a_snapshot_is_refused(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_small(SKV_SOLVER_FAST);
+    blob good = save(world, true), bad = {malloc(good.size + 8), 0};
+    for (; bad.size < good.size; bad.size++) {
+        /* Of its own memory: a reader that goes too far is seen. */
+        uint8_t *exact = malloc(bad.size + !bad.size);
+        memcpy(exact, good.bytes, bad.size);
+        assert_true(try_bytes(world, (blob){exact, bad.size}, good));
+        /* The same with a size and a checksum that fit. */
+        if (bad.size > CHECKSUM_AT + 8) {
+            skv_writer w = {exact, 16};
+            skv_put(&w, bad.size, 8);
+            sign((blob){exact, bad.size});
+            assert_true(try_bytes(world, (blob){exact, bad.size}, good));
+            try_to_load((blob){exact, bad.size});
+        }
+        free(exact);
+    }
+    memset(bad.bytes, 0, good.size + 8);
+    memcpy(bad.bytes, good.bytes, good.size);
+    bad.size = good.size + 8;
+    assert_true(try_bytes(world, bad, good));
+    free(bad.bytes);
+    free(good.bytes);
+    skv_world_destroy(world);
+}
+
+static void expect_refused(const skv_world *from, skv_world *into, const char *named)
+{
+    blob b = save(from, false);
+    skv_error error = {0};
+    assert_int_equal(skv_world_restore(into, b.bytes, b.size, &error), SKV_ERROR_VALUE);
+    if (!strstr(error.text, named))
+        fail_msg("\"%s\" does not name %s", error.text, named);
+    free(b.bytes);
+}
+
+static void another_kind_of_world_is_refused(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_filled(&kinds[0]);
+    skv_world *const others[] = {make_world(&kinds[1], 1), make_world(&kinds[2], 1),
+                                 make_world(&kinds[3], 1), make_world(&kinds[4], 1)};
+    const char *const named[] = {"fluid.law", "terrain", "fluid.spacing", "solver"};
+    for (int i = 0; i < 4; i++) {
+        expect_refused(world, others[i], named[i]);
+        assert_int_equal(skv_world_particle_count(others[i]), 0);
+        skv_world_destroy(others[i]);
+    }
+    /* What can change while a world runs need not be the same. */
+    skv_world *thick = make_world(&kinds[0], 1);
+    assert_int_equal(skv_world_set(thick, "fluid.viscosity", "0.01", NULL), SKV_OK);
+    blob b = save(world, false);
+    assert_int_equal(skv_world_restore(thick, b.bytes, b.size, NULL), SKV_OK);
+    live(world, &kinds[0], 1);
+    live(thick, &kinds[0], 1);
+    assert_same("thick", world, thick);
+    skv_world_destroy(thick);
+    skv_world *none;
+    skv_error error = {0};
+    assert_int_equal(skv_world_load(b.bytes, b.size, 1, &none, &error), SKV_ERROR_VALUE);
+    assert_non_null(strstr(error.text, "terrain"));
+    assert_int_equal(skv_world_save(world, false, b.bytes, b.size - 1, &error), SKV_ERROR_LIMIT);
+    b.bytes[8] = 9;
+    assert_int_equal(skv_world_restore(world, b.bytes, b.size, &error), SKV_ERROR_FORMAT);
+    assert_non_null(strstr(error.text, "version is 9"));
+    free(b.bytes);
+    skv_world_destroy(world);
+}
+
+static void running_out_of_memory_changes_nothing(void **unused)
+{
+    (void)unused;
+    for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
+        kind k = {.solver = (skv_solver_kind)solver, .viscosity = 3};
+        skv_world *world = make_filled(&k);
+        live(world, &k, 0);
+        blob b = save(world, true);
+        skv_result result = SKV_ERROR_MEMORY;
+        for (int fail_at = 0; result != SKV_OK; fail_at++) {
+            skv_world *small = make_world(&k, 1), *made;
+            assert_int_equal(skv_world_add_particle(small, 0.5f, 0.5f, 0, 0, NULL), SKV_OK);
+            uint64_t before = skv_world_hash(small);
+            failing_memory memory;
+            failing_memory_start(&memory, fail_at);
+            result = skv_world_restore(small, b.bytes, b.size, NULL);
+            if (result != SKV_OK)
+                assert_true(result == SKV_ERROR_MEMORY && skv_world_hash(small) == before);
+            failing_memory_start(&memory, fail_at);
+            skv_result loading = skv_world_load(b.bytes, b.size, 1, &made, NULL);
+            assert_true(loading == SKV_OK || loading == SKV_ERROR_MEMORY);
+            skv_world_destroy(made);
+            assert_int_equal(memory.live, 0);
+            failing_memory_start(&memory, fail_at);
+            loading = skv_world_copy(world, 1, &made, NULL);
+            assert_true(loading == SKV_OK || loading == SKV_ERROR_MEMORY);
+            skv_world_destroy(made);
+            failing_memory_stop();
+            skv_world_destroy(small);
+        }
+        free(b.bytes);
+        skv_world_destroy(world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(going_on_gives_the_same_bits),
+        cmocka_unit_test(a_copy_is_a_world_of_its_own),
+        cmocka_unit_test(every_byte_may_be_wrong),
+        cmocka_unit_test(a_part_of_a_snapshot_is_refused),
+        cmocka_unit_test(another_kind_of_world_is_refused),
+        cmocka_unit_test(running_out_of_memory_changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
