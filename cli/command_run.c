@@ -16,15 +16,20 @@
 #include "output_video.h"
 #include "progress.h"
 #include "skvalp/render.h"
+#include "state_file.h"
 #include "timeline.h"
+
+/* Length of a run that goes on from a state, if none is asked for, s. */
+#define STATE_SECONDS 10
 
 typedef struct cli_run {
     const cli_options *options;
-    skv_scene *scene;
+    skv_scene *scene; /* null where a state goes on */
     skv_world *world;
     run_timeline timeline;
-    double step_seconds; /* wall time inside skv_world_step */
-    output_file csv, trace, png;
+    double step_seconds;  /* wall time inside skv_world_step */
+    int64_t steps_before; /* that the world had taken before this run */
+    output_file csv, trace, png, snapshot;
     output_video video;
     /* Pictures; null without --png and --video. */
     skv_offscreen *offscreen;
@@ -33,11 +38,24 @@ typedef struct cli_run {
     uint8_t *rgb;
 } cli_run;
 
+static const char *name_of(const cli_run *run)
+{
+    return run->scene ? skv_scene_name(run->scene) : run->options->scene;
+}
+
+/* The file number `i` that the run is read from, or null. */
+static const char *input_file(const cli_run *run, int i)
+{
+    if (run->scene)
+        return skv_scene_file(run->scene, i);
+    return i == 0 ? run->options->scene : NULL;
+}
+
 /* No output may take the place of a file that the scene was read from. */
 static skv_result check_inputs(const cli_run *run, const char *name, skv_error *error)
 {
-    for (int i = 0; skv_scene_file(run->scene, i); i++) {
-        if (output_is_file(name, skv_scene_file(run->scene, i)))
+    for (int i = 0; input_file(run, i); i++) {
+        if (output_is_file(name, input_file(run, i)))
             return skv_fail(error, SKV_ERROR_VALUE,
                             "%s: the scene is read from there and would be lost; name another file",
                             name);
@@ -55,8 +73,9 @@ static skv_result open_outputs(cli_run *run, skv_error *error)
     } wanted[] = {{options->csv, &run->csv},
                   {options->trace, &run->trace},
                   {options->png, &run->png},
+                  {options->snapshot, &run->snapshot},
                   {options->video, &run->video.file}};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < (int)(sizeof wanted / sizeof *wanted); i++) {
         bool video = wanted[i].file == &run->video.file;
         if (!wanted[i].name)
             continue;
@@ -110,23 +129,54 @@ static skv_result open_pictures(cli_run *run, skv_error *error)
     return result;
 }
 
+/* A state is what it is: nothing of its scene can be changed. */
+static skv_result load_state(cli_run *run, skv_error *error)
+{
+    const cli_options *options = run->options;
+    if (options->particles || options->setting_count)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "%.200s: a state goes on as it is; leave out --particles, --law and --set",
+                        options->scene);
+    return state_file_read(options->scene, options->threads, &run->world, error);
+}
+
+static skv_result load_scene(cli_run *run, skv_error *error)
+{
+    skv_scene_options wanted = options_for_scene(run->options);
+    return skv_scene_load(run->options->scene, &wanted, &run->scene, error);
+}
+
+static skv_result start_timeline(cli_run *run, skv_error *error)
+{
+    const cli_options *options = run->options;
+    double end = run->scene ? skv_scene_seconds(run->scene) : STATE_SECONDS;
+    double every = options->trace_every > 0 ? options->trace_every : 0.1;
+    if (options->seconds >= 0)
+        end = options->seconds;
+    if (options->at > end)
+        return skv_fail(error, SKV_ERROR_VALUE, "--at: %g s are past the end, %g s; add --seconds",
+                        options->at, end);
+    double snapshot = !options->snapshot ? -1 : options->at < 0 ? end : options->at;
+    run->timeline = timeline_start(end, options->trace ? every : 0, snapshot);
+    return SKV_OK;
+}
+
 static skv_result open_run(cli_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
-    skv_scene_options wanted = options_for_scene(options);
-    skv_result result = skv_scene_load(options->scene, &wanted, &run->scene, error);
-    if (result)
-        return result;
-    result = open_outputs(run, error);
+    skv_result result =
+        is_state_file(options->scene) ? load_state(run, error) : load_scene(run, error);
     if (!result)
+        result = start_timeline(run, error);
+    if (!result)
+        result = open_outputs(run, error);
+    if (!result && run->scene)
         result = skv_scene_create_world(run->scene, options->threads, &run->world, error);
     if (!result)
         result = open_pictures(run, error);
     if (!result) {
-        double end = options->seconds < 0 ? skv_scene_seconds(run->scene) : options->seconds;
-        double every = options->trace_every > 0 ? options->trace_every : 0.1;
-        run->timeline = timeline_start(end, options->trace ? every : 0);
-        if (!options->quiet)
+        run->steps_before = skv_world_substep_count(run->world);
+        if (!options->quiet && run->scene)
             print_notices(run->scene);
         if (options->csv)
             series_head(&run->csv);
@@ -154,6 +204,8 @@ static skv_result record(cli_run *run, skv_error *error)
         trace_rows(&run->trace, run->world, now->time);
         result = output_file_check(&run->trace, error);
     }
+    if (!result && run->snapshot.stream && now->at_snapshot)
+        result = state_file_write(&run->snapshot, run->world, error);
     /* A picture lasts until the next frame: the end has none, or the video would be too long. */
     bool picture = now->at_frame && (!now->at_end || now->frame == 0);
     if (!result && run->video.process && picture) {
@@ -166,8 +218,7 @@ static skv_result record(cli_run *run, skv_error *error)
 
 static skv_result simulate(cli_run *run, skv_error *error)
 {
-    progress_line progress =
-        progress_start(skv_scene_name(run->scene), run->timeline.end, run->options->quiet);
+    progress_line progress = progress_start(name_of(run), run->timeline.end, run->options->quiet);
     skv_result result = record(run, error);
     while (!result && !run->timeline.at_end) {
         float step = timeline_next(&run->timeline);
@@ -198,8 +249,8 @@ static skv_result finish(cli_run *run, skv_error *error)
     }
     if (!result)
         result = video_commit(&run->video, error);
-    output_file *const files[] = {&run->csv, &run->trace, &run->png};
-    for (int i = 0; i < 3 && !result; i++)
+    output_file *const files[] = {&run->csv, &run->trace, &run->png, &run->snapshot};
+    for (int i = 0; i < 4 && !result; i++)
         result = output_file_commit(files[i], error);
     return result;
 }
@@ -207,12 +258,12 @@ static skv_result finish(cli_run *run, skv_error *error)
 static skv_result print_json(const cli_run *run, const skv_stats *stats, const skv_packing *packing,
                              skv_error *error)
 {
-    int64_t steps = skv_world_substep_count(run->world);
+    int64_t steps = skv_world_substep_count(run->world) - run->steps_before;
     char hash[17];
     snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
     /* clang-format off */
     return output_json(json_pack("{so si si sI so so so ss si si so so}",
-        "scene", output_text(skv_scene_name(run->scene)),
+        "scene", output_text(name_of(run)),
         "particles", stats->particles,
         "substeps", skv_world_substeps_per_frame(run->world),
         "steps", (json_int_t)steps,
@@ -230,9 +281,10 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
 static void print_summary(const cli_run *run, const skv_stats *stats, const skv_packing *packing)
 {
     double simulated = run->timeline.time;
-    int64_t steps = skv_world_substep_count(run->world);
-    printf("%s: %d particles, %.4g s simulated in %.3g s", skv_scene_title(run->scene),
-           stats->particles, simulated, run->step_seconds);
+    int64_t steps = skv_world_substep_count(run->world) - run->steps_before;
+    printf("%s: %d particles, %.4g s simulated in %.3g s",
+           run->scene ? skv_scene_title(run->scene) : run->options->scene, stats->particles,
+           simulated, run->step_seconds);
     if (steps) {
         printf(" (%.3gx real time)\n  %" PRId64 " substeps of %.3g ms, %d a frame",
                simulated / run->step_seconds, steps, 1000 * run->step_seconds / (double)steps,
@@ -273,6 +325,7 @@ static void close_run(cli_run *run)
     output_file_discard(&run->csv);
     output_file_discard(&run->trace);
     output_file_discard(&run->png);
+    output_file_discard(&run->snapshot);
     skv_offscreen_destroy(run->offscreen);
     free(run->rgb);
     skv_world_destroy(run->world);

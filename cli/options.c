@@ -62,6 +62,10 @@ static const option_rule rules[] = {
      "write t,id,x,y,vx,vy,pressure of every particle; - is stdout"},
     {"trace-every", "S", COMMAND_RUN, KIND_NUMBER, AT(trace_every), 0.001, 86400, " s",
      "time between the moments of --trace; default 0.1"},
+    {"snapshot", "FILE.skv", COMMAND_RUN, KIND_FILE, AT(snapshot), 0, 0, "",
+     "write the state, for a run that goes on from it"},
+    {"at", "S", COMMAND_RUN, KIND_NUMBER, AT(at), 0, 86400, " s",
+     "time of --snapshot; default: the end"},
     {"quick", NULL, COMMAND_BENCH, KIND_FLAG, AT(quick), 0, 0, "",
      "up to 100000 particles and fewer rounds: under a minute"},
     {"particles", "N", COMMAND_BENCH, KIND_INTEGER, AT(particles), 1000, SKV_MAX_PARTICLES, "",
@@ -310,6 +314,9 @@ static skv_result check_together(command which, const cli_options *given, skv_er
             "or a .png",
             command_name(which));
     }
+    if (given->at >= 0 && !given->snapshot)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--at: there is no snapshot; add --snapshot FILE.skv");
     if (given->trace_every > 0 && !given->trace) {
         return skv_fail(error, SKV_ERROR_VALUE,
                         "--trace-every: there is no trace; add --trace FILE.csv");
@@ -359,7 +366,7 @@ static skv_result check_together(command which, const cli_options *given, skv_er
 skv_result options_parse(command which, int count, char **arguments, cli_options *result,
                          skv_error *error)
 {
-    *result = (cli_options){.seconds = -1};
+    *result = (cli_options){.seconds = -1, .at = -1};
     result->settings = calloc((size_t)count + 1, sizeof *result->settings);
     result->experiments = calloc((size_t)count + 1, sizeof *result->experiments);
     if (!result->settings || !result->experiments)

@@ -30,6 +30,8 @@ typedef struct cli_options {
     int threads;                           /* 0: one per core */
     int width, height;                     /* of pictures; 0: chosen from the world's shape */
     const char *png, *video, *csv, *trace; /* null: not wanted */
+    const char *snapshot;                  /* null: not wanted */
+    double at;                             /* s, of the snapshot; negative: the end */
     const char *plot;                      /* of `bench` a file, of `lab` a folder; null: none */
     bool json, tracers, quiet, help;
     bool quick, markdown;  /* of `bench` */

@@ -15,12 +15,14 @@ static bool same_moment(double a, double b)
     return fabs(a - b) < TIMELINE_EPSILON;
 }
 
-run_timeline timeline_start(double end, double every)
+run_timeline timeline_start(double end, double every, double snapshot)
 {
     return (run_timeline){.end = end,
                           .every = every,
                           .at_frame = true,
                           .at_trace = true,
+                          .snapshot = snapshot,
+                          .at_snapshot = same_moment(snapshot, 0),
                           .at_end = same_moment(end, 0)};
 }
 
@@ -31,9 +33,13 @@ float timeline_next(run_timeline *timeline)
     double frame = (double)(timeline->frame + 1) / frames_per_second;
     double trace = timeline->every > 0 ? (double)(timeline->trace + 1) * timeline->every : INFINITY;
 
-    double next = fmin(fmin(frame, trace), timeline->end);
+    bool passed = timeline->snapshot < before + TIMELINE_EPSILON;
+    double snapshot = passed ? INFINITY : timeline->snapshot;
+
+    double next = fmin(fmin(frame, trace), fmin(snapshot, timeline->end));
     timeline->at_frame = same_moment(frame, next);
     timeline->at_trace = same_moment(trace, next);
+    timeline->at_snapshot = same_moment(snapshot, next);
     timeline->at_end = same_moment(timeline->end, next);
     timeline->frame += timeline->at_frame;
     timeline->trace += timeline->at_trace;

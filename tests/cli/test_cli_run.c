@@ -128,6 +128,32 @@ static void test_same_hash(void **state)
     assert_string_equal(other, set);
 }
 
+/* A run that goes on from a state, with no scene at hand, ends as one that was not interrupted. */
+static void test_going_on(void **state)
+{
+    static const struct {
+        const char *at, *rest;
+    } cases[] = {{"0", "0.5"}, {"0.25", "0.25"}, {"0.1", "0.4"}};
+    char whole[17], with[17];
+    HASH(whole, "--threads", "1");
+    for (int i = 0; i < 3; i++) {
+        HASH(with, "--snapshot", "a.skv", "--at", cases[i].at);
+        assert_string_equal(whole, with);
+        json_t *object =
+            RUN_JSON(*state, "a.skv", "--seconds", cases[i].rest, "--threads", i ? "2" : "1");
+        assert_string_equal(json_string_value(json_object_get(object, "hash")), whole);
+        json_decref(object);
+    }
+    program_result result = SKVALP(*state, "run", "a.skv", "--particles", "9");
+    assert_int_equal(result.status, 2);
+    assert_non_null(strstr(result.err, "goes on as it is"));
+    program_free(&result);
+    result = SKVALP(*state, "run", "a.skv", "--csv", "a.skv");
+    assert_int_equal(result.status, 2);
+    assert_non_null(strstr(result.err, "would be lost"));
+    program_free(&result);
+}
+
 /* Numbers of one CSV line; returns how many. */
 static int read_row(const char *line, double *values, int capacity)
 {
@@ -286,6 +312,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_nothing_to_do, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_exact_end, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_same_hash, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_going_on, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_trace, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_trace_is_the_state, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_series, folder_setup, folder_teardown),

@@ -1,0 +1,72 @@
+/* A world's state in a file: a snapshot with terrain (docs/snapshot.md), as it is.
+ *
+ * Invariant: what is no regular file is not opened, and no more is read than its size.
+ */
+#include "state_file.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+/* Bytes: 2 million particles and the largest picture fit several times. */
+#define LARGEST_STATE (1 << 29)
+
+bool is_state_file(const char *name)
+{
+    size_t length = strlen(name);
+    return length > 4 && strcasecmp(name + length - 4, ".skv") == 0;
+}
+
+static skv_result read_bytes(const char *name, uint8_t **bytes, size_t *size, skv_error *error)
+{
+    struct stat status;
+    FILE *file = NULL;
+    if (stat(name, &status) != 0 || (S_ISREG(status.st_mode) && (file = fopen(name, "rb")) == NULL))
+        return skv_fail(error, SKV_ERROR_FILE,
+                        "%.200s: cannot be opened: %s; name a file that --snapshot has written",
+                        name, strerror(errno));
+    if (!file)
+        return skv_fail(error, SKV_ERROR_FILE, "%.200s: is not a regular file", name);
+    *size = (size_t)status.st_size;
+    *bytes = status.st_size <= LARGEST_STATE ? malloc(*size + 1) : NULL;
+    skv_result result = SKV_OK;
+    if (!*bytes)
+        result = skv_fail(error, SKV_ERROR_LIMIT, "%.200s: has %zu bytes, too many for a state",
+                          name, *size);
+    else if (fread(*bytes, 1, *size, file) != *size)
+        result = skv_fail(error, SKV_ERROR_FILE, "%.200s: cannot be read; try again", name);
+    fclose(file);
+    return result;
+}
+
+skv_result state_file_read(const char *name, int threads, skv_world **world, skv_error *error)
+{
+    uint8_t *bytes = NULL;
+    size_t size = 0;
+    skv_error cause;
+    skv_result result = read_bytes(name, &bytes, &size, error);
+    if (!result) {
+        result = skv_world_load(bytes, size, threads, world, &cause);
+        if (result)
+            skv_fail(error, result, "%.200s: %s", name, cause.text);
+    }
+    free(bytes);
+    return result;
+}
+
+skv_result state_file_write(output_file *file, const skv_world *world, skv_error *error)
+{
+    size_t size = skv_world_snapshot_size(world, true);
+    uint8_t *bytes = malloc(size);
+    if (!bytes)
+        return skv_fail(error, SKV_ERROR_MEMORY, "--snapshot: no memory for %zu bytes", size);
+    skv_result result = skv_world_save(world, true, bytes, size, error);
+    if (!result) {
+        fwrite(bytes, 1, size, file->stream);
+        result = output_file_check(file, error);
+    }
+    free(bytes);
+    return result;
+}

@@ -1,0 +1,17 @@
+/* Files that hold the state of a world: what --snapshot writes and run goes on from. */
+#ifndef CLI_STATE_FILE_H
+#define CLI_STATE_FILE_H
+
+#include "output_file.h"
+#include "skvalp/world.h"
+
+/* True for a name that ends in .skv, in any letter case. */
+bool is_state_file(const char *name);
+
+/* Makes the world of a state file. */
+skv_result state_file_read(const char *name, int threads, skv_world **world, skv_error *error);
+
+/* Writes the world, with its terrain. */
+skv_result state_file_write(output_file *file, const skv_world *world, skv_error *error);
+
+#endif
