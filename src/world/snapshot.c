@@ -129,7 +129,7 @@ static uint64_t checksum(const uint8_t *bytes, size_t size)
     return skv_hash_bytes(hash, bytes + CHECKSUM_AT + 8, size - CHECKSUM_AT - 8);
 }
 
-static size_t write(const skv_world *world, bool with_terrain, size_t size, uint8_t *bytes)
+static size_t write_all(const skv_world *world, bool with_terrain, size_t size, uint8_t *bytes)
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
     for (size_t i = 0; i < sizeof magic; i++)
@@ -155,7 +155,7 @@ static size_t write(const skv_world *world, bool with_terrain, size_t size, uint
 size_t skv_world_snapshot_size(const skv_world *world, bool with_terrain)
 {
     SKV_ASSERT_OR(world, 0);
-    return write(world, with_terrain, 0, NULL);
+    return write_all(world, with_terrain, 0, NULL);
 }
 
 skv_result skv_world_save(const skv_world *world, bool with_terrain, void *data, size_t size,
@@ -169,7 +169,7 @@ skv_result skv_world_save(const skv_world *world, bool with_terrain, void *data,
     if (skv_world_stats(world).not_finite)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "snapshot: a particle is not finite; take more substeps");
-    write(world, with_terrain, needed, data);
+    write_all(world, with_terrain, needed, data);
     return SKV_OK;
 }
 
