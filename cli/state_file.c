@@ -22,13 +22,17 @@ bool is_state_file(const char *name)
 static skv_result read_bytes(const char *name, uint8_t **bytes, size_t *size, skv_error *error)
 {
     struct stat status;
-    FILE *file = NULL;
-    if (stat(name, &status) != 0 || (S_ISREG(status.st_mode) && (file = fopen(name, "rb")) == NULL))
+    bool there = stat(name, &status) == 0;
+    /* A pipe or a device may never open. */
+    if (there && !S_ISREG(status.st_mode))
+        return skv_fail(error, SKV_ERROR_FILE,
+                        "%.200s: is not a regular file; name a file that --snapshot has written",
+                        name);
+    FILE *file = there ? fopen(name, "rb") : NULL;
+    if (!file)
         return skv_fail(error, SKV_ERROR_FILE,
                         "%.200s: cannot be opened: %s; name a file that --snapshot has written",
                         name, strerror(errno));
-    if (!file)
-        return skv_fail(error, SKV_ERROR_FILE, "%.200s: is not a regular file", name);
     *size = (size_t)status.st_size;
     *bytes = status.st_size <= LARGEST_STATE ? malloc(*size + 1) : NULL;
     skv_result result = SKV_OK;

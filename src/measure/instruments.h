@@ -30,8 +30,8 @@ typedef struct look {
 typedef struct instrument_kind {
     const char *name;
     skv_channel channels[SKV_MAX_CHANNELS]; /* ends with the first one without a name */
-    bool is_line;                           /* its two points must differ */
     double window;                          /* by default, s */
+    bool is_line;                           /* its two points must differ */
     bool holds;                             /* a reading is the last sample, whatever the window */
     /* Writes what is seen to `values`, one for each channel, which hold NaN. */
     skv_result (*sample)(instrument *it, const look *seen, double *values);

@@ -142,7 +142,7 @@ skv_result skv_world_load(const void *data, size_t size, int threads, skv_world 
         return skv_fail(error, SKV_ERROR_VALUE,
                         "snapshot: it holds no terrain; save it with one, or restore it into its "
                         "world");
-    skv_terrain *terrain;
+    skv_terrain *terrain = NULL;
     result = build_terrain(&snapshot, &terrain, error);
     return result == SKV_OK ? build(&snapshot, terrain, threads, world, error) : result;
 }

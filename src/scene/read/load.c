@@ -106,7 +106,7 @@ static skv_result build_with_picture(const skv_draft *draft, skv_scene **scene, 
                               cause.text);
     result = build_over_png(draft, data, size, path, scene, error);
     skv_free(data);
-    return result == SKV_OK ? remember_file(scene, path, error) : result;
+    return *scene != NULL ? remember_file(scene, path, error) : result;
 }
 
 /* ---- Memory ---------------------------------------------------------------------------------- */
@@ -230,5 +230,5 @@ skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *opt
         result = load_png(data, size, name_or_path, options, scene, error);
     }
     skv_free(data);
-    return result == SKV_OK ? remember_file(scene, name_or_path, error) : result;
+    return *scene != NULL ? remember_file(scene, name_or_path, error) : result;
 }
