@@ -57,8 +57,8 @@ void skv_sleep_begin_disturbance(skv_sleep *sleep);
 void skv_sleep_disturb(skv_world *world, int particle);
 void skv_sleep_end_disturbance(skv_world *world);
 
-/* Before substeps of `dt` seconds in all: chooses who takes part. Returns how many, and in `partial`
- * whether the list `members` has to be used, because not all particles are awake. */
+/* Before substeps of `dt` seconds in all: chooses who takes part. Returns how many, and in
+ * `partial` whether the list `members` has to be used, because not all particles are awake. */
 int skv_sleep_plan(skv_world *world, float dt, bool *partial);
 
 /* After them: who has moved, and who has come to rest. */
