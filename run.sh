@@ -16,6 +16,9 @@ Usage: ./run.sh [SCENE]     install what is missing, build, and start the app on
                             a built-in name, or a .json or .png file (default: $default_scene)
        ./run.sh build       install what is missing and build, no more:
                             build/release/skvalp and build/release/skvalp-play
+       ./run.sh web         the page instead: install what it takes, build it, serve it on this
+                            machine and open the browser; "./run.sh web build" only builds web/dist,
+                            a folder for any static host, and web/dist/skvalp.html, all in one file
        ./run.sh --help      this text
 
 Where there is no display, or none that answers, the scene is rendered instead, ten seconds of it, as a video and
@@ -56,9 +59,44 @@ render() {
     say "Written: $name.mp4, $name-0.5s.png, $name-2s.png, $name-10s.png"
 }
 
+# web/dist, with the modules of build/web.
+build_page() {
+    require_writable . build build/* web web/dist
+    install_packages "${packages_web[@]}"
+    install_npm
+    PATH=$PWD/web/node_modules/.bin:$PATH
+    say "Building web/dist"
+    configure web || die "configuring failed: $(reason configure-web) (all of it in $logs/configure-web.log)"
+    build web || die "building failed: $(reason build-web) (all of it in $logs/build-web.log)"
+    logged page npm run build --prefix web ||
+        die "building the page failed: $(reason page) (all of it in $logs/page.log)"
+}
+
+# Serves web/dist until it is interrupted.
+serve_page() {
+    local address
+    coproc server { exec node web/tools/serve.js web/dist; }
+    # shellcheck disable=SC2154
+    read -r address <&"${server[0]}" || die "serving web/dist failed, see the line above"
+    say "Skvalp is at $address  (Ctrl+C ends it)"
+    if [[ -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]] && command -v xdg-open >/dev/null; then
+        xdg-open "$address" >/dev/null 2>&1 || true
+    fi
+    # shellcheck disable=SC2154
+    wait "$server_PID"
+}
+
 case ${1-} in
 -h | --help)
     usage
+    exit
+    ;;
+web)
+    [[ $# == 1 || ($# == 2 && $2 == build) ]] ||
+        die "web takes nothing but build; try: ./run.sh --help"
+    build_page
+    say "Built in $(elapsed): web/dist, and web/dist/skvalp.html"
+    [[ ${2-} == build ]] || serve_page
     exit
     ;;
 -*)

@@ -2,144 +2,227 @@
  * changed it: they are brought in line whenever the view or the window says that it has changed. */
 #include "actions.h"
 
-#include <skvalp/render.h>
+#include "asking.h"
+#include "compare.h"
+#include "files.h"
+#include "input.h"
+#include "preferences.h"
+#include "sensor.h"
+#include "share.h"
+#include "stopwatch.h"
+#include "tools.h"
+#include "transport.h"
+#include "views.h"
+#include "words.h"
+
+#define ZOOM 1.25
 
 static skv_session *session_of(PlayWindow *window)
 {
     return play_view_session(play_window_view(window));
 }
 
+#define ACTIVATION(name)                                                                           \
+    static void name(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *value,           \
+                     gpointer window)
+
 /* Playback. */
 
 static void on_pause(GSimpleAction *action, GVariant *state, gpointer window)
 {
     g_simple_action_set_state(action, state);
-    play_view_set_paused(play_window_view(window), g_variant_get_boolean(state));
+    play_ask_pause(play_window_view(window), g_variant_get_boolean(state));
 }
 
-static void on_step(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
-                    gpointer window)
+ACTIVATION(on_step)
 {
-    play_view_step(play_window_view(window));
+    play_ask_pause(play_window_view(window), true);
+    play_ask_step(play_window_view(window));
 }
 
-static void on_reset(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
-                     gpointer window)
+ACTIVATION(on_reset)
 {
-    skv_error error;
-    if (!play_view_reset(play_window_view(window), &error))
-        play_window_complain(window, error.text);
+    play_ask_seek(play_window_view(window), 0);
+}
+
+ACTIVATION(on_undo)
+{
+    play_ask_undo(play_window_view(window));
+}
+
+ACTIVATION(on_redo)
+{
+    play_ask_redo(play_window_view(window));
+}
+
+/* Seconds back or forth in time. */
+ACTIVATION(on_go)
+{
+    play_transport_go(play_window_view(window), g_variant_get_double(value));
 }
 
 static void on_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
 {
-    play_view_set_speed(play_window_view(window), g_variant_get_double(state));
+    play_ask_speed(play_window_view(window), g_variant_get_double(state));
 }
 
 static const double speeds[] = {0.1, 0.25, 0.5, 1, 2};
 
 /* The next speed of the menu in either direction. */
-static void on_change_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *steps, gpointer window)
+ACTIVATION(on_change_speed)
 {
     int at = 0, last = G_N_ELEMENTS(speeds) - 1;
     while (at < last && speeds[at] < skv_session_speed(session_of(window)))
         at++;
-    at = CLAMP(at + g_variant_get_int32(steps), 0, last);
-    play_view_set_speed(play_window_view(window), speeds[at]);
+    at = CLAMP(at + g_variant_get_int32(value), 0, last);
+    play_ask_speed(play_window_view(window), speeds[at]);
 }
 
-static void on_weightless(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
-                          gpointer window)
+/* What acts on the fluid. */
+
+ACTIVATION(on_weightless)
 {
-    play_view_set_gravity(play_window_view(window), 0, 0);
+    play_ask_gravity(play_window_view(window), 0, 0);
 }
 
-/* Opening. */
-
-static void on_open_scene(G_GNUC_UNUSED GSimpleAction *action, GVariant *name, gpointer window)
+/* A tool that is chosen again takes its next colour. */
+static void on_tool(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
 {
-    play_window_open(window, g_variant_get_string(name, NULL));
+    PlayView *view = play_window_view(window);
+    int tool = g_variant_get_int32(state);
+    if (tool == skv_session_tool(session_of(window)) && skv_tool_info(tool)->dyes)
+        play_ask_dye(view, (skv_session_dye(session_of(window)) + 1) % (SKV_DYES + 1));
+    play_ask_tool(view, tool);
+    play_window_show_page(window, "play");
 }
 
-static GtkFileFilter *filter(const char *name, const char *const suffixes[])
+ACTIVATION(on_brush)
 {
-    GtkFileFilter *made = gtk_file_filter_new();
-    gtk_file_filter_set_name(made, name);
-    for (int i = 0; suffixes[i]; i++)
-        gtk_file_filter_add_suffix(made, suffixes[i]);
-    return made;
+    play_tools_scale_brush(play_window_view(window), g_variant_get_double(value));
 }
 
-static void add_filters(GtkFileChooser *chooser)
+ACTIVATION(on_stopwatch)
 {
-    GtkFileFilter *filters[] = {
-        filter("Scenes and pictures", (const char *const[]){"json", "png", NULL}),
-        filter("Scenes (JSON)", (const char *const[]){"json", NULL}),
-        filter("Pictures (PNG)", (const char *const[]){"png", NULL}),
-    };
-    for (size_t i = 0; i < G_N_ELEMENTS(filters); i++) {
-        gtk_file_chooser_add_filter(chooser, filters[i]);
-        g_object_unref(filters[i]);
-    }
+    play_stopwatch_press(play_window_view(window), g_variant_get_boolean(value));
 }
 
-static void on_file_chosen(GtkNativeDialog *dialog, int response, PlayWindow *window)
+ACTIVATION(on_measure)
 {
-    if (response == GTK_RESPONSE_ACCEPT) {
-        GFile *file = gtk_file_chooser_get_file(GTK_FILE_CHOOSER(dialog));
-        play_window_open_file(window, file);
-        g_object_unref(file);
-    }
-    g_object_unref(dialog);
+    play_window_measure(window, g_variant_get_int32(value));
 }
 
-static void on_open(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
-                    gpointer window)
-{
-    GtkFileChooserNative *dialog =
-        gtk_file_chooser_native_new("Open a Scene or a Picture", GTK_WINDOW(window),
-                                    GTK_FILE_CHOOSER_ACTION_OPEN, "_Open", "_Cancel");
-    gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), TRUE);
-    add_filters(GTK_FILE_CHOOSER(dialog));
-    g_signal_connect(dialog, "response", G_CALLBACK(on_file_chosen), window);
-    gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
-}
-
-/* View and window. */
-
-static void on_tracers(GSimpleAction *action, GVariant *state, gpointer window)
+static void on_keyboard_hand(GSimpleAction *action, GVariant *state, gpointer window)
 {
     g_simple_action_set_state(action, state);
-    play_view_set_tracers(play_window_view(window), g_variant_get_boolean(state));
+    play_input_set_keyboard_hand(window, g_variant_get_boolean(state));
+    if (g_variant_get_boolean(state))
+        play_window_toast(window, _("Arrow keys move the hand, Return closes and opens it"));
 }
+
+static void on_tilt(GSimpleAction *action, GVariant *state, gpointer window)
+{
+    g_simple_action_set_state(action, state);
+    play_sensor_set_on(play_sensor_of(play_window_view(window)), g_variant_get_boolean(state));
+}
+
+/* An action only where there is a sensor; else the menu does not show it. */
+static void add_sensor(PlayWindow *window)
+{
+    static const GActionEntry entry = {.name = "tilt", .state = "false", .change_state = on_tilt};
+    PlayView *view = play_window_view(window);
+    play_sensor_attach(view);
+    const PlaySensor *sensor = play_sensor_of(view);
+    if (!sensor)
+        return;
+    g_action_map_add_action_entries(G_ACTION_MAP(window), &entry, 1, window);
+    GAction *action = g_action_map_lookup_action(G_ACTION_MAP(window), "tilt");
+    g_simple_action_set_state(G_SIMPLE_ACTION(action),
+                              g_variant_new_boolean(play_sensor_is_on(sensor)));
+}
+
+/* The view. */
+
+ACTIVATION(on_zoom)
+{
+    PlayView *view = play_window_view(window);
+    double steps = g_variant_get_double(value);
+    skv_camera camera = play_view_camera(view);
+    if (steps == 0)
+        play_view_show_all(view);
+    else
+        play_view_zoom(view, pow(ZOOM, steps), camera.width / 2.0, camera.height / 2.0);
+}
+
+/* The window. */
 
 static void on_fullscreen(GSimpleAction *action, GVariant *state, gpointer window)
 {
     g_simple_action_set_state(action, state);
-    if (g_variant_get_boolean(state)) {
+    if (g_variant_get_boolean(state))
         gtk_window_fullscreen(window);
-        play_window_toast(window, "F11 leaves full screen");
-    } else {
+    else
         gtk_window_unfullscreen(window);
+}
+
+static void on_gallery(GSimpleAction *action, GVariant *state, gpointer window)
+{
+    g_simple_action_set_state(action, state);
+    play_window_show_page(window, g_variant_get_boolean(state) ? "scenes" : "play");
+}
+
+ACTIVATION(on_experiment)
+{
+    play_window_show_experiment(window, g_variant_get_int32(value));
+}
+
+static void on_properties(GSimpleAction *action, GVariant *state, gpointer window)
+{
+    g_simple_action_set_state(action, state);
+    play_window_show_properties(window, g_variant_get_boolean(state));
+}
+
+ACTIVATION(on_complain)
+{
+    play_window_complain(window, g_variant_get_string(value, NULL));
+}
+
+/* Escape leaves what was entered last: a message, the gallery, the panel, the keyboard's hand, full
+ * screen. */
+ACTIVATION(on_dismiss)
+{
+    static const char *const left[] = {"gallery", "properties", "keyboard-hand", "fullscreen"};
+    if (play_window_dismiss(window))
+        return;
+    if (g_strcmp0(play_window_page(window), "experiment") == 0) {
+        play_window_show_page(window, "scenes");
+        return;
+    }
+    for (size_t i = 0; i < G_N_ELEMENTS(left); i++) {
+        GVariant *state = g_action_group_get_action_state(G_ACTION_GROUP(window), left[i]);
+        bool entered = g_variant_get_boolean(state);
+        g_variant_unref(state);
+        if (entered) {
+            g_action_group_change_action_state(G_ACTION_GROUP(window), left[i],
+                                               g_variant_new_boolean(FALSE));
+            return;
+        }
     }
 }
 
-static void on_dismiss(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
-                       gpointer window)
+ACTIVATION(on_preferences)
 {
-    play_window_dismiss(window);
+    play_preferences_show(window, play_window_view(window), play_window_ball(window));
 }
 
-static void on_about(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
-                     gpointer window)
+ACTIVATION(on_about)
 {
     adw_show_about_window(
         window, "application-name", "Skvalp", "application-icon", "org.skvalp.Play", "version",
-        skv_version(), "developer-name", "The Skvalp authors", "license-type", GTK_LICENSE_MIT_X11,
-        "comments",
-        "Water to play with, calibrated like the real thing.\n\nThe method follows Daniel Månsson, "
-        "“Interactive 2D Particle-based Fluid Simulation for Mobile Devices” (2013), after Clavet, "
-        "Beaudoin and Poulin (2005).",
+        skv_version(), "developer-name", _("The Skvalp authors"), "license-type",
+        GTK_LICENSE_MIT_X11, "comments",
+        _("Water to play with, calibrated like the real thing.\n\nThe method follows Daniel "
+          "Månsson, “Interactive 2D Particle-based Fluid Simulation for Mobile Devices” (2013), "
+          "after Clavet, Beaudoin and Poulin (2005)."),
         NULL);
 }
 
@@ -147,16 +230,29 @@ static const GActionEntry entries[] = {
     {.name = "pause", .state = "false", .change_state = on_pause},
     {.name = "step", .activate = on_step},
     {.name = "reset", .activate = on_reset},
+    {.name = "undo", .activate = on_undo},
+    {.name = "redo", .activate = on_redo},
+    {.name = "go", .parameter_type = "d", .activate = on_go},
     {.name = "speed", .parameter_type = "d", .state = "1.0", .change_state = on_speed},
     {.name = "change-speed", .parameter_type = "i", .activate = on_change_speed},
     {.name = "weightless", .activate = on_weightless},
-    {.name = "open", .activate = on_open},
-    {.name = "open-scene", .parameter_type = "s", .activate = on_open_scene},
-    {.name = "tracers", .state = "false", .change_state = on_tracers},
+    {.name = "tool", .parameter_type = "i", .state = "0", .change_state = on_tool},
+    {.name = "brush", .parameter_type = "d", .activate = on_brush},
+    {.name = "measure", .parameter_type = "i", .activate = on_measure},
+    {.name = "stopwatch", .parameter_type = "b", .activate = on_stopwatch},
+    {.name = "keyboard-hand", .state = "false", .change_state = on_keyboard_hand},
+    {.name = "zoom", .parameter_type = "d", .activate = on_zoom},
     {.name = "fullscreen", .state = "false", .change_state = on_fullscreen},
+    {.name = "gallery", .state = "false", .change_state = on_gallery},
+    {.name = "experiment", .parameter_type = "i", .activate = on_experiment},
+    {.name = "properties", .state = "false", .change_state = on_properties},
+    {.name = "complain", .parameter_type = "s", .activate = on_complain},
     {.name = "dismiss", .activate = on_dismiss},
+    {.name = "preferences", .activate = on_preferences},
     {.name = "about", .activate = on_about},
 };
+
+/* States and what is possible follow the session. */
 
 static void set_state(PlayWindow *window, const char *name, GVariant *state)
 {
@@ -164,18 +260,85 @@ static void set_state(PlayWindow *window, const char *name, GVariant *state)
     g_simple_action_set_state(G_SIMPLE_ACTION(action), state);
 }
 
+static void set_enabled(PlayWindow *window, const char *name, bool enabled)
+{
+    GAction *action = g_action_map_lookup_action(G_ACTION_MAP(window), name);
+    g_simple_action_set_enabled(G_SIMPLE_ACTION(action), enabled);
+}
+
 static void update_states(PlayWindow *window)
 {
     const skv_session *session = session_of(window);
     set_state(window, "pause", g_variant_new_boolean(skv_session_paused(session)));
     set_state(window, "speed", g_variant_new_double(skv_session_speed(session)));
+    set_state(window, "tool", g_variant_new_int32(skv_session_tool(session)));
+    set_state(window, "gallery",
+              g_variant_new_boolean(g_strcmp0(play_window_page(window), "play") != 0));
     set_state(window, "fullscreen",
               g_variant_new_boolean(gtk_window_is_fullscreen(GTK_WINDOW(window))));
+    set_enabled(window, "undo", play_can_undo(play_window_view(window)));
+    set_enabled(window, "redo", play_can_redo(play_window_view(window)));
+}
+
+/* Keys without Ctrl must not take letters from what is typed into: they come last. */
+static void add_keys(PlayWindow *window)
+{
+    static const struct {
+        const char *trigger, *action;
+    } keys[] = {
+        {"space", "win.pause"},
+        {"period|s", "win.step"},
+        {"comma", "win.go(-0.0167)"},
+        {"r", "win.reset"},
+        {"minus|KP_Subtract", "win.change-speed(-1)"},
+        {"plus|equal|KP_Add", "win.change-speed(1)"},
+        {"0|KP_0", "win.weightless"},
+        {"t", "win.overlay-tracers"},
+        {"v", "win.next-view"},
+        {"c", "win.toggle-compare"},
+        {"g", "win.gallery"},
+        {"p", "win.properties"},
+        {"k", "win.keyboard-hand"},
+        {"m", "win.measure(0)"},
+        {"w", "win.stopwatch(false)"},
+        {"l", "win.stopwatch(true)"},
+        {"bracketleft", "win.brush(0.8)"},
+        {"bracketright", "win.brush(1.25)"},
+        {"Escape", "win.dismiss"},
+    };
+    GtkEventController *controller = gtk_shortcut_controller_new();
+    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++) {
+        GVariant *target = NULL;
+        char *name = NULL;
+        g_action_parse_detailed_name(keys[i].action, &name, &target, NULL);
+        GtkShortcut *shortcut = gtk_shortcut_new(gtk_shortcut_trigger_parse_string(keys[i].trigger),
+                                                 gtk_named_action_new(name));
+        gtk_shortcut_set_arguments(shortcut, target);
+        gtk_shortcut_controller_add_shortcut(GTK_SHORTCUT_CONTROLLER(controller), shortcut);
+        g_clear_pointer(&target, g_variant_unref);
+        g_free(name);
+    }
+    const skv_tool *tool;
+    for (int i = 0; (tool = skv_tool_info(i)); i++) {
+        GtkShortcut *shortcut = gtk_shortcut_new(gtk_keyval_trigger_new((guint)tool->key, 0),
+                                                 gtk_named_action_new("win.tool"));
+        gtk_shortcut_set_arguments(shortcut, g_variant_new_int32(i));
+        gtk_shortcut_controller_add_shortcut(GTK_SHORTCUT_CONTROLLER(controller), shortcut);
+    }
+    gtk_widget_add_controller(GTK_WIDGET(window), controller);
 }
 
 void play_actions_add(PlayWindow *window)
 {
     g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
+    play_files_add(window);
+    play_share_add(window);
+    play_compare_add(window);
+    play_files_show_recent(window, play_window_recent(window));
+    add_sensor(window);
+    play_views_add(G_ACTION_MAP(window), play_window_view(window));
+    play_preferences_apply(play_window_view(window), play_window_ball(window));
+    add_keys(window);
     g_signal_connect_object(play_window_view(window), "changed", G_CALLBACK(update_states), window,
                             G_CONNECT_SWAPPED);
     g_signal_connect(window, "notify::fullscreened", G_CALLBACK(update_states), NULL);
@@ -188,17 +351,19 @@ void play_actions_set_keys(GtkApplication *application)
         const char *action;
         const char *keys[4];
     } shortcuts[] = {
-        {"win.pause", {"space"}},
-        {"win.step", {"s", "period"}},
-        {"win.reset", {"r"}},
-        {"win.change-speed(-1)", {"minus", "KP_Subtract"}},
-        {"win.change-speed(1)", {"plus", "equal", "KP_Add"}},
-        {"win.weightless", {"0", "KP_0"}},
-        {"win.tracers", {"t"}},
         {"win.fullscreen", {"F11"}},
-        {"win.dismiss", {"Escape"}},
         {"win.open", {"<Control>o"}},
-        {"window.close", {"<Control>q", "<Control>w"}},
+        {"win.save", {"<Control>s"}},
+        {"win.screenshot", {"<Control>p"}},
+        {"win.record", {"<Control>r"}},
+        {"win.share", {"<Control><Shift>c"}},
+        {"win.paste", {"<Control>v"}},
+        {"win.undo", {"<Control>z"}},
+        {"win.redo", {"<Control><Shift>z", "<Control>y"}},
+        {"win.zoom(1.0)", {"<Control>plus", "<Control>equal", "<Control>KP_Add"}},
+        {"win.zoom(-1.0)", {"<Control>minus", "<Control>KP_Subtract"}},
+        {"win.zoom(0.0)", {"<Control>0", "<Control>KP_0"}},
+        {"window.close", {"<Control>w"}},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(shortcuts); i++)
         gtk_application_set_accels_for_action(application, shortcuts[i].action, shortcuts[i].keys);

@@ -1,33 +1,39 @@
 /* skvalp-play: reads the command line and starts the application. Invariant: a scene that cannot be
  * opened never keeps the window from opening; only a wrong command line does. */
+#include <skvalp/link.h>
 #include <stdio.h>
 
 #include "actions.h"
+#include "quit.h"
 #include "window.h"
+#include "words.h"
 
 /* The exit status by which run.sh knows that it has to make pictures instead. */
 enum { NO_DISPLAY = 3 };
 
 #define USAGE                                                                                      \
     "Usage: skvalp-play [SCENE]\n"                                                                 \
-    "Shows a scene live: a built-in name such as dam-break, or a .json or .png file.\n"            \
+    "Shows a scene live: a built-in name such as dam-break, a .json, .png, .skv\n"                 \
+    "or .skvr file, or a link.\n"                                                                  \
     "\n"                                                                                           \
     "  -h, --help     this text\n"                                                                 \
     "      --version  the version\n"                                                               \
     "\n"                                                                                           \
     "In the window: hold fluid with the mouse or with several fingers; arrow keys turn\n"          \
-    "gravity; Space pauses, S steps, R resets, T shows tracers; Ctrl+? lists all keys.\n"
+    "gravity; Space pauses, the bar goes back in time; Ctrl+? lists all keys.\n"
 
 static void on_startup(GtkApplication *application)
 {
-    adw_style_manager_set_color_scheme(adw_style_manager_get_default(),
-                                       ADW_COLOR_SCHEME_PREFER_DARK);
     play_actions_set_keys(application);
+    play_quit_add();
 }
 
 static void on_activate(GtkApplication *application, const char *scene)
 {
-    PlayWindow *window = play_window_new(application, scene);
+    /* A file manager gives an address. */
+    char *path = scene && !skv_link_is(scene) ? g_filename_from_uri(scene, NULL, NULL) : NULL;
+    PlayWindow *window = play_window_new(application, path ? path : scene);
+    g_free(path);
     play_actions_add(window);
     gtk_window_present(GTK_WINDOW(window));
 }
@@ -35,6 +41,7 @@ static void on_activate(GtkApplication *application, const char *scene)
 int main(int argc, char **argv)
 {
     const char *scene = argc > 1 ? argv[1] : NULL;
+    play_words_load();
     if (scene && (g_str_equal(scene, "--help") || g_str_equal(scene, "-h"))) {
         fputs(USAGE, stdout);
         return 0;

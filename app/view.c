@@ -1,24 +1,33 @@
-/* View: drives the session by the frame clock and draws it. Invariant: the frame clock ticks for
- * this view exactly while it plays, so that a paused scene costs nothing; and while the fluid
- * sleeps the picture, which would be the same, is not drawn again. */
+/* View: lets time pass for the session by the frame clock, and draws its newest picture. Invariant:
+ * the frame clock ticks for this view only while the session is active, so that a scene that is
+ * paused or at rest costs nothing; a picture is drawn again only if there is a newer one. A frame
+ * clock that always has something to draw keeps the main loop from all that is idle, assistive
+ * technology first: so the ticks end now and then, until the loop has been idle once.
+ */
 #include "view.h"
 
-#include <skvalp/render.h>
+#include "words.h"
 
-/* A frame may take this long to step; a scene that needs more runs slower than real time instead
- * of making the window sluggish. */
-#define STEP_BUDGET   0.030
-#define STATUS_PERIOD 0.25
+#define STATUS_PERIOD  0.1
+#define TICKS_IN_A_ROW 30 /* without an idle main loop */
 
 struct _PlayView {
     GtkGLArea parent;
     skv_session *session;
+    const skv_picture *picture; /* that is shown, held */
     skv_renderer *renderer;
     skv_render_style style;
-    guint tick;  /* 0: not playing */
-    bool asleep; /* the picture shows the fluid as it sleeps */
+    skv_camera camera;
+    guint tick; /* 0: nothing moves, or the main loop has its turn */
+    guint idle; /* the source that tells that the loop was idle; 0: none waits */
+    int ticks;  /* since then */
+    gint woken; /* the session's thread has news, and the main loop knows */
     gint64 last_tick;
-    double frame_cost; /* seconds that one frame took to step, averaged */
+    double drawing; /* s, that the last picture took */
+    PlayView *twin; /* the view beside; null: none */
+    skv_pair *pair; /* of both */
+    bool follows;   /* time passes by the other one */
+    bool alone;     /* fingers are here only */
 
     gint64 measured_since;
     int pictures; /* since then */
@@ -27,11 +36,10 @@ struct _PlayView {
 
 G_DEFINE_FINAL_TYPE(PlayView, play_view, GTK_TYPE_GL_AREA)
 
-static guint changed_signal, failed_signal;
+static guint changed_signal, failed_signal, opened_signal, saved_signal, shared_signal;
 
 static void changed(PlayView *view)
 {
-    gtk_gl_area_queue_render(GTK_GL_AREA(view));
     g_signal_emit(view, changed_signal, 0);
 }
 
@@ -64,29 +72,55 @@ static void unrealize(GtkWidget *widget)
     GTK_WIDGET_CLASS(play_view_parent_class)->unrealize(widget);
 }
 
+/* The camera stays where it looks while the view or the world changes its size. */
+static void update_camera(PlayView *view, int width, int height)
+{
+    skv_camera fit = skv_session_camera(view->session);
+    const skv_camera *old = &view->camera;
+    if (old->world_width == fit.world_width && old->world_height == fit.world_height)
+        view->camera = skv_camera_at(width, height, fit.world_width, fit.world_height,
+                                     old->centre_x, old->centre_y, old->zoom);
+    else
+        view->camera = fit;
+}
+
 static void resize(GtkGLArea *area, int width, int height)
 {
-    skv_session_set_view(PLAY_VIEW(area)->session, width, height);
+    PlayView *view = PLAY_VIEW(area);
+    skv_session_set_view(view->session, width, height);
+    update_camera(view, width, height);
 }
 
 static gboolean render(GtkGLArea *area, G_GNUC_UNUSED GdkGLContext *context)
 {
     PlayView *view = PLAY_VIEW(area);
-    const skv_world *world = skv_session_world(view->session);
-    if (!view->renderer || !world)
+    const skv_picture *picture = view->picture;
+    if (!view->renderer || picture->opened == 0)
         return FALSE;
-    skv_hand hands[SKV_MAX_HANDS];
-    int count = skv_session_hands(view->session, hands, SKV_MAX_HANDS);
-    skv_camera camera = skv_session_camera(view->session);
+    gint64 before = g_get_monotonic_time();
     skv_error error;
-    if (skv_renderer_draw(view->renderer, world, &camera, &view->style, hands, count, &error) !=
-        SKV_OK)
+    if (skv_renderer_draw(view->renderer, &picture->frame, &view->camera, &view->style,
+                          picture->marks, picture->mark_count, &error) != SKV_OK)
         fail_with(view, error.text);
+    view->drawing = (double)(g_get_monotonic_time() - before) / G_USEC_PER_SEC;
     view->pictures++;
     return TRUE;
 }
 
 /* Playing. */
+
+/* Takes the newest picture; draws it if it is another one. */
+static void look(PlayView *view)
+{
+    const skv_picture *before = view->picture;
+    guint64 number = before->number;
+    view->picture = skv_session_acquire(view->session);
+    skv_session_release(view->session, before);
+    if (view->picture->number == number)
+        return;
+    update_camera(view, view->camera.width, view->camera.height);
+    gtk_gl_area_queue_render(GTK_GL_AREA(view));
+}
 
 static void measure_frame_rate(PlayView *view, gint64 now)
 {
@@ -96,30 +130,28 @@ static void measure_frame_rate(PlayView *view, gint64 now)
     view->frame_rate = view->pictures / seconds;
     view->measured_since = now;
     view->pictures = 0;
-    g_signal_emit(view, changed_signal, 0);
+    changed(view);
 }
 
-/* Steps the session by real time, but no more frames than fit into the budget. */
-static int advance(PlayView *view, double seconds)
+static void update_tick(PlayView *view);
+
+static gboolean on_idle(gpointer data)
 {
-    double fitting = view->frame_cost > 0 ? floor(STEP_BUDGET / view->frame_cost) : 4;
-    gint64 before = g_get_monotonic_time();
-    int frames;
-    skv_error error;
-    if (skv_session_advance(view->session, MIN(seconds, CLAMP(fitting, 1, 4) / 60), &frames,
-                            &error) != SKV_OK)
-        g_signal_emit(view, failed_signal, 0, error.text);
-    if (frames > 0) {
-        double cost = (double)(g_get_monotonic_time() - before) / G_USEC_PER_SEC / frames;
-        view->frame_cost += 0.1 * (cost - view->frame_cost);
-    }
-    return frames;
+    PlayView *view = data;
+    view->idle = 0;
+    view->ticks = 0;
+    update_tick(view);
+    if (!view->tick) /* it has come to rest meanwhile */
+        changed(view);
+    return G_SOURCE_REMOVE;
 }
 
-static bool is_asleep(PlayView *view)
+/* Whether the main loop has to be idle before the next tick. */
+static bool is_overdue(PlayView *view)
 {
-    return skv_world_awake_count(skv_session_world(view->session)) == 0 &&
-           skv_session_pointer_count(view->session) == 0;
+    if (!view->idle)
+        view->idle = g_idle_add_full(G_PRIORITY_LOW, on_idle, view, NULL);
+    return ++view->ticks > TICKS_IN_A_ROW;
 }
 
 static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, G_GNUC_UNUSED gpointer data)
@@ -128,36 +160,82 @@ static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, G_GNUC_UNUSED g
     gint64 now = gdk_frame_clock_get_frame_time(clock);
     double seconds = (double)(now - view->last_tick) / G_USEC_PER_SEC;
     view->last_tick = now;
-    if (advance(view, seconds) > 0) {
-        bool asleep = is_asleep(view);
-        if (!asleep || !view->asleep)
-            gtk_gl_area_queue_render(GTK_GL_AREA(view));
-        view->asleep = asleep;
+    if (view->pair && !skv_pair_is_active(view->pair)) {
+        view->tick = 0;
+        view->frame_rate = 0;
+        changed(view);
+        return G_SOURCE_REMOVE;
     }
+    if (view->pair)
+        skv_pair_advance(view->pair, seconds, view->drawing + view->twin->drawing);
+    else
+        skv_session_advance(view->session, seconds, view->drawing);
+    look(view);
     measure_frame_rate(view, now);
-    if (!skv_session_paused(view->session))
+    if (!is_overdue(view))
         return G_SOURCE_CONTINUE;
-    /* A step failed. */
     view->tick = 0;
-    view->frame_rate = 0;
-    changed(view);
     return G_SOURCE_REMOVE;
 }
 
 /* Starts or stops the frame clock for this view, whichever the session asks for. */
-static void update_playing(PlayView *view)
+static void update_tick(PlayView *view)
 {
-    bool playing = skv_session_world(view->session) && !skv_session_paused(view->session);
-    if (playing && !view->tick) {
-        view->last_tick = view->measured_since = g_get_monotonic_time();
-        view->pictures = 0;
+    if (view->twin && view->follows) {
+        update_tick(view->twin);
+        return;
+    }
+    bool active =
+        view->pair ? skv_pair_is_active(view->pair) : skv_session_is_active(view->session);
+    active = active && view->ticks <= TICKS_IN_A_ROW;
+    if (active && !view->tick) {
+        gint64 now = g_get_monotonic_time();
+        if (now - view->last_tick > G_USEC_PER_SEC / 4) /* it rested: not the loop's turn alone */
+            view->last_tick = view->measured_since = now;
         view->tick = gtk_widget_add_tick_callback(GTK_WIDGET(view), on_tick, NULL, NULL);
-    } else if (!playing && view->tick) {
+    } else if (!active && view->tick) {
         gtk_widget_remove_tick_callback(GTK_WIDGET(view), view->tick);
         view->tick = 0;
         view->frame_rate = 0;
     }
-    changed(view);
+}
+
+static void take_outcomes(PlayView *view)
+{
+    skv_outcome outcome;
+    while (skv_session_next_outcome(view->session, &outcome)) {
+        bool failed = outcome.error.code != SKV_OK;
+        if (outcome.kind == SKV_OUTCOME_SAVE)
+            g_signal_emit(view, saved_signal, 0, failed ? outcome.error.text : NULL);
+        else if (outcome.kind == SKV_OUTCOME_SHARE)
+            g_signal_emit(view, shared_signal, 0, failed ? outcome.error.text : NULL);
+        else if (failed)
+            g_signal_emit(view, failed_signal, 0, outcome.error.text);
+        else if (outcome.kind == SKV_OUTCOME_OPEN)
+            g_signal_emit(view, opened_signal, 0);
+    }
+}
+
+/* The session's news, on the main loop. */
+static gboolean on_news(gpointer data)
+{
+    PlayView *view = data;
+    g_atomic_int_set(&view->woken, 0);
+    bool moved = view->tick != 0;
+    look(view);
+    take_outcomes(view);
+    update_tick(view);
+    if (!moved || !view->tick) /* else a few times a second will do */
+        changed(view);
+    return G_SOURCE_REMOVE;
+}
+
+/* On the session's thread. */
+static void wake(void *user)
+{
+    PlayView *view = user;
+    if (g_atomic_int_compare_and_exchange(&view->woken, 0, 1))
+        g_idle_add_full(G_PRIORITY_DEFAULT, on_news, view, NULL);
 }
 
 skv_session *play_view_session(PlayView *view)
@@ -165,59 +243,140 @@ skv_session *play_view_session(PlayView *view)
     return view->session;
 }
 
-bool play_view_open(PlayView *view, const char *name_or_path, skv_error *error)
+const skv_picture *play_view_picture(PlayView *view)
 {
-    if (skv_session_open(view->session, name_or_path, NULL, error) != SKV_OK)
-        return false;
-    view->frame_cost = 0;
-    play_view_set_paused(view, false);
-    return true;
+    return view->picture;
 }
 
-void play_view_set_paused(PlayView *view, bool paused)
+const skv_render_style *play_view_style(PlayView *view)
 {
-    skv_session_set_paused(view->session, paused);
-    update_playing(view);
+    return &view->style;
 }
 
-void play_view_step(PlayView *view)
+static void set_style(PlayView *view, const skv_render_style *style)
 {
-    skv_session_set_paused(view->session, true);
-    skv_error error;
-    if (skv_session_step_once(view->session, &error) != SKV_OK)
-        g_signal_emit(view, failed_signal, 0, error.text);
-    update_playing(view);
-}
-
-bool play_view_reset(PlayView *view, skv_error *error)
-{
-    bool done = skv_session_reset(view->session, error) == SKV_OK;
-    changed(view);
-    return done;
-}
-
-void play_view_set_speed(PlayView *view, double speed)
-{
-    skv_session_set_speed(view->session, speed);
+    view->style = *style;
+    gtk_gl_area_queue_render(GTK_GL_AREA(view));
     changed(view);
 }
 
-void play_view_set_tracers(PlayView *view, bool tracers)
+void play_view_set_style(PlayView *view, const skv_render_style *style)
 {
-    view->style.tracers = tracers;
-    changed(view);
+    set_style(view, style);
+    if (view->twin)
+        set_style(view->twin, style);
 }
 
-void play_view_set_dark(PlayView *view, bool dark)
+skv_camera play_view_camera(PlayView *view)
 {
-    view->style.dark = dark;
-    changed(view);
+    return view->camera;
 }
 
-void play_view_set_gravity(PlayView *view, double x, double y)
+/* The view beside shows the same part of its world. */
+static void camera_changed(PlayView *view)
 {
-    skv_session_set_gravity_direction(view->session, x, y);
+    PlayView *twin = view->twin;
+    gtk_gl_area_queue_render(GTK_GL_AREA(view));
     changed(view);
+    if (!twin)
+        return;
+    const skv_camera *own = &view->camera, *other = &twin->camera;
+    twin->camera = skv_camera_at(other->width, other->height, other->world_width,
+                                 other->world_height, own->centre_x, own->centre_y, own->zoom);
+    gtk_gl_area_queue_render(GTK_GL_AREA(twin));
+    changed(twin);
+}
+
+void play_view_zoom(PlayView *view, double factor, double px, double py)
+{
+    skv_camera_zoom(&view->camera, factor, px, py);
+    camera_changed(view);
+}
+
+void play_view_pan(PlayView *view, double dx, double dy)
+{
+    skv_camera_pan(&view->camera, dx, dy);
+    camera_changed(view);
+}
+
+void play_view_show_all(PlayView *view)
+{
+    view->camera = skv_session_camera(view->session);
+    camera_changed(view);
+}
+
+/* A session's camera shows the whole world; that of a view perhaps a part of it. */
+static void send(PlayView *view, const skv_pointer_event *event, double x, double y)
+{
+    skv_pointer_event sent = *event;
+    skv_camera whole = skv_session_camera(view->session);
+    skv_camera_to_view(&whole, x, y, &sent.px, &sent.py);
+    skv_session_pointer(view->session, &sent);
+}
+
+void play_view_send(PlayView *view, const skv_pointer_event *event)
+{
+    double x, y;
+    skv_camera_to_world(&view->camera, event->px, event->py, &x, &y);
+    send(view, event, x, y);
+    if (view->twin && !view->alone)
+        send(view->twin, event, x, y);
+}
+
+void play_view_join(PlayView *view, PlayView *twin, skv_pair *pair)
+{
+    PlayView *other = twin ? twin : view->twin;
+    view->twin = twin;
+    view->pair = pair;
+    if (other) {
+        other->twin = twin ? view : NULL;
+        other->pair = pair;
+        other->follows = twin != NULL;
+        other->alone = view->alone;
+        if (other->tick)
+            gtk_widget_remove_tick_callback(GTK_WIDGET(other), other->tick);
+        other->tick = 0;
+        if (twin)
+            set_style(twin, &view->style);
+    }
+    update_tick(view);
+    camera_changed(view);
+}
+
+PlayView *play_view_twin(PlayView *view)
+{
+    return view->twin;
+}
+
+gboolean play_view_follows(PlayView *view)
+{
+    return view->twin && view->follows;
+}
+
+skv_pair *play_view_pair(PlayView *view)
+{
+    return view->pair;
+}
+
+void play_view_cancel(PlayView *view)
+{
+    skv_session_cancel_pointers(view->session);
+    if (view->twin && !view->alone)
+        skv_session_cancel_pointers(view->twin->session);
+}
+
+void play_view_set_linked(PlayView *view, gboolean linked)
+{
+    view->alone = false;
+    play_view_cancel(view);
+    view->alone = !linked;
+    if (view->twin)
+        view->twin->alone = !linked;
+}
+
+gboolean play_view_is_linked(PlayView *view)
+{
+    return !view->alone;
 }
 
 double play_view_frame_rate(PlayView *view)
@@ -227,7 +386,12 @@ double play_view_frame_rate(PlayView *view)
 
 static void finalize(GObject *object)
 {
-    skv_session_destroy(PLAY_VIEW(object)->session);
+    PlayView *view = PLAY_VIEW(object);
+    if (view->session && view->picture)
+        skv_session_release(view->session, view->picture);
+    skv_session_destroy(view->session);
+    while (g_idle_remove_by_data(view))
+        continue;
     G_OBJECT_CLASS(play_view_parent_class)->finalize(object);
 }
 
@@ -240,20 +404,35 @@ static void play_view_class_init(PlayViewClass *class)
     GTK_GL_AREA_CLASS(class)->render = render;
     changed_signal = g_signal_new("changed", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
                                   G_TYPE_NONE, 0);
+    gtk_widget_class_set_accessible_role(GTK_WIDGET_CLASS(class), GTK_ACCESSIBLE_ROLE_IMG);
     failed_signal = g_signal_new("failed", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
                                  G_TYPE_NONE, 1, G_TYPE_STRING);
+    saved_signal = g_signal_new("saved", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                                G_TYPE_NONE, 1, G_TYPE_STRING);
+    shared_signal = g_signal_new("shared", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                                 G_TYPE_NONE, 1, G_TYPE_STRING);
+    opened_signal = g_signal_new("opened", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                                 G_TYPE_NONE, 0);
 }
 
 static void play_view_init(PlayView *view)
 {
     skv_error error;
-    if (skv_session_create(0, &view->session, &error) != SKV_OK)
+    skv_session_def def = skv_default_session_def();
+    def.wake = wake;
+    def.user = view;
+    if (skv_session_create(&def, &view->session, &error) != SKV_OK)
         g_error("%s", error.text); /* out of memory before anything was shown */
+    view->picture = skv_session_acquire(view->session);
     view->style = skv_default_render_style();
+    view->camera = skv_session_camera(view->session);
     gtk_gl_area_set_use_es(GTK_GL_AREA(view), TRUE);
     gtk_gl_area_set_required_version(GTK_GL_AREA(view), 3, 0);
     gtk_gl_area_set_auto_render(GTK_GL_AREA(view), FALSE);
     gtk_widget_set_focusable(GTK_WIDGET(view), TRUE);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Water"),
+                                   GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                   _("Drag to use the tool that is chosen"), -1);
     gtk_widget_set_hexpand(GTK_WIDGET(view), TRUE);
     gtk_widget_set_vexpand(GTK_WIDGET(view), TRUE);
 }

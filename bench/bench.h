@@ -46,6 +46,25 @@ typedef struct bench_row {
     skv_profile phases;   /* seconds a substep of the fastest round */
 } bench_row;
 
+/* What is done to a world of 1024 x 576 pixels while it runs. */
+enum { BENCH_EDITS = 4 };
+typedef struct bench_edit {
+    const char *name; /* null: not measured */
+    int particles;    /* as asked for */
+    int threads;
+    bench_time time; /* seconds a frame */
+} bench_edit;
+
+/* What the app does for a picture. */
+enum { BENCH_FRAMES = 8 };
+typedef struct bench_frame {
+    const char *name;
+    int particles;
+    int threads;
+    bench_time time;           /* s */
+    double longest, processor; /* s; processor: time of all its threads, the least */
+} bench_frame;
+
 typedef struct bench_report {
     char cpu[96];
     char compiler[64];
@@ -57,6 +76,9 @@ typedef struct bench_report {
     int lost; /* particles that escaped or are not finite: the figures are worth nothing */
     int count;
     bench_row *row;
+    bench_edit edit[BENCH_EDITS];
+    int frame_count;
+    bench_frame frame[BENCH_FRAMES];
 } bench_report;
 
 /* Called before each case and each of its rounds; `done` is the share of the work that is, 0..1. */
@@ -67,6 +89,14 @@ typedef void bench_progress(const bench_case *what, double done, void *user);
 skv_result bench_measure(const bench_options *options, bench_progress *progress, void *user,
                          bench_report *report, skv_error *error);
 void bench_report_free(bench_report *report);
+
+/* Measures what edits cost, for the same report; takes seconds. */
+skv_result bench_measure_edits(const bench_options *options, bench_report *report,
+                               skv_error *error);
+
+/* Measures what a frame of the app costs, for the same report; takes seconds. */
+skv_result bench_measure_frames(const bench_options *options, bench_report *report,
+                                skv_error *error);
 
 /* The row of a case, or null. `threads`: 1, or anything else for all. */
 const bench_row *bench_find(const bench_report *report, const bench_case *what, int threads);

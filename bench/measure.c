@@ -10,7 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "machine.h"
 
@@ -40,13 +39,6 @@ typedef struct bench {
     runner fast[2], reference[2];
     bool with_reference;
 } bench;
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* ---- Setting up ------------------------------------------------------------------------------ */
 
@@ -152,9 +144,9 @@ static void close_bench(bench *b)
 static skv_result time_step(runner *r, double *seconds, skv_error *error)
 {
     skv_world_profile(r->world, true);
-    double start = seconds_now();
+    double start = bench_seconds(BENCH_CLOCK);
     skv_result result = skv_world_step(r->world, r->dt, error);
-    *seconds = (seconds_now() - start) / r->substeps;
+    *seconds = (bench_seconds(BENCH_CLOCK) - start) / r->substeps;
     return result;
 }
 
@@ -311,7 +303,9 @@ skv_result bench_measure(const bench_options *options, bench_progress *progress,
             result = add_rows(&b, report, error);
         close_bench(&b);
     }
-    return result;
+    if (result == SKV_OK)
+        result = bench_measure_edits(options, report, error);
+    return result == SKV_OK ? bench_measure_frames(options, report, error) : result;
 }
 
 void bench_report_free(bench_report *report)

@@ -1,5 +1,6 @@
-/* Prints a report as tables. Invariant: every figure here stands in the CSV, too, or follows from
- * two of its columns; the thesis' figures are those of its tables 4.1 and 4.2. */
+/* Prints a report as tables. Invariant: every figure here but those of edits stands in the CSV,
+ * too, or follows from two of its columns; the thesis' figures are those of its tables 4.1 and 4.2.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -37,14 +38,15 @@ static void main_row(table *t, const bench_report *report, const bench_row *one)
     table_number(t, bench_ratio(one), 1);
     table_number(t, bench_ratio(all), 1);
     table_number(t, one->bytes, 0);
+    table_number(t, 1e-6 * one->kept_bytes * one->particles, 2);
 }
 
 static void write_scene(FILE *out, const bench_report *report, bool markdown, const char *scene)
 {
-    static const char *const heads[] = {
-        "law",       ">particles",   ">neighbours", ">ms/step x1", ">ns x1",
-        ">median",   ">ns x all",    ">median",     ">speed-up",   ">reference x1",
-        ">ratio x1", ">ratio x all", ">bytes",      NULL};
+    static const char *const heads[] = {"law",       ">particles",    ">neighbours", ">ms/step x1",
+                                        ">ns x1",    ">median",       ">ns x all",   ">median",
+                                        ">speed-up", ">reference x1", ">ratio x1",   ">ratio x all",
+                                        ">bytes",    ">kept MB",      NULL};
     char title[64];
     snprintf(title, sizeof title, "Cost of a substep: %s", scene_name(scene));
     table t;
@@ -101,6 +103,52 @@ static void write_phases(FILE *out, const bench_report *report, bool markdown)
                 phase_row(&t, row);
         }
     table_end(&t);
+}
+
+/* ---- Edits ----------------------------------------------------------------------------------- */
+
+static void write_edits(FILE *out, const bench_report *report, bool markdown)
+{
+    static const char *const heads[] = {"edit",      ">particles", ">threads",
+                                        ">shortest", ">median",    NULL};
+    table t;
+    table_begin(&t, out, markdown, "Edits while a world of 1024 x 576 pixels runs, ms a frame",
+                heads);
+    for (int i = 0; i < BENCH_EDITS; i++) {
+        const bench_edit *edit = &report->edit[i];
+        table_row(&t);
+        table_cell(&t, "%s", edit->name);
+        table_cell(&t, "%d", edit->particles);
+        table_cell(&t, "%d", edit->threads);
+        table_number(&t, 1e3 * edit->time.minimum, -3);
+        table_number(&t, 1e3 * edit->time.median, -3);
+    }
+    table_end(&t);
+}
+
+/* ---- The app's frames ------------------------------------------------------------------------ */
+
+static void write_frames(FILE *out, const bench_report *report, bool markdown)
+{
+    static const char *const heads[] = {"what",    ">particles", ">threads",   ">shortest",
+                                        ">median", ">longest",   ">processor", NULL};
+    table t;
+    table_begin(&t, out, markdown, "A frame of the app, ms", heads);
+    for (int i = 0; i < report->frame_count; i++) {
+        const bench_frame *frame = &report->frame[i];
+        table_row(&t);
+        table_cell(&t, "%s", frame->name);
+        table_cell(&t, "%d", frame->particles);
+        table_cell(&t, "%d", frame->threads);
+        const double times[] = {frame->time.minimum, frame->time.median, frame->longest,
+                                frame->processor};
+        for (size_t k = 0; k < sizeof times / sizeof *times; k++)
+            table_number(&t, 1e3 * times[k], -3);
+    }
+    table_end(&t);
+    table_note(out,
+               "processor: of all threads, the least; of issue and the face's calls, that of "
+               "the face's thread.\nissue: a picture of 640 x 360 pixels, drawn and read back.");
 }
 
 /* ---- The thesis' tables ---------------------------------------------------------------------- */
@@ -203,8 +251,12 @@ void bench_write_tables(FILE *out, const bench_report *report, bool markdown)
         write_scene(out, report, markdown, bench_scenes[scene]);
     table_note(out, "ns: nanoseconds a particle and substep, the shortest time and the median; x1: "
                     "one thread.\nreference: the same for the reference solver; ratio: how many "
-                    "times as long it takes, with as many threads.");
+                    "times as long it takes, with as many threads.\nbytes: a particle, of all "
+                    "arrays by particle, the world's and the solver's; kept: what a thread "
+                    "keeps of the rows at work, apart from these.");
     write_phases(out, report, markdown);
+    write_edits(out, report, markdown);
+    write_frames(out, report, markdown);
     if (!report->only) {
         write_threading(out, report, markdown);
         write_counts(out, report, markdown);

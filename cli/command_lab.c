@@ -68,11 +68,11 @@ static skv_result choose(lab_run *run, skv_error *error)
     return SKV_OK;
 }
 
-static bool show_progress(double share, void *user)
+static bool show_progress(const skv_lab_moment *moment, void *user)
 {
     lab_run *run = user;
     char text[128];
-    snprintf(text, sizeof text, "lab  %3.0f %%  %s", 100 * (run->at + share) / run->count,
+    snprintf(text, sizeof text, "lab  %3.0f %%  %s", 100 * (run->at + moment->share) / run->count,
              skv_experiment_info(run->chosen[run->at])->title);
     progress_show(&run->progress, text);
     return true;
@@ -103,7 +103,7 @@ static skv_result prepare(lab_run *run, skv_error *error)
     run->lab.settings = options->settings;
     run->lab.setting_count = options->setting_count;
     run->lab.threads = options->threads;
-    run->lab.progress = show_progress;
+    run->lab.observe = show_progress;
     run->lab.user = run;
     result = skv_lab_check(&run->lab, error);
     return result == SKV_OK && options->plot ? prepare_folder(options->plot, error) : result;
@@ -219,11 +219,33 @@ static skv_result run_one(lab_run *run, skv_error *error)
     return result;
 }
 
+/* What a class works through, one experiment after the other: docs/experiments.md is this. */
+static void print_cards(const lab_run *run)
+{
+    if (run->options->experiment_count == 0)
+        puts("# Experiments\n\n"
+             "One card for each experiment of the lab: read the question, write down what you "
+             "expect, run it\n(in the app, or with the command below the title), and compare. "
+             "What these figures were when the\nprogram was tested is in [the lab](lab.md).\n");
+    for (int i = 0; i < run->count; i++) {
+        const skv_experiment *card = skv_experiment_info(run->chosen[i]);
+        printf("%s## %s\n\n`skvalp lab %s`\n\n", i ? "\n" : "", card->title, card->name);
+        printf("**Question.** %s\n\n", card->question);
+        printf("**Predict.** %s\n\n", card->predict);
+        printf("**Measure.** %s\n\n", card->measure);
+        printf("**Compare.** %s\n", card->compare);
+    }
+}
+
 int lab_command(const cli_options *options, skv_error *error)
 {
     lab_run run = {.options = options};
     cleanup_install();
     skv_result result = prepare(&run, error);
+    if (result == SKV_OK && options->cards) {
+        print_cards(&run);
+        return STATUS_DONE;
+    }
     if (result == SKV_OK) {
         run.progress = progress_start("lab", 0, options->quiet);
         if (options->json)

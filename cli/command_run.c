@@ -17,7 +17,7 @@
 #include "progress.h"
 #include "skvalp/render.h"
 #include "state_file.h"
-#include "timeline.h"
+#include "stepping.h"
 
 /* Length of a run that goes on from a state, if none is asked for, s. */
 #define STATE_SECONDS 10
@@ -25,7 +25,8 @@
 typedef struct cli_run {
     const cli_options *options;
     skv_scene *scene; /* null where a state goes on */
-    skv_world *world;
+    run_stepping stepping;
+    const skv_world *world; /* that is stepped */
     run_timeline timeline;
     double step_seconds;  /* wall time inside skv_world_step */
     int64_t steps_before; /* that the world had taken before this run */
@@ -40,7 +41,7 @@ typedef struct cli_run {
 
 static const char *name_of(const cli_run *run)
 {
-    return run->scene ? skv_scene_name(run->scene) : run->options->scene;
+    return run->scene ? skv_scene_name(run->scene) : name_of_input(run->options->scene);
 }
 
 /* The file number `i` that the run is read from, or null. */
@@ -115,8 +116,9 @@ static skv_result open_pictures(cli_run *run, skv_error *error)
     if (!run->options->png && !run->options->video)
         return SKV_OK;
     choose_size(run);
-    run->style = skv_default_render_style();
-    run->style.tracers = run->options->tracers;
+    run->style = run->options->style;
+    if (run->options->tracers)
+        run->style.overlays |= SKV_OVERLAY_TRACERS;
     run->rgb = malloc((size_t)run->width * (size_t)run->height * 3);
     if (!run->rgb) {
         return skv_fail(error, SKV_ERROR_MEMORY,
@@ -129,15 +131,19 @@ static skv_result open_pictures(cli_run *run, skv_error *error)
     return result;
 }
 
-/* A state is what it is: nothing of its scene can be changed. */
+/* A state or a replay is what it is: nothing of its scene can be changed. */
 static skv_result load_state(cli_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
     if (options->particles || options->setting_count)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "%.200s: a state goes on as it is; leave out --particles, --law and --set",
-                        options->scene);
-    return state_file_read(options->scene, options->threads, &run->world, error);
+                        name_of_input(options->scene));
+    skv_result result =
+        is_state_file(options->scene)
+            ? state_file_read(options->scene, options->threads, &run->stepping.world, error)
+            : replay_file_read(options->scene, options->threads, &run->stepping.player, error);
+    return result;
 }
 
 static skv_result load_scene(cli_run *run, skv_error *error)
@@ -150,6 +156,8 @@ static skv_result start_timeline(cli_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
     double end = run->scene ? skv_scene_seconds(run->scene) : STATE_SECONDS;
+    if (run->stepping.player)
+        end = (double)skv_player_end(run->stepping.player) / 60;
     double every = options->trace_every > 0 ? options->trace_every : 0.1;
     if (options->seconds >= 0)
         end = options->seconds;
@@ -161,21 +169,31 @@ static skv_result start_timeline(cli_run *run, skv_error *error)
     return SKV_OK;
 }
 
+/* What the world has to say while it runs. */
+static void print_note(const char *text, void *user)
+{
+    (void)user;
+    fprintf(stderr, "skvalp: note: %s\n", text);
+}
+
 static skv_result open_run(cli_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
-    skv_result result =
-        is_state_file(options->scene) ? load_state(run, error) : load_scene(run, error);
+    bool state = is_state_file(options->scene) || is_replay_file(options->scene);
+    skv_result result = state ? load_state(run, error) : load_scene(run, error);
     if (!result)
         result = start_timeline(run, error);
     if (!result)
         result = open_outputs(run, error);
     if (!result && run->scene)
-        result = skv_scene_create_world(run->scene, options->threads, &run->world, error);
+        result = skv_scene_create_world(run->scene, options->threads, &run->stepping.world, error);
+    run->world = result ? NULL : stepping_world(&run->stepping);
     if (!result)
         result = open_pictures(run, error);
     if (!result) {
         run->steps_before = skv_world_substep_count(run->world);
+        if (!options->quiet && run->stepping.world)
+            skv_world_set_log(run->stepping.world, print_note, NULL);
         if (!options->quiet && run->scene)
             print_notices(run->scene);
         if (options->csv)
@@ -184,6 +202,12 @@ static skv_result open_run(cli_run *run, skv_error *error)
             trace_head(&run->trace);
     }
     return result;
+}
+
+static skv_result draw(const cli_run *run, skv_error *error)
+{
+    skv_frame frame = skv_world_frame(run->world);
+    return skv_offscreen_render(run->offscreen, &frame, &run->style, run->rgb, error);
 }
 
 /* Writes what belongs to the present moment. */
@@ -209,7 +233,7 @@ static skv_result record(cli_run *run, skv_error *error)
     /* A picture lasts until the next frame: the end has none, or the video would be too long. */
     bool picture = now->at_frame && (!now->at_end || now->frame == 0);
     if (!result && run->video.process && picture) {
-        result = skv_offscreen_render(run->offscreen, run->world, &run->style, run->rgb, error);
+        result = draw(run, error);
         if (!result)
             result = video_add(&run->video, run->rgb, error);
     }
@@ -221,10 +245,9 @@ static skv_result simulate(cli_run *run, skv_error *error)
     progress_line progress = progress_start(name_of(run), run->timeline.end, run->options->quiet);
     skv_result result = record(run, error);
     while (!result && !run->timeline.at_end) {
-        float step = timeline_next(&run->timeline);
         double before = clock_seconds();
         skv_error cause;
-        result = skv_world_step(run->world, step, &cause);
+        result = stepping_advance(&run->stepping, &run->timeline, &cause);
         run->step_seconds += clock_seconds() - before;
         if (result) {
             skv_fail(error, result, "%s: the step at %g s failed: %s", run->options->scene,
@@ -243,7 +266,7 @@ static skv_result finish(cli_run *run, skv_error *error)
 {
     skv_result result = SKV_OK;
     if (run->options->png) {
-        result = skv_offscreen_render(run->offscreen, run->world, &run->style, run->rgb, error);
+        result = draw(run, error);
         if (!result)
             result = png_write(&run->png, run->rgb, run->width, run->height, error);
     }
@@ -262,7 +285,8 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
     char hash[17];
     snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
     /* clang-format off */
-    return output_json(json_pack("{so si si sI so so so ss si si so so}",
+    skv_flow flow = skv_world_flow(run->world);
+    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI}",
         "scene", output_text(name_of(run)),
         "particles", stats->particles,
         "substeps", skv_world_substeps_per_frame(run->world),
@@ -274,7 +298,12 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
         "escaped", stats->escaped,
         "nan", stats->not_finite,
         "kinetic_energy", output_number(stats->kinetic_energy),
-        "volume_ratio", output_number(packing->volume_ratio)), error);
+        "volume_ratio", output_number(packing->volume_ratio),
+        "emitted", (json_int_t)flow.emitted,
+        "drained", (json_int_t)flow.drained,
+        "left", (json_int_t)flow.left,
+        "replaced", (json_int_t)flow.replaced,
+        "blocked", (json_int_t)flow.blocked), error);
     /* clang-format on */
 }
 
@@ -294,6 +323,11 @@ static void print_summary(const cli_run *run, const skv_stats *stats, const skv_
            "  %d escaped, %d not finite, hash %016" PRIx64 "\n",
            packing->neighbours, packing->volume_ratio, stats->rms_speed, stats->kinetic_energy,
            stats->escaped, stats->not_finite, skv_world_hash(run->world));
+    skv_flow flow = skv_world_flow(run->world);
+    if (flow.emitted || flow.drained || flow.left || flow.blocked)
+        printf("  %" PRId64 " emitted, %" PRId64 " drained, %" PRId64 " left, %" PRId64
+               " replaced, %" PRId64 " blocked\n",
+               flow.emitted, flow.drained, flow.left, flow.replaced, flow.blocked);
 }
 
 /* Prints the result, and judges it. */
@@ -328,7 +362,7 @@ static void close_run(cli_run *run)
     output_file_discard(&run->snapshot);
     skv_offscreen_destroy(run->offscreen);
     free(run->rgb);
-    skv_world_destroy(run->world);
+    stepping_free(&run->stepping);
     skv_scene_destroy(run->scene);
 }
 

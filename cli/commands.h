@@ -11,6 +11,8 @@ int run_command(const cli_options *options, skv_error *error);
 int scenes_command(const cli_options *options, skv_error *error);
 int check_command(const cli_options *options, skv_error *error);
 int bench_command(const cli_options *options, skv_error *error);
+int replay_command(const cli_options *options, skv_error *error);
+int share_command(const cli_options *options, skv_error *error);
 int lab_command(const cli_options *options, skv_error *error);
 
 /* Help: of the program, of a command, of the fields that --set changes. */

@@ -17,6 +17,9 @@ void help_print(void)
          "  scenes        list the built-in scenes\n"
          "  lab           measure the fluid and compare it with the textbook\n"
          "  bench         measure what a step costs\n"
+         "  replay FILE   play a game again, from a file or a link, and see that it goes as it "
+         "went\n"
+         "  share FILE    make a link of a game, or of a scene\n"
          "  help set      list the fields that --set can change\n"
          "\n"
          "SCENE is a built-in name, a .json or a .png. 'skvalp COMMAND --help' lists the options.\n"
@@ -41,6 +44,19 @@ void help_print_command(command which)
              "Measures what a step costs: at rest and in motion, with both pressure laws, from\n"
              "thousands to a million particles, on one thread and on all, beside the reference\n"
              "solver. Takes minutes; wants the machine to itself.\n");
+        break;
+    case COMMAND_REPLAY:
+        puts("usage: skvalp replay FILE.skvr|LINK [OPTION...]\n\n"
+             "Plays a replay and compares every hash written down in it. Exit status 1 if the "
+             "world\n"
+             "goes another way than when it was recorded. 'skvalp run FILE.skvr' makes pictures,\n"
+             "videos and tables of it.\n");
+        break;
+    case COMMAND_SHARE:
+        puts("usage: skvalp share FILE.skvr|SCENE [OPTION...]\n\n"
+             "Plays a replay to its end, as replay does, and prints a link that holds all of it: "
+             "the\n"
+             "scene, and what was done since. Of a scene alone the link holds the scene.\n");
         break;
     case COMMAND_LAB:
         puts("usage: skvalp lab [EXPERIMENT...] [OPTION...]\n\n"

@@ -17,7 +17,8 @@ static const struct {
 } commands[] = {
     {"run", COMMAND_RUN, run_command},       {"scenes", COMMAND_SCENES, scenes_command},
     {"check", COMMAND_CHECK, check_command}, {"bench", COMMAND_BENCH, bench_command},
-    {"lab", COMMAND_LAB, lab_command},
+    {"lab", COMMAND_LAB, lab_command},       {"replay", COMMAND_REPLAY, replay_command},
+    {"share", COMMAND_SHARE, share_command},
 };
 enum { COMMAND_COUNT = (int)(sizeof commands / sizeof commands[0]) };
 
@@ -55,7 +56,7 @@ static int help(int count, char **arguments, skv_error *error)
     } else if (count > 0) {
         skv_fail(error, SKV_ERROR_VALUE,
                  "help: there is none on '%s'; say help run, help scenes, help check, help bench, "
-                 "help lab or help set",
+                 "help lab, help replay, help share or help set",
                  arguments[0]);
         return STATUS_BAD;
     } else {
@@ -66,7 +67,8 @@ static int help(int count, char **arguments, skv_error *error)
 
 static int unknown_command(const char *name, skv_error *error)
 {
-    static const char *const names[] = {"run", "scenes", "check", "bench", "lab", "help"};
+    static const char *const names[] = {"run", "scenes", "check", "bench",
+                                        "lab", "replay", "share", "help"};
     const char *nearest = skv_nearest_name(name, names, (int)(sizeof names / sizeof names[0]));
     if (nearest) {
         skv_fail(error, SKV_ERROR_VALUE, "%s: no such command; did you mean %s?", name, nearest);

@@ -20,7 +20,8 @@ typedef enum kind {
     KIND_FILE,    /* const char * */
     KIND_SIZE,    /* WxH into width and height */
     KIND_LAW,     /* a setting of fluid.law */
-    KIND_SETTING  /* path=value */
+    KIND_SETTING, /* path=value */
+    KIND_STYLE    /* names of a part of the style */
 } kind;
 
 typedef struct option_rule {
@@ -28,23 +29,24 @@ typedef struct option_rule {
     const char *argument; /* as the help calls it; null for a flag */
     unsigned commands;
     kind kind;
-    size_t offset; /* into cli_options */
+    size_t offset; /* into cli_options; of KIND_STYLE an skv_style_part */
     double minimum, maximum;
     const char *unit;
     const char *help;
 } option_rule;
 
 #define AT(field)      offsetof(cli_options, field)
-#define SCENE_COMMANDS (COMMAND_RUN | COMMAND_CHECK)
-#define ALL_COMMANDS   (COMMAND_RUN | COMMAND_SCENES | COMMAND_CHECK | COMMAND_BENCH | COMMAND_LAB)
+#define SCENE_COMMANDS (COMMAND_RUN | COMMAND_CHECK | COMMAND_SHARE)
+#define ALL_COMMANDS                                                                               \
+    (SCENE_COMMANDS | COMMAND_SCENES | COMMAND_BENCH | COMMAND_LAB | COMMAND_REPLAY)
 
 static const option_rule rules[] = {
     {"seconds", "T", COMMAND_RUN, KIND_NUMBER, AT(seconds), 0, 86400, " s",
      "simulated time; default: what the scene suggests"},
     {"particles", "N", SCENE_COMMANDS, KIND_INTEGER, AT(particles), 1, SKV_MAX_PARTICLES, "",
      "wanted number of particles; default: the scene's"},
-    {"threads", "K", COMMAND_RUN, KIND_INTEGER, AT(threads), 0, SKV_MAX_THREADS, "",
-     "threads to compute on; 0, the default: one per core"},
+    {"threads", "K", COMMAND_RUN | COMMAND_REPLAY | COMMAND_SHARE, KIND_INTEGER, AT(threads), 0,
+     SKV_MAX_THREADS, "", "threads to compute on; 0, the default: one per core"},
     {"law", "LAW", SCENE_COMMANDS | COMMAND_LAB, KIND_LAW, 0, 0, 0, "",
      "pressure law: calibrated or clavet; same as --set fluid.law=LAW"},
     {"set", "PATH=VALUE", SCENE_COMMANDS, KIND_SETTING, 0, 0, 0, "",
@@ -54,8 +56,16 @@ static const option_rule rules[] = {
      "write a video, 60 pictures a second (needs ffmpeg)"},
     {"size", "WxH", COMMAND_RUN, KIND_SIZE, 0, PICTURE_MIN, PICTURE_MAX, "",
      "pixels of picture and video; default: the world's shape, longer side 1280"},
+    {"view", "VIEW", COMMAND_RUN, KIND_STYLE, SKV_STYLE_VIEW, 0, 0, "", "what the fluid shows"},
+    {"overlay", "A,B", COMMAND_RUN, KIND_STYLE, SKV_STYLE_OVERLAY, 0, 0, "",
+     "what is drawn over it"},
+    {"palette", "NAME", COMMAND_RUN, KIND_STYLE, SKV_STYLE_PALETTE, 0, 0, "", "colours"},
+    {"detail", "NAME", COMMAND_RUN, KIND_STYLE, SKV_STYLE_DETAIL, 0, 0, "",
+     "how much a picture may cost"},
+    {"range", "X", COMMAND_RUN, KIND_NUMBER, AT(style.range), 0, 1e9, "",
+     "upper end of the view's scale: Pa m, m/s; 0, the default: what suits the scene"},
     {"tracers", NULL, COMMAND_RUN, KIND_FLAG, AT(tracers), 0, 0, "",
-     "draw every tenth particle white"},
+     "the same as --overlay tracers, beside others"},
     {"csv", "FILE", COMMAND_RUN, KIND_FILE, AT(csv), 0, 0, "",
      "write energies, momentum, speeds and volume of every frame; - is stdout"},
     {"trace", "FILE.csv", COMMAND_RUN, KIND_FILE, AT(trace), 0, 0, "",
@@ -82,10 +92,14 @@ static const option_rule rules[] = {
      "change a parameter of the experiments, listed below; may be repeated"},
     {"plot", "DIR", COMMAND_LAB, KIND_FILE, AT(plot), 0, 0, "",
      "write each experiment's curve with the theory over it as DIR/NAME.svg and NAME.csv"},
+    {"cards", NULL, COMMAND_LAB, KIND_FLAG, AT(cards), 0, 0, "",
+     "print the experiments' cards for a class as Markdown, and run nothing"},
     {"threads", "K", COMMAND_LAB, KIND_INTEGER, AT(threads), 0, SKV_MAX_THREADS, "",
      "threads to compute on; 0, the default: one per core"},
-    {"json", NULL, COMMAND_RUN | COMMAND_SCENES | COMMAND_BENCH | COMMAND_LAB, KIND_FLAG, AT(json),
-     0, 0, "", "print the result as JSON"},
+    {"page", "ADDRESS", COMMAND_SHARE, KIND_FILE, AT(page), 0, 0, "",
+     "a web page that hosts Skvalp, to which the link leads; default: the app, by skvalp:"},
+    {"json", NULL, COMMAND_RUN | COMMAND_SCENES | COMMAND_BENCH | COMMAND_LAB | COMMAND_REPLAY,
+     KIND_FLAG, AT(json), 0, 0, "", "print the result as JSON"},
     {"quiet", NULL, ALL_COMMANDS, KIND_FLAG, AT(quiet), 0, 0, "",
      "print errors and what was asked for, nothing else"},
     {"help", NULL, ALL_COMMANDS, KIND_FLAG, AT(help), 0, 0, "", "show this help"},
@@ -105,6 +119,10 @@ static const char *command_name(command which)
         return "bench";
     case COMMAND_LAB:
         return "lab";
+    case COMMAND_REPLAY:
+        return "replay";
+    case COMMAND_SHARE:
+        return "share";
     }
     return "";
 }
@@ -217,6 +235,16 @@ static skv_result parse_law(const char *text, cli_options *result, skv_error *er
     return parse_setting(setting, result, error);
 }
 
+static skv_result parse_style(const option_rule *rule, const char *text, cli_options *result,
+                              skv_error *error)
+{
+    skv_error cause;
+    result->styled = rule->name;
+    skv_result set =
+        skv_render_style_set(&result->style, (skv_style_part)rule->offset, text, &cause);
+    return set ? skv_fail(error, set, "--%s", cause.text) : SKV_OK;
+}
+
 /* Puts the value of an option where it belongs. */
 static skv_result apply(const option_rule *rule, const char *text, cli_options *result,
                         skv_error *error)
@@ -242,6 +270,8 @@ static skv_result apply(const option_rule *rule, const char *text, cli_options *
         return parse_law(text, result, error);
     case KIND_SETTING:
         return parse_setting(text, result, error);
+    case KIND_STYLE:
+        return parse_style(rule, text, result, error);
     }
     return SKV_ERROR_VALUE;
 }
@@ -307,6 +337,9 @@ static bool ends_otherwise(const char *name, const char *ending)
 static skv_result check_together(command which, const cli_options *given, skv_error *error)
 {
     bool pictures = given->png || given->video;
+    if (which == COMMAND_REPLAY && !given->scene)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "replay: FILE is missing; name a .skvr that was saved, or a link");
     if ((SCENE_COMMANDS & which) && !given->scene) {
         return skv_fail(
             error, SKV_ERROR_VALUE,
@@ -321,10 +354,13 @@ static skv_result check_together(command which, const cli_options *given, skv_er
         return skv_fail(error, SKV_ERROR_VALUE,
                         "--trace-every: there is no trace; add --trace FILE.csv");
     }
-    if ((given->width || given->tracers) && !pictures) {
+    const char *wasted = given->width             ? "size"
+                         : given->tracers         ? "tracers"
+                         : given->style.range > 0 ? "range"
+                                                  : given->styled;
+    if (wasted && !pictures) {
         return skv_fail(error, SKV_ERROR_VALUE,
-                        "--%s: there is no picture; add --png FILE or --video FILE.mp4",
-                        given->width ? "size" : "tracers");
+                        "--%s: there is no picture; add --png FILE or --video FILE.mp4", wasted);
     }
     if (given->png && ends_otherwise(given->png, ".png")) {
         return skv_fail(error, SKV_ERROR_VALUE,
@@ -350,6 +386,10 @@ static skv_result check_together(command which, const cli_options *given, skv_er
                         "--%s: '-' and --%s would both write to stdout; name a file for one",
                         is_dash(given->trace) ? "trace" : "csv", given->json ? "json" : "csv");
     }
+    if (given->cards && (given->json || given->plot)) {
+        return skv_fail(error, SKV_ERROR_VALUE, "--cards: nothing is run for --%s; omit one",
+                        given->json ? "json" : "plot");
+    }
     if (given->markdown && (given->json || is_dash(given->csv))) {
         return skv_fail(error, SKV_ERROR_VALUE,
                         "--markdown: it and %s would both write to stdout; omit one",
@@ -366,7 +406,7 @@ static skv_result check_together(command which, const cli_options *given, skv_er
 skv_result options_parse(command which, int count, char **arguments, cli_options *result,
                          skv_error *error)
 {
-    *result = (cli_options){.seconds = -1, .at = -1};
+    *result = (cli_options){.seconds = -1, .at = -1, .style = skv_default_render_style()};
     result->settings = calloc((size_t)count + 1, sizeof *result->settings);
     result->experiments = calloc((size_t)count + 1, sizeof *result->experiments);
     if (!result->settings || !result->experiments)
@@ -388,7 +428,7 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
                             text, command_name(which));
         } else if (which == COMMAND_LAB) {
             result->experiments[result->experiment_count++] = text;
-        } else if (!(SCENE_COMMANDS & which)) {
+        } else if (!((SCENE_COMMANDS | COMMAND_REPLAY) & which)) {
             return skv_fail(
                 error, SKV_ERROR_VALUE, "%s: it takes no name, but got '%s'; to %s one, use %s",
                 command_name(which), text, which == COMMAND_BENCH ? "simulate" : "look into",
@@ -431,7 +471,13 @@ void options_print_help(command which, FILE *out)
             char left[40];
             snprintf(left, sizeof left, "--%s %s", rules[i].name,
                      rules[i].argument ? rules[i].argument : "");
-            fprintf(out, "  %-19s %s\n", left, rules[i].help);
+            fprintf(out, "  %-19s %s", left, rules[i].help);
+            const skv_style_choice *choice;
+            for (int k = 0; rules[i].kind == KIND_STYLE &&
+                            (choice = skv_style_choice_at((skv_style_part)rules[i].offset, k));
+                 k++)
+                fprintf(out, "%s%s", k ? ", " : ": ", choice->name);
+            fputc('\n', out);
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 
+#include "skvalp/render.h"
 #include "skvalp/scene.h"
 
 /* The commands, as bits, so that the table can say which options belong to which. */
@@ -13,7 +14,9 @@ typedef enum command {
     COMMAND_SCENES = 2,
     COMMAND_CHECK = 4,
     COMMAND_BENCH = 8,
-    COMMAND_LAB = 16
+    COMMAND_LAB = 16,
+    COMMAND_REPLAY = 32,
+    COMMAND_SHARE = 64
 } command;
 
 /* Smallest and largest side of a picture in pixels. */
@@ -31,11 +34,15 @@ typedef struct cli_options {
     int width, height;                     /* of pictures; 0: chosen from the world's shape */
     const char *png, *video, *csv, *trace; /* null: not wanted */
     const char *snapshot;                  /* null: not wanted */
+    const char *page;                      /* of `share`; null: none */
     double at;                             /* s, of the snapshot; negative: the end */
     const char *plot;                      /* of `bench` a file, of `lab` a folder; null: none */
     bool json, tracers, quiet, help;
-    bool quick, markdown;  /* of `bench` */
-    skv_setting *settings; /* --law and --set, in the order of the command line; owned */
+    skv_render_style style; /* of pictures */
+    const char *styled;     /* an option that was given for it; null: none */
+    bool quick, markdown;   /* of `bench` */
+    bool cards;             /* of `lab` */
+    skv_setting *settings;  /* --law and --set, in the order of the command line; owned */
     int setting_count;
 } cli_options;
 

@@ -1,4 +1,5 @@
-/* A world's state in a file: a snapshot with terrain (docs/snapshot.md), as it is.
+/* A world's state in a file, a snapshot with terrain (docs/snapshot.md), and a replay (docs/
+ * session.md), in a file or in a link (docs/share.md), as they are.
  *
  * Invariant: what is no regular file is not opened, and no more is read than its size.
  */
@@ -10,13 +11,30 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "skvalp/link.h"
+
 /* Bytes: 2 million particles and the largest picture fit several times. */
 #define LARGEST_STATE (1 << 29)
 
+static bool ends_with(const char *name, const char *ending)
+{
+    size_t length = strlen(name), cut = strlen(ending);
+    return length > cut && strcasecmp(name + length - cut, ending) == 0;
+}
+
 bool is_state_file(const char *name)
 {
-    size_t length = strlen(name);
-    return length > 4 && strcasecmp(name + length - 4, ".skv") == 0;
+    return ends_with(name, ".skv");
+}
+
+bool is_replay_file(const char *name)
+{
+    return ends_with(name, ".skvr") || skv_link_is(name);
+}
+
+const char *name_of_input(const char *name)
+{
+    return skv_link_is(name) ? "link" : name;
 }
 
 static skv_result read_bytes(const char *name, uint8_t **bytes, size_t *size, skv_error *error)
@@ -25,14 +43,16 @@ static skv_result read_bytes(const char *name, uint8_t **bytes, size_t *size, sk
     bool there = stat(name, &status) == 0;
     /* A pipe or a device may never open. */
     if (there && !S_ISREG(status.st_mode))
-        return skv_fail(error, SKV_ERROR_FILE,
-                        "%.200s: is not a regular file; name a file that --snapshot has written",
-                        name);
+        return skv_fail(
+            error, SKV_ERROR_FILE,
+            "%.200s: is not a regular file; name a file that --snapshot or the window has written",
+            name);
     FILE *file = there ? fopen(name, "rb") : NULL;
     if (!file)
-        return skv_fail(error, SKV_ERROR_FILE,
-                        "%.200s: cannot be opened: %s; name a file that --snapshot has written",
-                        name, strerror(errno));
+        return skv_fail(
+            error, SKV_ERROR_FILE,
+            "%.200s: cannot be opened: %s; name a file that --snapshot or the window has written",
+            name, strerror(errno));
     *size = (size_t)status.st_size;
     *bytes = status.st_size <= LARGEST_STATE ? malloc(*size + 1) : NULL;
     skv_result result = SKV_OK;
@@ -58,6 +78,55 @@ skv_result state_file_read(const char *name, int threads, skv_world **world, skv
     }
     free(bytes);
     return result;
+}
+
+/* What a link holds, until the player is made. */
+typedef struct loading {
+    const skv_player_def *def;
+    skv_player **player;
+    skv_result result;
+    skv_error cause;
+} loading;
+
+static bool load_linked(const char *bytes, size_t size, void *user)
+{
+    loading *load = user;
+    load->result = skv_player_load(bytes, size, load->def, load->player, &load->cause);
+    return true;
+}
+
+static skv_result read_link(const char *link, const skv_player_def *def, skv_player **player,
+                            skv_error *error)
+{
+    loading load = {.def = def, .player = player};
+    skv_result result = skv_link_read(link, load_linked, &load, error);
+    if (result)
+        return result;
+    return load.result ? skv_fail(error, load.result, "link: %s", load.cause.text) : SKV_OK;
+}
+
+static skv_result read_replay(const char *name, const skv_player_def *def, skv_player **player,
+                              skv_error *error)
+{
+    uint8_t *bytes = NULL;
+    size_t size = 0;
+    skv_error cause;
+    skv_result result = read_bytes(name, &bytes, &size, error);
+    if (!result) {
+        result = skv_player_load(bytes, size, def, player, &cause);
+        if (result)
+            skv_fail(error, result, "%.200s: %s", name, cause.text);
+    }
+    free(bytes);
+    return result;
+}
+
+skv_result replay_file_read(const char *name, int threads, skv_player **player, skv_error *error)
+{
+    skv_player_def def = skv_default_player_def();
+    def.threads = threads;
+    return skv_link_is(name) ? read_link(name, &def, player, error)
+                             : read_replay(name, &def, player, error);
 }
 
 skv_result state_file_write(output_file *file, const skv_world *world, skv_error *error)

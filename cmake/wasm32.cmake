@@ -4,7 +4,8 @@ set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_C_COMPILER clang-19)
 set(CMAKE_C_COMPILER_TARGET wasm32-unknown-unknown)
-set(CMAKE_C_FLAGS_INIT "-nostdlib -msimd128 -mbulk-memory -mmutable-globals")
+set(CMAKE_C_FLAGS_INIT "-nostdlib -msimd128 -mbulk-memory -mmutable-globals -matomics -mnontrapping-fptoint")
+# Atomics are instructions like others: it is the linker that makes memory shared.
 # Without any optimisation the kernels have more local variables than engines take: 50 000.
 set(CMAKE_C_FLAGS_DEBUG_INIT "-O1")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)

@@ -48,7 +48,7 @@ add_package(development libskvalp-dev libdevel "real-time 2D particle fluid - de
     "${what}\n.\nThis package contains the headers, the static libraries, and the files for\nCMake and pkg-config.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libskvalp0 (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
-    "libjansson-dev, libpng-dev, libegl-dev, libgles-dev, pkg-config")
+    "libjansson-dev, libpng-dev, zlib1g-dev, libegl-dev, libgles-dev, pkg-config")
 if(TARGET skvalp-cli)
     add_package(tools skvalp-tools science "real-time 2D particle fluid - command line"
         "${what}\n.\nThis package contains the command line: it runs scenes, renders pictures and\nvideos, and runs experiments.")
@@ -64,6 +64,7 @@ if(TARGET skvalp-play)
             COMPONENT play)
     install(FILES play/org.skvalp.Play.desktop DESTINATION share/applications COMPONENT play)
     install(FILES play/org.skvalp.Play.metainfo.xml DESTINATION share/metainfo COMPONENT play)
+    install(FILES play/org.skvalp.Play.mime.xml DESTINATION share/mime/packages COMPONENT play)
     install(FILES ${PROJECT_SOURCE_DIR}/app/resources/icons/org.skvalp.Play.svg
             DESTINATION share/icons/hicolor/scalable/apps COMPONENT play)
 endif()

@@ -23,11 +23,14 @@ PLATFORMS = {
     "posix": "!defined(_WIN32)",
 }
 
-# Name, condition, macro that selects it in simd.h, and GCC's and clang's target; the widest last.
+# Name, condition, macros that select it in simd.h and those that would select another, and GCC's and
+# clang's target; the widest last.
 SETS = [
-    ("scalar", None, "SKV_SIMD_SCALAR", None),
-    ("base", None, None, None),
-    ("avx2", "defined(SKV_HAVE_AVX2)", "__AVX2__", "avx2"),
+    ("scalar", None, ["SKV_SIMD_SCALAR"], [], None),
+    ("base", None, [], [], None),
+    ("avx2", "defined(SKV_HAVE_AVX2)", ["__AVX2__"], ["__AVX512DQ__"], "avx2"),
+    ("avx512", "defined(SKV_HAVE_AVX512)", ["__AVX2__", "__AVX512DQ__"], [],
+     "avx512f,avx512dq,avx512vl"),
 ]
 
 HEAD = """/* Skvalp's core in one file; see skvalp.h. Written by scripts/amalgamate.py from the sources.
@@ -46,8 +49,10 @@ HEAD = """/* Skvalp's core in one file; see skvalp.h. Written by scripts/amalgam
 #if !defined(_POSIX_C_SOURCE) && !defined(_WIN32)
 #define _POSIX_C_SOURCE 200809L
 #endif
+#define SKV_HAVE_SCALAR
 #if defined(__x86_64__) && !defined(_WIN32)
 #define SKV_HAVE_AVX2
+#define SKV_HAVE_AVX512
 #endif
 #include "skvalp.h"
 
@@ -185,7 +190,7 @@ class Amalgamation:
         names = set()
         for path in many:
             names |= file_local_names(text_of(path))
-        for set_name, condition, macro, target in SETS:
+        for set_name, condition, chosen, others, target in SETS:
             self.out.append(f"\n/* ==== the rows' kernels: {set_name} ==== */\n")
             if condition:
                 self.out.append(f"#if {condition}\n")
@@ -199,9 +204,10 @@ class Amalgamation:
                 text = self.without_own_includes(path, text_of(path))
                 text = re.sub(r"\bSKV_ROW_KERNELS\b", f"skv_row_kernels_{set_name}", text)
                 text = rename(text, names, lambda name: f"{name}_{set_name}")
-                if macro:
-                    text = re.sub(rf"!defined\({macro}\)", "0", text)
-                    text = re.sub(rf"defined\({macro}\)", "1", text)
+                for macro in chosen + others:
+                    yes, no = ("1", "0") if macro in chosen else ("0", "1")
+                    text = re.sub(rf"!defined\({macro}\)", no, text)
+                    text = re.sub(rf"defined\({macro}\)", yes, text)
                 self.emit(path, text)
             if target:
                 self.out.append("\n#if defined(__clang__)\n#pragma clang attribute pop\n#else\n"

@@ -76,6 +76,8 @@ for target in "${targets[@]}"; do
     else
         say "fuzz: $target: $(grep -m1 -E 'a promise was broken|ERROR: |runtime error: ' "$log" ||
             tail -n 1 "$log") (all of it in $log)"
+        # What was called, from the library's functions outwards.
+        sed -nE 's|^ +#[0-9]+ 0x[0-9a-f]+ in (.*) /.*/(src/.*)|    \1 \2|p' "$log" | head -n 5
         failed=$((failed + 1))
     fi
 done

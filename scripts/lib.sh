@@ -9,11 +9,14 @@
 # What the programs are built with, what they need to run, and what the tests need besides.
 # Everything else follows from Debian's own dependencies; recommends are not installed.
 packages_build=(gcc libc6-dev cmake ninja-build pkg-config libgtk-4-dev libadwaita-1-dev
-    libjansson-dev libpng-dev libegl-dev libgles-dev)
+    libjansson-dev libpng-dev zlib1g-dev libegl-dev libgles-dev gettext)
 # Mesa draws; GTK's icons are SVG files, which need the loader.
 packages_run=(libegl1 libgles2 libgl1-mesa-dri adwaita-icon-theme librsvg2-common ffmpeg)
-packages_test=(libcmocka-dev clang-19 xvfb xauth xdotool imagemagick
-    x11-utils dbus gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user lld-19 nodejs python3 g++ libsdl2-dev abigail-tools)
+packages_test=(libcmocka-dev clang-19 wasi-libc libclang-rt-19-dev-wasm32 librsvg2-bin xvfb xauth xdotool xclip imagemagick
+    x11-utils openbox mutter pipewire dbus at-spi2-core desktop-file-utils appstream gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user lld-19 nodejs python3 g++ libsdl2-dev abigail-tools chromium)
+# What the page is built with; npm brings the newer node that its build takes.
+packages_web=(clang-19 lld-19 wasi-libc libclang-rt-19-dev-wasm32 cmake ninja-build libgles-dev nodejs
+    librsvg2-bin)
 # Besides, for the long forms: Debian packages, and Windows.
 packages_long=(lintian gcc-mingw-w64-x86-64 wine64 wine)
 packages_fuzz=(clang-19 libclang-rt-19-dev zlib1g-dev)
@@ -81,7 +84,7 @@ watched() {
 # reason NAME: the line of a log that says most about why the command failed.
 reason() {
     local log=$logs/$1.log line
-    line=$(grep -m1 -E '(^E: |: (fatal )?error: |CMake Error|undefined reference|No space left)' \
+    line=$(grep -m1 -E '(^E: |: (fatal )?error: |CMake Error|undefined reference|No space left|failed, reason: )' \
         "$log" 2>/dev/null || tail -n 1 "$log" 2>/dev/null || true)
     # CMake puts its message on the lines that follow.
     if [[ $line == 'CMake Error'* ]]; then
@@ -120,6 +123,23 @@ install_packages() {
     logged apt-install "${as_root[@]}" install --no-install-recommends "${missing[@]}" ||
         die "installing packages failed: $(reason apt-install); try: apt-get update" \
             "(all of it in $logs/apt-install.log)"
+}
+
+# install_npm: the npm packages of web/, as package-lock.json has them, if they are not there yet.
+install_npm() {
+    local stamp=web/node_modules/.package-lock.json
+    [[ ! -e $stamp || $stamp -ot web/package-lock.json ]] || return 0
+    # The npm of whoever has installed a newer node comes with it.
+    command -v npm >/dev/null || install_packages npm
+    say "Installing the npm packages of web/"
+    # npm leaves out what the node that it runs in is too old for, as Debian's is for the programs that
+    # build the page: once more with the node that came.
+    if ! logged npm npm ci --prefix web --no-audit --no-fund ||
+        ! PATH=$PWD/web/node_modules/.bin:$PATH \
+            logged npm npm install --prefix web --no-save --no-audit --no-fund; then
+        rm -f "$stamp"
+        die "installing npm packages failed: $(reason npm) (all of it in $logs/npm.log)"
+    fi
 }
 
 # For a build folder that is made new. Warnings of compilers we do not know must not stop a user;

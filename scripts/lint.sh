@@ -54,7 +54,7 @@ mapfile -t all_c < <(find . -path ./build -prune -o -name '*.[ch]' -print | sort
 # src/base/wasm and windows are not part of a native build, so clang-tidy has no flags for them.
 mapfile -t product_c < <(printf '%s\n' "${all_c[@]}" |
     grep -E '^\./(src|bench|cli|app)/.*\.c$' | grep -vE '^\./src/base/(wasm|windows)/')
-mapfile -t shell < <(find scripts tests -name '*.sh' | sort)
+mapfile -t shell < <(find scripts tests web/tools -name '*.sh' | sort)
 
 check shellcheck shellcheck -x run.sh test.sh .ci/run "${shell[@]}"
 check clang-format clang-format-19 --dry-run -Werror "${all_c[@]}"

@@ -21,5 +21,5 @@ esac
 install_packages doxygen
 mkdir -p build
 logged manual doxygen docs/Doxyfile ||
-    die "doxygen has something to say: $(grep -m 1 warning "$logs/manual.log")"
+    die "doxygen has something to say: $(grep -m 1 -E "warning|error" "$logs/manual.log")"
 say "Written: build/manual/html/index.html"

@@ -139,6 +139,7 @@ typedef enum skv_instruction_set {
     SKV_ISA_SCALAR,
     SKV_ISA_SSE2,
     SKV_ISA_AVX2,
+    SKV_ISA_AVX512,
     SKV_ISA_NEON,
     SKV_ISA_WASM
 } skv_instruction_set;

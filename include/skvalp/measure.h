@@ -131,7 +131,9 @@ SKV_API const skv_point *skv_surface_line(const skv_surface *surface, int line, 
 #define SKV_MAX_CHANNELS 8
 
 typedef enum skv_instrument_kind {
-    SKV_INSTRUMENT_PRESSURE, /**< probe at (x0, y0): pressure */
+    SKV_INSTRUMENT_PRESSURE, /**< probe at (x0, y0): pressure; and, theory, what the water that
+                                stands straight above it weighs, density times gravity times depth;
+                                NaN without gravity, or where a wall is before the surface */
     SKV_INSTRUMENT_VELOCITY, /**< probe at (x0, y0): vx, vy, speed */
     SKV_INSTRUMENT_LEVEL, /**< gauge from (x0, y0) in the fluid to (x1, y1) outside: distance of the
                              surface from (x0, y0), and its x, y; for a water level, upwards */
@@ -181,6 +183,8 @@ SKV_API skv_instrument_def skv_default_instrument_def(skv_instrument_kind kind);
 typedef struct skv_channel {
     const char *name; /**< "pressure" */
     const char *unit; /**< "Pa m" */
+    bool theory; /**< not measured: what the textbook says of the channel before, as things are; to
+                    be drawn as a dashed line over it */
 } skv_channel;
 SKV_API const skv_channel *skv_instrument_channel(skv_instrument_kind kind, int channel);
 /** "pressure probe"; null past the last kind. */

@@ -1,44 +1,124 @@
 /** @file
- * Renderer: the thesis' two passes (section 3.6) over a current OpenGL ES 3.0 context, free of any
- * toolkit, and pictures without a display.
+ * Renderer: pictures of a frame over a current OpenGL ES 3.0 context, free of any toolkit, and
+ * pictures without a display.
  *
- * Pass one adds a soft round splat per particle into a buffer of a quarter of the resolution; pass
- * two draws background, walls and, where the sum exceeds a threshold, the fluid, coloured by
- * pressure from blue over purple to white.
+ * As in the thesis (section 3.6) pass one adds a soft round splat per particle into a buffer of a
+ * lower resolution, and pass two draws background, walls and, where the sum exceeds a threshold,
+ * the fluid. What the fluid shows is the style's view; overlays go on top. A picture depends on the
+ * frame, the camera and the style alone, not on what was drawn before.
  */
 #ifndef SKVALP_RENDER_H
 #define SKVALP_RENDER_H
 
 #include "skvalp/base.h"
 #include "skvalp/camera.h"
-#include "skvalp/world.h"
+#include "skvalp/frame.h"
+#include "skvalp/mark.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** What to draw besides the fluid. Initialise with skv_default_render_style. */
+/** What the fluid shows. */
+typedef enum skv_view {
+    SKV_VIEW_WATER,     /**< water: light on its rim, deeper blue below, foam where it is violent */
+    SKV_VIEW_PRESSURE,  /**< pressure, with isobars */
+    SKV_VIEW_SPEED,     /**< speed */
+    SKV_VIEW_DENSITY,   /**< particles per area against the number at rest; less at the surface */
+    SKV_VIEW_PARTICLES, /**< each particle as a disc of its own area, coloured by its speed */
+    SKV_VIEW_FLUID      /**< water without light and foam */
+} skv_view;
+
+/** What is drawn over it: a set of bits. */
+typedef enum skv_overlay {
+    SKV_OVERLAY_TRACERS = 1,     /**< every tenth particle as a dot */
+    SKV_OVERLAY_ARROWS = 2,      /**< the velocity on a grid */
+    SKV_OVERLAY_STREAMLINES = 4, /**< lines along the velocity, longer where it is faster */
+    SKV_OVERLAY_GRID = 8,        /**< lines every 10 cm, or the distance that suits the zoom */
+    SKV_OVERLAY_RULER = 16,      /**< lengths along the left and lower side */
+    SKV_OVERLAY_LEGEND = 32      /**< the view's scale with its figures */
+} skv_overlay;
+
+/** Colours: each keeps fluid and walls at a contrast of 3:1 or more. */
+typedef enum skv_palette {
+    SKV_PALETTE_DARK,
+    SKV_PALETTE_LIGHT,
+    SKV_PALETTE_CONTRAST /**< high contrast: black, white and one blue */
+} skv_palette;
+
+/** How much a picture may cost. */
+typedef enum skv_detail {
+    SKV_DETAIL_AUTO, /**< plain where OpenGL is drawn by the processor, else full */
+    SKV_DETAIL_FULL,
+    SKV_DETAIL_PLAIN /**< coarser outlines, no light, no foam; water as SKV_VIEW_FLUID */
+} skv_detail;
+
+/** How to draw. Initialise with skv_default_render_style. */
 typedef struct skv_render_style {
-    bool tracers;          /**< every tenth particle white (thesis: 10 %); default off */
-    bool dark;             /**< colours for a dark surrounding; default true */
-    double pressure_range; /**< Pa m shown as white; 0: from the scene (depth and gravity) */
+    skv_view view;       /**< default SKV_VIEW_WATER */
+    unsigned overlays;   /**< skv_overlay bits; default 0 */
+    skv_palette palette; /**< default SKV_PALETTE_DARK */
+    skv_detail detail;   /**< default SKV_DETAIL_AUTO */
+    double range;        /**< the upper end of the view's scale in its unit, see skv_legend;
+                            0, the default: what suits the frame's walls, gravity and amount */
     int cookie;
 } skv_render_style;
 
 SKV_API skv_render_style skv_default_render_style(void);
 
+/** A part of a style that has names. */
+typedef enum skv_style_part {
+    SKV_STYLE_VIEW,
+    SKV_STYLE_OVERLAY,
+    SKV_STYLE_PALETTE,
+    SKV_STYLE_DETAIL
+} skv_style_part;
+
+/** One of a part's choices, for menus, help and documentation. Static. */
+typedef struct skv_style_choice {
+    const char *name;  /**< "pressure", as skv_render_style_set takes it */
+    const char *label; /**< "Pressure" */
+    const char *help;  /**< one line */
+    int value;         /**< of the enumeration */
+} skv_style_choice;
+
+/** Choice number `index` of a part, from 0 on; null beyond the last. Thread-safe. */
+SKV_API const skv_style_choice *skv_style_choice_at(skv_style_part part, int index);
+
+/** Sets a part of a style by name; of overlays, names separated by commas, or "none".
+ * SKV_ERROR_VALUE, and the style stays as it was, if there is no such name. Thread-safe. */
+SKV_API skv_result skv_render_style_set(skv_render_style *style, skv_style_part part,
+                                        const char *names, skv_error *error);
+
+#define SKV_LEGEND_COLORS 64
+
+/** The scale of a view, for a face that draws its own legend. */
+typedef struct skv_legend {
+    bool shown;        /**< false: this view has no scale */
+    const char *label; /**< "pressure" */
+    const char *unit;  /**< "Pa m", "m/s", or "" for a share */
+    double low, high;  /**< at the scale's ends; beyond, the last colour goes on */
+    double step;       /**< between isobars; a good distance of figures */
+    double depth;      /**< of pressure: m of the liquid at rest that one unit stands for; else 0 */
+    uint8_t colors[SKV_LEGEND_COLORS][3]; /**< RGB, from low to high */
+} skv_legend;
+
+/** The scale with which a frame is drawn. Thread-safe. */
+SKV_API skv_legend skv_render_legend(const skv_frame *frame, const skv_render_style *style);
+
 typedef struct skv_renderer skv_renderer;
 
 /** Makes a renderer for the current context, which must stay current for every later call,
- * destruction included. SKV_ERROR_DEVICE if the context is not OpenGL ES 3.0. */
+ * destruction included. SKV_ERROR_DEVICE if the context is not OpenGL ES 3.0. Where a context was
+ * lost, a renderer made in the next one draws the same picture. */
 SKV_API skv_result skv_renderer_create(skv_renderer **renderer, skv_error *error);
 SKV_API void skv_renderer_destroy(skv_renderer *renderer);
 
-/** Draws a world into the framebuffer that is bound, filling the camera's view. The hands (null if
- * count is 0) are drawn as rings. */
-SKV_API skv_result skv_renderer_draw(skv_renderer *renderer, const skv_world *world,
+/** Draws a frame into the framebuffer that is bound, filling the camera's view, and the marks over
+ * it (null if their number is 0). */
+SKV_API skv_result skv_renderer_draw(skv_renderer *renderer, const skv_frame *frame,
                                      const skv_camera *camera, const skv_render_style *style,
-                                     const skv_hand *hands, int hand_count, skv_error *error);
+                                     const skv_mark *marks, int mark_count, skv_error *error);
 
 /** A context without a display (EGL surfaceless) with a framebuffer of its own, for pictures and
  * videos. Becomes current on the calling thread. SKV_ERROR_DEVICE where EGL offers none. */
@@ -47,9 +127,9 @@ SKV_API skv_result skv_offscreen_create(int width, int height, skv_offscreen **o
                                         skv_error *error);
 SKV_API void skv_offscreen_destroy(skv_offscreen *offscreen);
 
-/** Draws a world as large as fits and reads the picture back: width*height*3 bytes RGB, top row
- * first, into `rgb`. */
-SKV_API skv_result skv_offscreen_render(skv_offscreen *offscreen, const skv_world *world,
+/** Draws a frame as large as fits and reads the picture back: width*height*3 bytes RGB, top row
+ * first, into `rgb`. SKV_DETAIL_AUTO is full here: a picture is the same on every device. */
+SKV_API skv_result skv_offscreen_render(skv_offscreen *offscreen, const skv_frame *frame,
                                         const skv_render_style *style, uint8_t *rgb,
                                         skv_error *error);
 

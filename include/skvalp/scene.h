@@ -58,7 +58,8 @@ SKV_API skv_result skv_scene_create_world(const skv_scene *scene, int threads, s
  * What the world is like, without its fluid. Its terrain is the scene's, shared: skv_world_create
  * takes it over, or skv_terrain_destroy gives it up. */
 SKV_API skv_world_def skv_scene_world_def(const skv_scene *scene);
-/** Puts the scene's fluid into such a world, at its speed. */
+/** Puts the scene's fluid into such a world, at its speed, and what acts on it; settles it
+ * (skv_world_settle) unless the scene says not to. */
 SKV_API skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *error);
 
 /** Facts of a loaded scene. Texts belong to the scene. */
@@ -72,15 +73,9 @@ SKV_API double skv_scene_seconds(const skv_scene *scene); /**< a fitting length 
  * null when i is past the last one. */
 SKV_API const char *skv_scene_file(const skv_scene *scene, int i);
 
-/** What the loader wants to say without failing, such as "3 emitter pixels (green) are kept but do
- * nothing yet"; null when i is past the last one. */
+/** What the loader wants to say without failing, such as "2 green areas emit fluid at 1 m/s"; null
+ * when i is past the last one. */
 SKV_API const char *skv_scene_notice(const skv_scene *scene, int i);
-
-/** Pixels painted as emitter (green) or drain (red), kept for later use: the number, and for each
- * its centre in metres. `drain` false: emitters. Returns the number in all; writes at most
- * `capacity` points of two floats. */
-SKV_API int skv_scene_marked_pixels(const skv_scene *scene, bool drain, float *points,
-                                    int capacity);
 
 /** The built-in scenes, in the order in which they are presented: name, title, description; null
  * past the last one. They are the files of scenes/, compiled in. */

@@ -51,6 +51,23 @@ typedef struct skv_terrain skv_terrain;
 SKV_API skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
                                       skv_error *error);
 
+/** A stroke of a brush: all within `radius` of the straight way from (x0, y0) to (x1, y1). A curve
+ * is a series of strokes. Plain data, to be kept or sent: the same strokes make the same terrain
+ * everywhere. */
+typedef struct skv_brush_stroke {
+    float x0, y0, x1, y1; /**< m, each within 1000 m; what lies outside the picture is left out */
+    float radius;         /**< m, above 0, at most 100; half a pixel at least is painted */
+    bool erase;           /**< makes air instead of solid */
+} skv_brush_stroke;
+
+/** Makes another version of a terrain with strokes painted one after the other, their edges as
+ * exact as grey pixels tell; the terrain itself stays as it is. It equals, bit for bit, a terrain
+ * created from the same picture, but its cost follows the area that changes, apart from one copy of
+ * the picture. Without any change `*painted` is the same terrain, shared. On failure it is null:
+ * SKV_ERROR_VALUE (a number out of range) or SKV_ERROR_MEMORY. Thread-safe. */
+SKV_API skv_result skv_terrain_paint(const skv_terrain *terrain, const skv_brush_stroke *strokes,
+                                     int count, skv_terrain **painted, skv_error *error);
+
 /** Shares a terrain: returns the same one, to be given to another world or destroyed like one that
  * was created. It never changes, so any number of worlds may hold it and step on threads of their
  * own at the same time. Thread-safe. */
@@ -69,9 +86,14 @@ SKV_API int skv_terrain_pixels_y(const skv_terrain *terrain);
 SKV_API float skv_terrain_pixel_size(const skv_terrain *terrain);
 SKV_API unsigned skv_terrain_open_sides(const skv_terrain *terrain);
 
+/** Distances are exact up to so many pixels from a wall; inside the picture all that is farther
+ * away, on either side, is that far. */
+#define SKV_TERRAIN_REACH 48
+
 /** Signed distance in metres from (x, y) to the nearest wall: > 0 in the free region, < 0 inside
- * solid. Bilinear between pixel centres; its error against an analytic wall is below 0.1 pixel for
- * grey pictures and about 0.3 for black and white ones. Any finite point is allowed. */
+ * solid; at most SKV_TERRAIN_REACH pixels, and beyond the picture the way to it more. Bilinear
+ * between pixel centres; its error against an analytic wall is below 0.1 pixel for grey pictures
+ * and about 0.3 for black and white ones. Any finite point is allowed. */
 SKV_API float skv_terrain_distance(const skv_terrain *terrain, float x, float y);
 
 /** Distance as above, and in *nx, *ny the unit normal that points out of the wall into the free
@@ -94,8 +116,9 @@ SKV_API void skv_terrain_free_range(const skv_terrain *terrain, float *lowest, f
 /** The area of the free region in m^2, to a fraction of a pixel along its walls. */
 SKV_API double skv_terrain_free_area(const skv_terrain *terrain);
 
-/** The signed distance at every pixel centre in metres, row 0 at the bottom, width*height floats
- * with the given row stride in floats. For drawing walls. Valid as long as the terrain. */
+/** The signed distance at every pixel centre in metres, within SKV_TERRAIN_REACH pixels, row 0
+ * at the bottom, width*height floats with the given row stride in floats. For drawing walls. Valid
+ * as long as the terrain. */
 SKV_API const float *skv_terrain_distances(const skv_terrain *terrain, int *stride);
 
 #ifdef __cplusplus

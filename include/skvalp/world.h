@@ -10,6 +10,7 @@
 #ifndef SKVALP_WORLD_H
 #define SKVALP_WORLD_H
 
+#include "skvalp/area.h"
 #include "skvalp/base.h"
 #include "skvalp/fields.h"
 #include "skvalp/terrain.h"
@@ -21,6 +22,9 @@ extern "C" {
 #define SKV_MAX_PARTICLES 2000000
 #define SKV_MAX_THREADS   64
 #define SKV_MAX_HANDS     16
+#define SKV_MAX_FORCES    16
+#define SKV_MAX_EMITTERS  16
+#define SKV_MAX_DRAINS    16
 
 /** How density becomes displacement. Both go through the same passes. */
 typedef enum skv_law {
@@ -91,8 +95,10 @@ typedef struct skv_world_def {
     skv_solver_kind solver;              /**< default SKV_SOLVER_FAST */
     skv_instruction_set instruction_set; /**< of the fast solver; default SKV_ISA_BEST. One that
                                             this machine lacks: SKV_ERROR_VALUE */
-    bool sleep;   /**< default true: fluid that has been at rest for a while is not stepped until
-                     something disturbs it (docs/model.md). Only with SKV_SOLVER_FAST. */
+    bool sleep; /**< default true: fluid that has been at rest for a while is not stepped until
+                   something disturbs it (docs/model.md). Only with SKV_SOLVER_FAST. */
+    int emission_limit;     /**< emitters stop at so many particles in the world */
+    bool emission_replaces; /**< ... or else the oldest particles go for new ones */
     int capacity; /**< particles to make room for at creation; the world grows beyond it */
     int cookie;
 } skv_world_def;
@@ -138,10 +144,16 @@ typedef struct skv_fill_def {
     /** The box, m, each -100..100; what lies outside the terrain does not count. Default: all of
      * the terrain. */
     float x0, y0, x1, y1;
+    const skv_area *area; /**< only places in it; null, the default: all of the box */
+    /** For a brush that is dragged from frame to frame: the lattice begins at the world's origin
+     * instead of the box's corner, so that fills beside each other join without a seam, and 0.95
+     * instead of 0.7 spacings are kept from other particles. Default false. */
+    bool aligned;
     skv_inside *inside; /**< asked once for every place, from the bottom up; null: everywhere */
     void *user;         /**< handed to `inside` */
     int limit;          /**< at most so many particles are added; negative, the default: no limit */
     float vx, vy;       /**< their velocity, m/s, each -1000..1000; default 0 */
+    int dye;            /**< their colour, 0..SKV_DYES; default 0 */
     int cookie;
 } skv_fill_def;
 
@@ -157,7 +169,8 @@ typedef uint32_t skv_particle_id;
 /** What became of the places at which particles were to be added. */
 typedef struct skv_placed {
     int added;
-    int occupied; /**< skipped: closer than 0.7 spacings to another particle, earlier or new */
+    int occupied; /**< skipped: closer than 0.7 spacings (0.95 for an aligned fill) to another
+                     particle, earlier or new */
     int blocked;  /**< skipped: in solid or outside the world; for a fill, closer than a third of a
                      spacing to a wall */
     skv_particle_id
@@ -165,15 +178,22 @@ typedef struct skv_placed {
 } skv_placed;
 
 /** Adds particles on the rest lattice, from the bottom up, where they keep a third of a spacing
- * from walls and 0.7 spacings from other particles. Writes what became of the lattice's places to
- * *placed (null is allowed). All or nothing on failure: SKV_ERROR_VALUE (box or velocity out of
- * range), SKV_ERROR_LIMIT (more than SKV_MAX_PARTICLES) or SKV_ERROR_MEMORY. */
+ * from walls and 0.7 spacings (aligned 0.95) from other particles. Writes what became of the
+ * lattice's places to *placed (null is allowed). All or nothing on failure: SKV_ERROR_VALUE (box or
+ * velocity out of range), SKV_ERROR_LIMIT (more than SKV_MAX_PARTICLES) or SKV_ERROR_MEMORY. */
 SKV_API skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed *placed,
                                   skv_error *error);
 
 /** How many particles the fill would add to an empty world of a given spacing (m) in this terrain:
  * for choosing the spacing that gives a wanted number. */
 SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_fill_def *def);
+
+/** Relaxes the fluid where it lies, so that what would rest there begins at rest instead of with a
+ * jolt: call it once after a fill, before the first step. The particles keep their velocities, the
+ * world its time; only places change, at rest by up to a few spacings. What is going to flow or to
+ * fall, a dam or a drop in the air, keeps its shape. Takes as long as some 200 substeps, fewer of
+ * more than 20 000 particles. SKV_ERROR_MEMORY: some of it may have been done. */
+SKV_API skv_result skv_world_settle(skv_world *world, skv_error *error);
 
 /** A particle to add. */
 typedef struct skv_particle {
@@ -197,29 +217,28 @@ SKV_API int skv_world_index(const skv_world *world, skv_particle_id id);
 SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx,
                                           float vy, skv_error *error);
 
-/** A region of the plane, to ask for particles or to act on them. Made by one of the functions
- * below; what is not finite, and a circle of negative radius, contains nothing. */
-typedef enum skv_area_kind { SKV_AREA_CIRCLE, SKV_AREA_BOX, SKV_AREA_POLYGON } skv_area_kind;
-typedef struct skv_area {
-    skv_area_kind kind;
-    float x0, y0, x1, y1; /**< box: two opposite corners; circle: its centre first; m */
-    float radius;         /**< of a circle, m */
-    const float *points;  /**< of a polygon: x, y, x, y, ..., m */
-    int count;            /**< of its points */
-} skv_area;
-
-SKV_API skv_area skv_circle(float x, float y, float radius);
-SKV_API skv_area skv_box(float x0, float y0, float x1, float y1);
-/** `count` corners, at least 3, of two floats each; the last is joined to the first. A point is
- * inside if a line from it to far away crosses an odd number of sides. The points stay the caller's
- * and have to be there as long as the area is used. */
-SKV_API skv_area skv_polygon(const float *points, int count);
-
 /** Sets the velocities of particles [first, first+count), m/s, each within 1000: vx[0] and vy[0]
  * are those of `first`. Wakes the particles whose velocity changes. SKV_ERROR_VALUE, and nothing
  * changes, if a number is out of range or a particle does not exist. */
 SKV_API skv_result skv_world_set_velocities(skv_world *world, int first, int count, const float *vx,
                                             const float *vy, skv_error *error);
+
+/** Dye: a colour that particles carry along, 1 to SKV_DYES; 0 is none. It changes nothing of how
+ * they move, and wakes nobody: it stays with its particle, and fluids mix as their particles do. */
+#define SKV_DYES 4
+
+/** "none", "rose", "amber", "green", "violet"; null for a number that is no dye. Static. */
+SKV_API const char *skv_dye_name(int dye);
+
+/** Dyes particles [first, first+count): dyes[0] is the colour of `first`. SKV_ERROR_VALUE, and
+ * nothing changed, for a number above SKV_DYES or a particle that does not exist. */
+SKV_API skv_result skv_world_set_dyes(skv_world *world, int first, int count, const uint8_t *dyes,
+                                      skv_error *error);
+
+/** Dyes all particles in an area. Writes how many changed colour to *dyed (null is allowed).
+ * SKV_ERROR_VALUE if there is no such dye. */
+SKV_API skv_result skv_world_dye_area(skv_world *world, const skv_area *area, int dye, int *dyed,
+                                      skv_error *error);
 
 /** Removes the particles with these ids; those that are gone already are passed over. Fluid that
  * sleeps beside them wakes. Writes how many were removed to *removed (null is allowed). On failure,
@@ -229,6 +248,17 @@ SKV_API skv_result skv_world_remove(skv_world *world, const skv_particle_id *ids
 
 /** The same for all particles in an area. */
 SKV_API skv_result skv_world_remove_area(skv_world *world, const skv_area *area, int *removed,
+                                         skv_error *error);
+
+/** Puts another terrain under the fluid, made by skv_terrain_paint or of the same size otherwise:
+ * it is taken over if this succeeds, and left to the caller if it fails. The world's own is given
+ * up; who wants to come back to it, for undoing or with a snapshot, shares it before. The world is
+ * then what it would be if it had been created with that terrain, but the cost follows what differs
+ * between the two. Fluid near it wakes. Particles in new walls are pushed out to their surface;
+ * those deeper than a smoothing radius (or than SKV_TERRAIN_REACH pixels) are removed, and their
+ * number written to *removed (null is allowed). On failure nothing has changed: SKV_ERROR_VALUE
+ * (another size) or SKV_ERROR_MEMORY. */
+SKV_API skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain, int *removed,
                                          skv_error *error);
 
 /** Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60. A substep is 1/(60 substeps) long,
@@ -248,14 +278,19 @@ typedef struct skv_profile {
 } skv_profile;
 SKV_API skv_profile skv_world_profile(skv_world *world, bool reset);
 
-/** The name of an instruction set: "scalar", "sse2", "avx2", "neon" or "wasm"; of SKV_ISA_BEST,
- * that of the best one. Null if this machine, or this build, does not have it. Thread-safe. */
+/** The name of an instruction set: "scalar", "sse2", "avx2", "avx512", "neon" or "wasm"; of
+ * SKV_ISA_BEST, that of the best one. Null if this machine, or this build, does not have it.
+ * Thread-safe. */
 SKV_API const char *skv_instruction_set_name(skv_instruction_set set);
 
-/** Bytes that a world holds, terrain and walls apart. */
+/** Bytes that a world holds, but for what belongs to its walls (terrain, distances, wall density),
+ * to its area (a state for each tile of 2 h of those that sleep) and to events. With the fast
+ * solver `particles` is at most 128 a particle from 20 000 on, whatever the fluid and whether it
+ * sleeps, where there is room for as many as were added at once; fewer pay for the ends of many
+ * rows. */
 typedef struct skv_memory {
-    size_t particles;  /**< the particles' arrays, the world's and the solver's */
-    size_t kept;       /**< what the solver keeps of pairs while it steps */
+    size_t particles;  /**< all arrays by particle, the world's and the solver's */
+    size_t kept;       /**< what the threads keep of pairs, walls and sums in the rows at work */
     size_t grid;       /**< where the solver finds particles */
     size_t histograms; /**< for filling the grid, once for each thread */
 } skv_memory;
@@ -280,6 +315,72 @@ SKV_API skv_hand skv_default_hand(void);
  * SKV_ERROR_LIMIT (more than SKV_MAX_HANDS). */
 SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count,
                                        skv_error *error);
+
+/** A force field: what is done to all fluid in an area, at the surface as below it. What is 0 does
+ * nothing. Over the whole world: skv_box(-100, -100, 100, 100). */
+typedef struct skv_force {
+    skv_area area;
+    float ax, ay;             /**< m/s^2, like gravity; each -1000..1000 */
+    float toward_x, toward_y; /**< m: the point of attraction, in the area or not; +-1000 */
+    float attraction;         /**< m/s^2 towards it, -1000..1000, negative: away; it fades away only
+                                 within a smoothing radius of the point */
+    float wind_x, wind_y; /**< m/s, each -100..100: the velocity that the fluid is to take ... */
+    float drag;           /**< ... and how fast it does, 1/s, 0..1000 */
+    float spin; /**< rad/s, -100..100: so fast the wind turns, counter-clockwise, about the middle
+                   of the area, or of the box around it */
+} skv_force;
+
+/** Sets the forces that act from the next substep on, replacing all earlier ones, and wakes the
+ * fluid. Substeps follow as they follow gravity. Fails with SKV_ERROR_VALUE (not finite or out of
+ * range: the old forces stay) or SKV_ERROR_LIMIT (more than SKV_MAX_FORCES). */
+SKV_API skv_result skv_world_set_forces(skv_world *world, const skv_force *forces, int count,
+                                        skv_error *error);
+
+/** The forces that act; they belong to the world and are valid until the next ones are set. */
+SKV_API const skv_force *skv_world_forces(const skv_world *world, int *count);
+
+/** An emitter: fluid appears along a line and flows off across it, width * speed m^2/s of it. From
+ * the line on, as far as a smoothing radius, all fluid as wide as the line has the emitter's
+ * velocity: the mouth, which should be free of walls; a wall right behind the line is welcome.
+ * Where a place on the line is taken or solid, nothing appears, and the event SKV_EVENT_BLOCKED
+ * tells. */
+typedef struct skv_emitter {
+    float x, y;   /**< m: the middle of the line; each -100..100 */
+    float vx, vy; /**< m/s, each -20..20; both 0: closed */
+    float width;  /**< m: the length of the line, above 0, and at most 1000 spacings */
+    int dye;      /**< colour of what comes, 0..SKV_DYES */
+} skv_emitter;
+
+/** Sets the emitters from the next substep on, replacing all earlier ones; one that stays where and
+ * as fast as it is goes on without a gap. They stop when the world holds as many particles as
+ * `emission_limit`, or with `emission_replaces` the oldest particles go. Fails with SKV_ERROR_VALUE
+ * (not finite or out of range: the old ones stay) or SKV_ERROR_LIMIT (more than SKV_MAX_EMITTERS).
+ */
+SKV_API skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters, int count,
+                                          skv_error *error);
+/** The emitters; they belong to the world and are valid until the next ones are set. */
+SKV_API const skv_emitter *skv_world_emitters(const skv_world *world, int *count);
+
+/** A drain: particles in an area are taken out between substeps. */
+typedef struct skv_drain {
+    skv_area area;
+    float rate; /**< m^2/s, at most so much, 0..10000; 0: all that comes */
+} skv_drain;
+
+/** The same for drains; at most SKV_MAX_DRAINS. */
+SKV_API skv_result skv_world_set_drains(skv_world *world, const skv_drain *drains, int count,
+                                        skv_error *error);
+SKV_API const skv_drain *skv_world_drains(const skv_world *world, int *count);
+
+/** Particles that have come and gone while the world ran, since it was made: their number changes
+ * by emitted - drained - left - replaced, and by what the host adds and removes. */
+typedef struct skv_flow {
+    int64_t emitted, drained;
+    int64_t left;     /**< through open sides */
+    int64_t replaced; /**< taken out to make room for new ones */
+    int64_t blocked;  /**< could not be emitted */
+} skv_flow;
+SKV_API skv_flow skv_world_flow(const skv_world *world);
 
 /** Sets gravity, m/s^2, each component -1000..1000, from the next substep on. Unless the definition
  * gave their number, the substeps follow it by the rule: up at once, down when a third of them can
@@ -321,10 +422,13 @@ typedef struct skv_particles {
     const float *x, *y;     /**< m */
     const float *vx, *vy;   /**< m/s */
     const float *pressure;  /**< Pa m (force per length of the sheet), 0 at the free surface; from
-                               the last substep; 0 before the first */
+                               the last substep; 0 before the first, unless it was settled at
+                               rest */
     const float *clearance; /**< m: a lower bound of the distance to the nearest wall, from the
                                last substep; 0: not known */
     const skv_particle_id *id; /**< ascending */
+    const uint8_t *dye;        /**< colours, 0..SKV_DYES; 0: none. Who shows particles of his own
+                                  may leave it null: none has any */
 } skv_particles;
 SKV_API skv_particles skv_world_particles(const skv_world *world);
 
@@ -363,7 +467,8 @@ typedef struct skv_wall_impulse {
 } skv_wall_impulse;
 SKV_API skv_wall_impulse skv_world_wall_impulse(const skv_world *world);
 
-/** 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order. */
+/** 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order, and its dye if it has
+ * one. */
 SKV_API uint64_t skv_world_hash(const skv_world *world);
 
 /* Snapshots: the whole state of a world as bytes, the same on every machine (docs/snapshot.md). A
@@ -422,12 +527,18 @@ SKV_API skv_ray skv_world_ray(const skv_world *world, float x0, float y0, float 
 
 /** What has happened to a particle. */
 typedef enum skv_event_kind {
-    SKV_EVENT_LEFT,   /**< went out through an open side */
-    SKV_EVENT_REMOVED /**< was removed by skv_world_remove or skv_world_remove_area */
+    SKV_EVENT_LEFT,    /**< went out through an open side */
+    SKV_EVENT_REMOVED, /**< was removed by skv_world_remove or skv_world_remove_area, or lay deep in
+                          a wall that skv_world_set_terrain brought */
+    SKV_EVENT_EMITTED, /**< came out of an emitter */
+    SKV_EVENT_BLOCKED, /**< a row of particles that an emitter could not emit, or not all of it */
+    SKV_EVENT_DRAINED, /**< was taken out by a drain */
+    SKV_EVENT_REPLACED, /**< was the oldest, and went for one that was emitted */
 } skv_event_kind;
 typedef struct skv_event {
     skv_event_kind kind;
-    skv_particle_id particle;
+    skv_particle_id particle; /**< SKV_NO_PARTICLE if it is about none */
+    int source;               /**< number of the emitter or drain; -1: none */
 } skv_event;
 
 /** The events of the last step, in the order in which they happened: from the end of the step
@@ -453,7 +564,8 @@ SKV_API void skv_world_set_before_substep(skv_world *world, skv_before_substep *
 typedef void skv_logger(const char *text, void *user);
 
 /** Sets where a world says what is no failure but worth knowing: that it had to grow, or that it is
- * overfull. Null, the default: nowhere. Called by the thread that calls the world. */
+ * overfull: filled to more than 1.1 of what lies in it at rest, where it begins to boil. Null, the
+ * default: nowhere. Called by the thread that calls the world. */
 SKV_API void skv_world_set_log(skv_world *world, skv_logger *log, void *user);
 
 /** A pointer for the host's own use; null at first. */

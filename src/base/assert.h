@@ -6,10 +6,17 @@
 
 void skv_assert_failed(const char *condition, const char *file, int line);
 
+/* SKV_ASSERT_TRAPS: for programs that have no handler, and no room for texts that nobody reads. */
+#ifdef SKV_ASSERT_TRAPS
+#define SKV_ASSERT_FAILED(condition) __builtin_trap()
+#else
+#define SKV_ASSERT_FAILED(condition) skv_assert_failed(condition, __FILE__, __LINE__)
+#endif
+
 #define SKV_ASSERT_OR(condition, ...)                                                              \
     do {                                                                                           \
         if (!(condition)) {                                                                        \
-            skv_assert_failed(#condition, __FILE__, __LINE__);                                     \
+            SKV_ASSERT_FAILED(#condition);                                                         \
             return __VA_ARGS__;                                                                    \
         }                                                                                          \
     } while (0)
@@ -22,8 +29,7 @@ void skv_assert_failed(const char *condition, const char *file, int line);
 #define SKV_ASSERT_INITIALISED(def, made)                                                          \
     do {                                                                                           \
         if (!(def) || (def)->cookie != (made)) {                                                   \
-            skv_assert_failed(#def " was initialised by its skv_default_... function", __FILE__,   \
-                              __LINE__);                                                           \
+            SKV_ASSERT_FAILED(#def " was initialised by its skv_default_... function");            \
             return SKV_ERROR_VALUE;                                                                \
         }                                                                                          \
     } while (0)

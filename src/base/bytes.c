@@ -71,6 +71,39 @@ void skv_get_text(skv_reader *r, char text[256])
     text[length] = '\0';
 }
 
+void skv_exchange(skv_port *port, uint64_t *value, int bytes)
+{
+    if (port->to)
+        skv_put(port->to, *value, bytes);
+    else
+        *value = skv_get(port->from, bytes);
+}
+
+void skv_exchange_float(skv_port *port, float *value)
+{
+    if (port->to)
+        skv_put_float(port->to, *value);
+    else
+        *value = skv_get_float(port->from);
+}
+
+void skv_exchange_double(skv_port *port, double *value)
+{
+    if (port->to)
+        skv_put_double(port->to, *value);
+    else
+        *value = skv_get_double(port->from);
+}
+
+bool skv_exchange_count(skv_port *port, int *count, int most)
+{
+    uint64_t number = (uint64_t)*count;
+    skv_exchange(port, &number, 4);
+    bool allowed = number <= (uint64_t)most;
+    *count = allowed ? (int)number : 0;
+    return allowed;
+}
+
 uint64_t skv_hash_bytes(uint64_t hash, const void *data, size_t size)
 {
     const uint8_t *bytes = data;

@@ -29,6 +29,18 @@ float skv_get_float(skv_reader *reader);
 double skv_get_double(skv_reader *reader);
 void skv_get_text(skv_reader *reader, char text[256]);
 
+/* A writer or a reader, the other one null: what is put and got in the same order is said once. */
+typedef struct skv_port {
+    skv_writer *to;
+    skv_reader *from;
+} skv_port;
+
+void skv_exchange(skv_port *port, uint64_t *value, int bytes);
+void skv_exchange_float(skv_port *port, float *value);
+void skv_exchange_double(skv_port *port, double *value);
+/* A number of things, 4 bytes; false, and 0, if more than `most` are read. */
+bool skv_exchange_count(skv_port *port, int *count, int most);
+
 /* FNV-1a, 64 bits: begin with SKV_HASH_BEGIN. Notices damage, not an attacker. */
 #define SKV_HASH_BEGIN 14695981039346656037u
 uint64_t skv_hash_bytes(uint64_t hash, const void *data, size_t size);

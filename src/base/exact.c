@@ -1,8 +1,11 @@
-/* exp, log, pow and atan2 from +, -, *, / and sqrt alone. Invariant: no call into libm, so the same
- * bits come out of every C library. Speed does not matter: none of them runs in a step. */
+/* exp, log, pow, powers of ten, sin, cos and atan2 from +, -, *, / and sqrt alone. Invariant: no
+ * call into libm, so the same bits come out of every C library. Speed does not matter: none of them
+ * runs in a step.
+ */
 #include "base/exact.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 static const double LN2 = 0.69314718055994530942;
 
@@ -42,6 +45,47 @@ double skv_pow(double b, double e)
     if (e == 0)
         return 1;
     return b > 0 ? skv_exp(e * skv_log(b)) : 0;
+}
+
+double skv_decade(double x)
+{
+    double up = 1, down = 1;
+    while (up < 1e300 && up * 10 <= x)
+        up *= 10;
+    while (down < 1e300 && x * down < 1)
+        down *= 10;
+    return up / down;
+}
+
+/* sin or cos of an angle that is `quarters` quarters of a circle and a rest of at most half of one:
+ * nine terms reach double precision. */
+static double wave(long quarters, double rest)
+{
+    bool cosine = quarters & 1;
+    double square = rest * rest, sum = 1;
+    for (int i = cosine ? 17 : 16; i > 0; i -= 2)
+        sum = 1 - square / (i * (i + 1.0)) * sum;
+    double value = cosine ? sum : rest * sum;
+    return quarters & 2 ? -value : value;
+}
+
+/* The angle plus so many quarters of a circle. A quarter is taken in two parts, the first short
+ * enough to be multiplied exactly. */
+static double wave_of(double x, int ahead)
+{
+    static const double quarter = 1.57079632673412561417, more = 6.07710050650619224932e-11;
+    double quarters = floor(x / (quarter + more) + 0.5);
+    return wave((long)quarters + ahead, (x - quarters * quarter) - quarters * more);
+}
+
+double skv_sin(double x)
+{
+    return wave_of(x, 0);
+}
+
+double skv_cos(double x)
+{
+    return wave_of(x, 1);
 }
 
 double skv_atan2(double y, double x)

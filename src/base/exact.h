@@ -33,10 +33,17 @@ double skv_exp(double x);
 /* Natural logarithm for normal x > 0, absolute error below 1e-14 near 1, relative elsewhere. */
 double skv_log(double x);
 
+/* Sine and cosine for |x| <= 100000, absolute error below 1e-14. */
+double skv_sin(double x);
+double skv_cos(double x);
+
 /* The angle of (x, y) against the x axis, -pi..pi, absolute error below 1e-14; 0 for (0, 0). */
 double skv_atan2(double y, double x);
 
 /* b^e for b >= 0; 0^e is 0 for e > 0 and 1 for e = 0. */
 double skv_pow(double b, double e);
+
+/* The largest power of ten, from 1e-300 to 1e300, that is not above x > 0 by more than rounding. */
+double skv_decade(double x);
 
 #endif

@@ -1,11 +1,12 @@
-/* The allocator hooks. Invariant: what skv_calloc returns is zeroed and cache-line aligned. */
+/* The allocator hooks. Invariant: what skv_calloc returns is zeroed, and all is cache-line aligned.
+ */
 #include "base/memory.h"
 
 #include "base/platform.h"
 
 #include <string.h>
 
-/* Only skv_calloc calls it, and always asks for SKV_ALIGNMENT. */
+/* Only skv_malloc calls it, and always asks for SKV_ALIGNMENT. */
 static void *default_allocate(size_t bytes, size_t alignment, void *user)
 {
     (void)alignment;
@@ -27,14 +28,19 @@ void skv_set_allocator(const skv_allocator *allocator)
     current = allocator ? *allocator : default_allocator;
 }
 
-void *skv_calloc(size_t count, size_t size)
+void *skv_malloc(size_t count, size_t size)
 {
     size_t bytes = count * size;
     if (size && bytes / size != count)
         return NULL;
-    void *memory = current.allocate(bytes ? bytes : 1, SKV_ALIGNMENT, current.user);
+    return current.allocate(bytes ? bytes : 1, SKV_ALIGNMENT, current.user);
+}
+
+void *skv_calloc(size_t count, size_t size)
+{
+    void *memory = skv_malloc(count, size);
     if (memory)
-        memset(memory, 0, bytes);
+        memset(memory, 0, count * size);
     return memory;
 }
 

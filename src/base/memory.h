@@ -9,6 +9,9 @@
 /* `count` elements of `size` bytes, zeroed; null if the product overflows or memory is out. */
 void *skv_calloc(size_t count, size_t size);
 
+/* The same, not zeroed: for what is written over at once. */
+void *skv_malloc(size_t count, size_t size);
+
 /* Null is allowed. */
 void skv_free(void *memory);
 

@@ -45,12 +45,18 @@ struct skv_pool {
     void *context;
 };
 
+/* A turn of spinning: what the numbers above count. */
 static void relax_cpu(void)
 {
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
 #elif defined(__aarch64__)
-    __asm__ volatile("yield");
+    /* "yield" does nothing on most processors; this lets the pipeline run dry. */
+    __asm__ volatile("isb" ::: "memory");
+#elif defined(__wasm__)
+    /* There is no such instruction, and a turn without one lasts a nanosecond. */
+    for (int i = 0; i < 256; i++)
+        __asm__ volatile("");
 #endif
 }
 

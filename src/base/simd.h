@@ -1,10 +1,10 @@
 /* Eight floats at a time, the same bits on every machine.
  *
- * The logical width is always 8: one 8-wide vector with AVX2, a pair of 4-wide ones with SSE2, NEON
- * and WebAssembly, an array in scalar code. Every operation is a lane's own IEEE operation (square
- * root and division exact, nothing contracted), and sums over lanes have one fixed order, so all of
- * them give the same results. Which one is compiled follows from the compiler's flags; the scalar
- * one is asked for with SKV_SIMD_SCALAR.
+ * The logical width is always 8: one 8-wide vector with AVX2 and AVX-512, a pair of 4-wide ones
+ * with SSE2, NEON and WebAssembly, an array in scalar code. Every operation is a lane's own IEEE
+ * operation (square root and division exact, nothing contracted), and sums over lanes have one
+ * fixed order, so all of them give the same results. Which one is compiled follows from the
+ * compiler's flags; the scalar one is asked for with SKV_SIMD_SCALAR.
  */
 #ifndef SKV_BASE_SIMD_H
 #define SKV_BASE_SIMD_H
@@ -19,7 +19,13 @@
 
 #include <immintrin.h>
 typedef __m256 v8;
+/* AVX-512 computes eights as AVX2 does, and two of them at once: base/simd_wide.h. */
+#if defined(__AVX512DQ__)
+#define V8_HAS_SIXTEEN
+#define V8_NAME "avx512"
+#else
 #define V8_NAME "avx2"
+#endif
 
 V8_INLINE v8 v8_load(const float *p)
 {

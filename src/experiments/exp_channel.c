@@ -92,6 +92,18 @@ static double fit_parabola(const double *v, int count, double *a, double *b)
     return 1 - miss / spread;
 }
 
+static void draw(const stage *s, const void *set_up, findings *found)
+{
+    const flume *f = set_up;
+    double speeds[LAYERS];
+    skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
+    for (int i = 0; i < LAYERS; i++) {
+        speeds[i] = skv_stage_read(s, f->layers[i], 4);
+        skv_plot_point(&found->plot, (i + 0.5) / LAYERS, speeds[i]);
+    }
+    found->measured[0] = fit_parabola(speeds, LAYERS, &found->condition[0], &found->condition[1]);
+}
+
 static void measure(stage *s, findings *found)
 {
     flume f = {.length = skv_stage_length(s, LENGTH), .channel = skv_stage_length(s, HEIGHT)};
@@ -99,22 +111,16 @@ static void measure(stage *s, findings *found)
     start_pump(s, &f);
     skv_stage_wait(s, WAIT);
     add_layers(s, &f);
+    found->foreseen = true;
+    skv_stage_show(s, draw, &f);
     skv_stage_watch(s, WATCH);
-    double speeds[LAYERS], a, b;
-    skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
-    for (int i = 0; i < LAYERS; i++) {
-        speeds[i] = skv_stage_read(s, f.layers[i], 4);
-        skv_plot_point(&found->plot, (i + 0.5) / LAYERS, speeds[i]);
-    }
-    found->measured[0] = fit_parabola(speeds, LAYERS, &a, &b);
-    found->condition[0] = a;
-    found->condition[1] = b;
+    skv_stage_draw(s);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
 {
     expected->theory[0] = 1;
-    skv_plot_begin(plot, "theory: a parabola", CURVE_THEORY);
+    skv_plot_begin(plot, "theory: a parabola", SKV_CURVE_THEORY);
     for (int i = 0; i <= 40; i++) {
         double e = i / 20.0 - 1;
         skv_plot_point(plot, i / 40.0, condition[0] + condition[1] * e * e);
@@ -122,8 +128,23 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 }
 
 const experiment skv_exp_channel = {
-    .info = {"channel", "Flow through a channel",
-             "A flume drives water through a channel: the profile of its speed is a parabola."},
+    .info =
+        {
+            .name = "channel",
+            .title = "Flow through a channel",
+            .description =
+                "A flume drives water through a channel: the profile of its speed is a parabola.",
+            .question =
+                "Where in a channel is the water fastest, and how slow is it beside the walls?",
+            .predict = "Sketch the speed across the channel, from wall to wall.",
+            .measure = "A flume drives a viscous liquid round through a straight channel with "
+                       "rough walls. Layers across it read the mean speed along it.",
+            .compare = "Viscosity carries the push from layer to layer to the walls, where the "
+                       "liquid rests: the profile is a parabola (Poiseuille). The dashed line is "
+                       "the best one through the points.",
+            .x_label = "height / height of the channel",
+            .y_label = "speed along the channel (m/s)",
+        },
     .parameters =
         {
             [LENGTH] = {"channel.length", SKV_FIELD_NUMBER, "m", 0.4, 4, NULL, "1.2",
@@ -137,8 +158,6 @@ const experiment skv_exp_channel = {
             [VISCOSITY] = {"channel.viscosity", SKV_FIELD_NUMBER, "1/s", 0, 1000, NULL, "150",
                            "linear viscosity sigma of the fluid in the channel"},
         },
-    .x_label = "height / height of the channel",
-    .y_label = "speed along the channel (m/s)",
     .count = 1,
     .quantities = {{"profile, R^2 of the best parabola", "", 0.005, false, 0}},
     .measure = measure,

@@ -51,7 +51,9 @@ static void watch(stage *s, findings *found, double limit)
 {
     moments now = {0}, before = {0}, sum = {0};
     int escaped = 0, crossings = 0, counted = 0, frame = 0;
-    skv_plot_begin(&found->plot, "measured", CURVE_LINE);
+    found->condition[C_TIME] = LONGEST;
+    found->foreseen = true;
+    skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
     for (; frame <= LONGEST * 60 && crossings < CROSSINGS && skv_stage_ok(s); frame++) {
         if (frame > 0)
             skv_stage_wait(s, 1 / 60.0);
@@ -91,13 +93,28 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 {
     expected->theory[0] = 1;
     expected->theory[1] = 0;
-    skv_plot_begin(plot, "theory: a circle", CURVE_THEORY);
+    skv_plot_begin(plot, "theory: a circle", SKV_CURVE_THEORY);
     skv_plot_point(plot, 0, 1);
     skv_plot_point(plot, condition[C_TIME], 1);
 }
 
 const experiment skv_exp_droplet = {
-    .info = {"droplet", "Droplet without gravity", "An elongated droplet pulls itself round."},
+    .info =
+        {
+            .name = "droplet",
+            .title = "Droplet without gravity",
+            .description = "An elongated droplet pulls itself round.",
+            .question = "What does a drop do that was pulled out of shape and is left alone?",
+            .predict =
+                "Which shape has it in the end? Does it get there slowly, or does it swing past?",
+            .measure = "An elongated droplet floats without gravity. The principal axes of its "
+                       "particles give the shape, the mean one over a whole swing.",
+            .compare =
+                "Surface tension wants the shortest outline, which is a circle. Inertia carries "
+                "the drop past it, so it rings and settles; no particle may be lost on the way.",
+            .x_label = "time (s)",
+            .y_label = "shorter / longer axis",
+        },
     .parameters =
         {
             [RADIUS] = {"droplet.radius", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.25",
@@ -105,8 +122,6 @@ const experiment skv_exp_droplet = {
             [ASPECT] = {"droplet.aspect", SKV_FIELD_NUMBER, "", 1, 3, NULL, "1.5",
                         "length over width at the start"},
         },
-    .x_label = "time (s)",
-    .y_label = "shorter / longer axis",
     .count = 2,
     .quantities = {{"shorter / longer axis", "", 0.05, false, 0},
                    {"particles escaped", "", 0, false, 0}},

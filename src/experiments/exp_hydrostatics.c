@@ -49,31 +49,39 @@ static void add_layers(stage *s, pool *p)
                                      (i + 1) * thickness, WATCH);
 }
 
+static void draw(const stage *s, const void *set_up, findings *found)
+{
+    const pool *p = set_up;
+    double surface = skv_stage_mean_level(s, p->gauges, GAUGES);
+    skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
+    for (int i = 0; i < LAYERS; i++) {
+        /* From the surface down. */
+        skv_instrument layer = p->layers[LAYERS - 1 - i];
+        found->measured[i] = skv_stage_read(s, layer, 6);
+        found->condition[i] = surface - skv_stage_read(s, layer, 3);
+        skv_plot_point(&found->plot, found->condition[i], found->measured[i]);
+    }
+}
+
 static void measure(stage *s, findings *found)
 {
     pool p = {.width = skv_stage_length(s, WIDTH), .depth = skv_stage_length(s, DEPTH)};
     build(s, &p);
     skv_stage_wait(s, WAIT);
     add_layers(s, &p);
-    skv_stage_watch(s, WATCH);
-    double surface = skv_stage_mean_level(s, p.gauges, GAUGES);
-    skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
-    for (int i = 0; i < LAYERS; i++) {
-        /* From the surface down. */
-        skv_instrument layer = p.layers[LAYERS - 1 - i];
-        found->measured[i] = skv_stage_read(s, layer, 6);
-        found->condition[i] = surface - skv_stage_read(s, layer, 3);
-        skv_plot_point(&found->plot, found->condition[i], found->measured[i]);
-    }
-    found->measured[LAYERS] = surface * p.width;
     found->condition[C_FILLED] = skv_stage_area(s);
     found->condition[C_DENSITY] = skv_stage_density(s);
     found->condition[C_GRAVITY] = skv_stage_gravity(s);
+    found->foreseen = true;
+    skv_stage_show(s, draw, &p);
+    skv_stage_watch(s, WATCH);
+    skv_stage_draw(s);
+    found->measured[LAYERS] = skv_stage_mean_level(s, p.gauges, GAUGES) * p.width;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
 {
-    skv_plot_begin(plot, "theory: density g z", CURVE_THEORY);
+    skv_plot_begin(plot, "theory: density g z", SKV_CURVE_THEORY);
     skv_plot_point(plot, 0, 0);
     for (int i = 0; i < LAYERS; i++) {
         expected->theory[i] =
@@ -84,8 +92,25 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 }
 
 const experiment skv_exp_hydrostatics = {
-    .info = {"hydrostatics", "Pressure in a pool",
-             "A pool at rest: the pressure in six layers, and the volume of the whole."},
+    .info =
+        {
+            .name = "hydrostatics",
+            .title = "Pressure in a pool",
+            .description =
+                "A pool at rest: the pressure in six layers, and the volume of the whole.",
+            .question = "How does the pressure in still water grow with the depth?",
+            .predict = "Sketch pressure against depth from the surface to the floor. Is it twice "
+                       "as large at twice the depth? Would a wider pool change it?",
+            .measure =
+                "A pool stands until it is calm. Six layers read the mean pressure and the mean "
+                "height of their water over three seconds; nine level gauges read the surface.",
+            .compare = "The weight of the water above a point, spread over the area that carries "
+                       "it, is density times gravity times depth: a straight line through the "
+                       "surface, whatever the pool's width. The points should lie on it; the layer "
+                       "at the floor is the hardest, since half of its neighbours are wall.",
+            .x_label = "depth below the surface (m)",
+            .y_label = "pressure (Pa m)",
+        },
     .parameters =
         {
             [WIDTH] = {"hydrostatics.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1",
@@ -93,8 +118,6 @@ const experiment skv_exp_hydrostatics = {
             [DEPTH] = {"hydrostatics.depth", SKV_FIELD_NUMBER, "m", 0.1, 2, NULL, "0.5",
                        "depth of the pool"},
         },
-    .x_label = "depth below the surface (m)",
-    .y_label = "pressure (Pa m)",
     .count = LAYERS + 1,
     .quantities = {{"pressure, layer 1", "Pa m", 0.06, false, 0},
                    {"pressure, layer 2", "Pa m", 0.06, false, 0},

@@ -47,7 +47,8 @@ static void measure(stage *s, findings *found)
 {
     skv_instrument all = build(s);
     double start_x = 0, start_y = 0, drift = 0;
-    skv_plot_begin(&found->plot, "measured", CURVE_LINE);
+    found->foreseen = true;
+    skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
     for (int second = 0; second <= SECONDS; second++) {
         skv_stage_wait(s, second > 0);
         skv_stage_sample(s);
@@ -68,14 +69,27 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 {
     (void)condition;
     expected->theory[0] = 0;
-    skv_plot_begin(plot, "theory: none", CURVE_THEORY);
+    skv_plot_begin(plot, "theory: none", SKV_CURVE_THEORY);
     skv_plot_point(plot, 0, 0);
     skv_plot_point(plot, SECONDS, 0);
 }
 
 const experiment skv_exp_momentum = {
-    .info = {"momentum", "Momentum",
-             "A blob without gravity drifts and turns: its momentum stays as it was."},
+    .info =
+        {
+            .name = "momentum",
+            .title = "Momentum",
+            .description = "A blob without gravity drifts and turns: its momentum stays as it was.",
+            .question = "Does a blob of water that touches nothing keep its momentum?",
+            .predict = "After ten seconds of tumbling with all of its inner collisions: by how "
+                       "much has the momentum changed?",
+            .measure = "A blob without gravity drifts and turns. The momentum of all its particles "
+                       "is added up every second.",
+            .compare = "Inner forces come in opposite pairs (Newton's third law), so they cannot "
+                       "change the sum. What is left are rounding errors: about a ten-millionth.",
+            .x_label = "time (s)",
+            .y_label = "change of momentum / momentum",
+        },
     .parameters =
         {
             [SIZE] = {"momentum.size", SKV_FIELD_NUMBER, "m", 0.05, 2, NULL, "0.5",
@@ -85,8 +99,6 @@ const experiment skv_exp_momentum = {
             [SPIN] = {"momentum.spin", SKV_FIELD_NUMBER, "1/s", 0, 5, NULL, "0.5",
                       "its angular velocity"},
         },
-    .x_label = "time (s)",
-    .y_label = "change of momentum / momentum",
     .count = 1,
     /* Single precision: 6e-8 a rounding. */
     .quantities = {{"momentum drift in 10 s", "", 1e-6, false, 0}},

@@ -98,31 +98,34 @@ static void measure(stage *s, findings *found)
     t.high = t.low + t.slot;
     /* Times grow with the root of a length over gravity. */
     double pace = sqrt(s->settings.common[PARAM_SCALE] * 9.81 / gravity);
-    double watch = WATCH * pace, surface = 0;
+    double watch = WATCH * pace, surface = 0, level = 0, first = 0;
     s->total = WAIT + START * pace + watch;
     build(s, &t);
     skv_stage_wait(s, START * pace);
     add_jet_instruments(s, &t, watch);
+    found->condition[C_GRAVITY] = gravity;
     int frames = (int)(watch * 60);
-    skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
+    skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
     for (int i = 0; i < frames; i++) {
         skv_stage_watch(s, 1 / 60.0);
-        surface += skv_stage_mean_level(s, t.gauges, GAUGES) / frames;
         double speed = (double)NAN;
         skv_stage_history(s, t.section, 7, NULL, &speed, 1);
         skv_plot_point(&found->plot, (i + 1) / 60.0, speed);
-        if (i == 0)
-            found->condition[C_FALL_START] = skv_stage_mean_level(s, t.gauges, GAUGES);
+        level = skv_stage_mean_level(s, t.gauges, GAUGES);
+        first = i == 0 ? level : first;
+        surface += level / frames;
+        double jet = skv_stage_read(s, t.section, 3);
+        found->condition[C_FALL_START] = first - jet;
+        found->condition[C_FALL_END] = level - jet;
+        found->condition[C_TIME] = (i + 1) / 60.0;
+        found->foreseen = true;
     }
     double jet = skv_stage_read(s, t.section, 3);
     found->measured[0] = skv_stage_read(s, t.section, 7);
     /* The coefficient is the flow over what the whole slot would pass at sqrt(2 g head). */
     double head = surface - (t.low + t.high) / 2;
     found->measured[1] = skv_stage_read(s, t.gate, 0) / (t.slot * sqrt(2 * gravity * head));
-    found->condition[C_GRAVITY] = gravity;
     found->condition[C_FALL] = surface - jet;
-    found->condition[C_FALL_START] -= jet;
-    found->condition[C_FALL_END] = skv_stage_mean_level(s, t.gauges, GAUGES) - jet;
     found->condition[C_TIME] = watch;
 }
 
@@ -130,7 +133,7 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 {
     expected->theory[0] = skv_theory_jet_speed(condition[C_GRAVITY], condition[C_FALL]);
     expected->theory[1] = skv_theory_contraction();
-    skv_plot_begin(plot, "theory: sqrt(2 g h)", CURVE_THEORY);
+    skv_plot_begin(plot, "theory: sqrt(2 g h)", SKV_CURVE_THEORY);
     skv_plot_point(plot, 0, skv_theory_jet_speed(condition[C_GRAVITY], condition[C_FALL_START]));
     skv_plot_point(plot, condition[C_TIME],
                    skv_theory_jet_speed(condition[C_GRAVITY], condition[C_FALL_END]));
@@ -138,8 +141,22 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 
 const experiment skv_exp_orifice = {
     .info =
-        {"orifice", "Jet from an orifice",
-         "Water leaves a tank through a sharp-edged slot: the jet's speed, and how much flows."},
+        {
+            .name = "orifice",
+            .title = "Jet from an orifice",
+            .description = "Water leaves a tank through a sharp-edged slot: the jet's speed, and "
+                           "how much flows.",
+            .question = "How fast does water leave a tank through a slot, and how much of it?",
+            .predict = "Compare it with a stone that falls from the surface to the slot. Is the "
+                       "jet as wide as the slot?",
+            .measure = "A sharp-edged slot opens in the wall of a tank. A section of the jet reads "
+                       "its speed, a gate the flow, gauges the surface above.",
+            .compare = "Each bit of water trades its depth for speed: v = sqrt(2 g h), the stone's "
+                       "speed (Torricelli). The jet narrows behind a sharp edge to pi / (pi + 2) = "
+                       "0.61 of the slot, so only so much flows.",
+            .x_label = "time (s)",
+            .y_label = "speed of the jet (m/s)",
+        },
     .parameters =
         {
             [WIDTH] = {"orifice.width", SKV_FIELD_NUMBER, "m", 0.2, 3, NULL, "1",
@@ -149,8 +166,6 @@ const experiment skv_exp_orifice = {
             [SLOT] = {"orifice.slot", SKV_FIELD_NUMBER, "m", 0.02, 0.4, NULL, "0.1",
                       "height of the slot"},
         },
-    .x_label = "time (s)",
-    .y_label = "speed of the jet (m/s)",
     .count = 2,
     .quantities = {{"jet speed", "m/s", 0.03, false, 0},
                    {"discharge coefficient", "", 0.1, false, 0}},

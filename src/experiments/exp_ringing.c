@@ -90,24 +90,35 @@ static void read_swings(const stage *s, pair *p)
     }
 }
 
+static void draw(const stage *s, const void *set_up, findings *found)
+{
+    (void)s;
+    static const char *const labels[DROPS] = {PLOT_LABEL("larger drop"),
+                                              PLOT_LABEL("smaller drop")};
+    const pair *p = set_up;
+    for (int i = 0; i < DROPS; i++) {
+        skv_plot_begin(&found->plot, labels[i], i ? SKV_CURVE_DOTS : SKV_CURVE_LINE);
+        for (int k = 0; k < p->count; k += i ? 6 : 1)
+            skv_plot_point(&found->plot, p->times[k], p->drops[i].swing[k]);
+    }
+}
+
 static void measure(stage *s, findings *found)
 {
     pair p = {.count = 0};
     build(s, &p);
+    skv_stage_show(s, draw, &p);
     while (skv_stage_ok(s) && p.count < MOST && p.drops[0].rises <= HALF_SWINGS) {
         read_swings(s, &p);
         skv_stage_watch(s, 1 / 60.0);
     }
-    static const char *const labels[DROPS] = {"larger drop", "smaller drop"};
     double omega[DROPS];
     for (int i = 0; i < DROPS; i++) {
         drop *d = &p.drops[i];
         oscillation o = skv_oscillation_read(p.times, d->swing, p.count, 0, HALF_SWINGS);
         omega[i] = 2 * PI / o.period;
-        skv_plot_begin(&found->plot, labels[i], i ? CURVE_DOTS : CURVE_LINE);
-        for (int k = 0; k < p.count; k += i ? 6 : 1)
-            skv_plot_point(&found->plot, p.times[k], d->swing[k]);
     }
+    skv_stage_draw(s);
     double radius = p.drops[0].radius, density = skv_stage_density(s);
     found->measured[0] = density * radius * radius * radius * omega[0] * omega[0] / 6;
     found->measured[1] = omega[1] / omega[0];
@@ -129,9 +140,24 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 }
 
 const experiment skv_exp_ringing = {
-    .info = {"ringing", "Ringing drops",
-             "Two drops without gravity ring: their surface tension, and whether size matters as "
-             "it should."},
+    .info =
+        {
+            .name = "ringing",
+            .title = "Ringing drops",
+            .description = "Two drops without gravity ring: their surface tension, and whether "
+                           "size matters as "
+                           "it should.",
+            .question = "How fast does a drop ring, and what does that say of its surface tension?",
+            .predict = "Two drops, one half as large in area as the other: which rings faster, and "
+                       "how many times?",
+            .measure = "Two slightly elongated drops ring without gravity. Their shapes' half "
+                       "swings give the frequencies, the pressure in the larger one its tension.",
+            .compare = "Rayleigh (1879), in two dimensions: omega^2 = 6 tension / (density R^3). "
+                       "The tension found from the ringing should be that of the pressure inside, "
+                       "tension = p R (Laplace), and the frequencies go as R to the power -3/2.",
+            .x_label = "time (s)",
+            .y_label = "shape, (xx - yy) / (xx + yy)",
+        },
     .parameters =
         {
             [RADIUS] = {"ringing.radius", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.25",
@@ -139,8 +165,6 @@ const experiment skv_exp_ringing = {
             [ASPECT] = {"ringing.aspect", SKV_FIELD_NUMBER, "", 1.05, 1.5, NULL, "1.2",
                         "length over width at the start"},
         },
-    .x_label = "time (s)",
-    .y_label = "shape, (xx - yy) / (xx + yy)",
     .count = 2,
     .quantities = {{"surface tension", "N", 0.15, false, 0},
                    {"frequency, smaller / larger drop", "", 0.05, false, 0}},

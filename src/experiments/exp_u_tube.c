@@ -75,6 +75,15 @@ static double gauge_difference(const stage *s, const tube *t)
            skv_stage_mean_level(s, t->gauges[1], GAUGES);
 }
 
+static void draw(const stage *s, const void *set_up, findings *found)
+{
+    double times[MAX_SAMPLES], swing[MAX_SAMPLES];
+    int count = read_swing(s, set_up, times, swing);
+    skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
+    for (int i = 0; i < count; i += 2)
+        skv_plot_point(&found->plot, times[i] - times[0], swing[i]);
+}
+
 static void measure(stage *s, findings *found)
 {
     tube t = {.arm = skv_stage_length(s, ARM),
@@ -89,23 +98,23 @@ static void measure(stage *s, findings *found)
     build(s, &t);
     skv_stage_wait(s, WAIT);
     add_instruments(s, &t);
-    if (skv_stage_ok(s))
-        skv_stage_keep(s, skv_world_set_gravity(s->world, 0, (float)-t.gravity, s->error));
-    skv_stage_watch(s, watch);
-    double times[MAX_SAMPLES], swing[MAX_SAMPLES];
-    int count = read_swing(s, &t, times, swing);
-    oscillation o = skv_oscillation_read(times, swing, count, 0, HALF_SWINGS);
-    found->measured[0] = o.period;
-    found->measured[1] = gauge_difference(s, &t);
-    skv_plot_begin(&found->plot, "measured", CURVE_LINE);
-    for (int i = 0; i < count; i += 2)
-        skv_plot_point(&found->plot, times[i] - times[0], swing[i]);
     found->condition[C_ARM] = t.arm;
     found->condition[C_GAP] = t.gap;
     found->condition[C_LEVEL] = t.level;
     found->condition[C_GRAVITY] = t.gravity;
     found->condition[C_HEAD] = t.head;
     found->condition[C_TIME] = watch;
+    found->foreseen = true;
+    skv_stage_show(s, draw, &t);
+    if (skv_stage_ok(s))
+        skv_stage_keep(s, skv_world_set_gravity(s->world, 0, (float)-t.gravity, s->error));
+    skv_stage_watch(s, watch);
+    skv_stage_draw(s);
+    double times[MAX_SAMPLES], swing[MAX_SAMPLES];
+    int count = read_swing(s, &t, times, swing);
+    oscillation o = skv_oscillation_read(times, swing, count, 0, HALF_SWINGS);
+    found->measured[0] = o.period;
+    found->measured[1] = gauge_difference(s, &t);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -119,8 +128,24 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 }
 
 const experiment skv_exp_u_tube = {
-    .info = {"u-tube", "U-tube",
-             "Water swings between two arms: its period, and whether it ends level."},
+    .info =
+        {
+            .name = "u-tube",
+            .title = "U-tube",
+            .description = "Water swings between two arms: its period, and whether it ends level.",
+            .question =
+                "With which period does water swing in a U-shaped tube, and where does it stop?",
+            .predict = "Guess the period in seconds. Does it depend on how far the water was "
+                       "lifted? On how wide the arms are? On the liquid?",
+            .measure = "Gravity is tilted until the water stands obliquely, then turned upright. "
+                       "What each arm contains, divided by its width, is its level; the period is "
+                       "that of the first four half swings.",
+            .compare = "The whole column of length L moves at once, driven by the difference of "
+                       "the levels: T = 2 pi sqrt(L / 2g), like a pendulum of length L/2. Density "
+                       "cancels, and so does the height. At the end both levels are equal.",
+            .x_label = "time (s)",
+            .y_label = "left level - right level (m)",
+        },
     .parameters =
         {
             [ARM] = {"u-tube.arm", SKV_FIELD_NUMBER, "m", 0.03, 0.4, NULL, "0.12",
@@ -132,8 +157,6 @@ const experiment skv_exp_u_tube = {
             [HEAD] = {"u-tube.head", SKV_FIELD_NUMBER, "m", 0.02, 1, NULL, "0.3",
                       "difference of the levels at the start"},
         },
-    .x_label = "time (s)",
-    .y_label = "left level - right level (m)",
     .count = 2,
     .quantities = {{"period", "s", 0.02, false, 0}, {"final level difference", "m", 0.25, true, 0}},
     .measure = measure,

@@ -30,7 +30,7 @@ static void choose_levels(vessels *v)
         v->filled[i] = v->level + v->head * (share[i] - sum / width);
 }
 
-static stage_plan draw(const stage *s, vessels *v)
+static stage_plan plan_of(const stage *s, vessels *v)
 {
     stage_plan plan = {.height = v->height,
                        .waters = VESSELS,
@@ -57,7 +57,7 @@ static void build(stage *s, vessels *v)
                       "vessels.head: it must not be larger than vessels.level");
     choose_levels(v);
     v->height = v->level + v->head + 0.3 * v->level;
-    stage_plan plan = draw(s, v);
+    stage_plan plan = plan_of(s, v);
     skv_stage_build(s, &plan);
     skv_stage_check_passage(s, LEVEL, DUCT);
     for (int i = 0; i < VESSELS; i++) {
@@ -78,39 +78,68 @@ static double filled_level(const stage *s, const vessels *v)
     return (skv_stage_area(s) - ducts) / width;
 }
 
-static void measure(stage *s, findings *found)
+static void draw(const stage *s, const void *set_up, findings *found)
 {
-    static const char *const labels[VESSELS] = {"left", "middle", "right"};
-    static const curve_style styles[VESSELS] = {CURVE_LINE, CURVE_RINGS, CURVE_DOTS};
-    vessels v = {.level = skv_stage_length(s, LEVEL), .head = skv_stage_length(s, HEAD)};
-    s->total = RUN;
-    build(s, &v);
-    skv_stage_watch(s, RUN);
-    double highest = -HUGE_VAL, lowest = HUGE_VAL;
+    static const char *const labels[VESSELS] = {PLOT_LABEL("left"), PLOT_LABEL("middle"),
+                                                PLOT_LABEL("right")};
+    static const skv_curve_style styles[VESSELS] = {SKV_CURVE_LINE, SKV_CURVE_RINGS,
+                                                    SKV_CURVE_DOTS};
+    const vessels *v = set_up;
     for (int i = 0; i < VESSELS; i++) {
-        highest = fmax(highest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
-        lowest = fmin(lowest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
         double times[MAX_SAMPLES], levels[MAX_SAMPLES];
-        int count = skv_stage_history(s, v.gauges[i][1], 2, times, levels, MAX_SAMPLES);
+        int count = skv_stage_history(s, v->gauges[i][1], 2, times, levels, MAX_SAMPLES);
         skv_plot_begin(&found->plot, labels[i], styles[i]);
         for (int k = 0; k < count; k += i == 0 ? 1 : 20)
             skv_plot_point(&found->plot, times[k], levels[k]);
     }
-    found->measured[0] = highest - lowest;
+}
+
+static void measure(stage *s, findings *found)
+{
+    vessels v = {.level = skv_stage_length(s, LEVEL), .head = skv_stage_length(s, HEAD)};
+    s->total = RUN;
+    build(s, &v);
     found->condition[0] = filled_level(s, &v);
+    found->foreseen = true;
+    skv_stage_show(s, draw, &v);
+    skv_stage_watch(s, RUN);
+    skv_stage_draw(s);
+    double highest = -HUGE_VAL, lowest = HUGE_VAL;
+    for (int i = 0; i < VESSELS; i++) {
+        highest = fmax(highest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
+        lowest = fmin(lowest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
+    }
+    found->measured[0] = highest - lowest;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
 {
     expected->theory[0] = 0;
-    skv_plot_begin(plot, "theory: one level", CURVE_THEORY);
+    skv_plot_begin(plot, "theory: one level", SKV_CURVE_THEORY);
     skv_plot_point(plot, 0, condition[0]);
     skv_plot_point(plot, RUN, condition[0]);
 }
 
 const experiment skv_exp_vessels = {
-    .info = {"vessels", "Communicating vessels",
-             "Three vessels of different widths, joined at the floor, end at one level."},
+    .info =
+        {
+            .name = "vessels",
+            .title = "Communicating vessels",
+            .description =
+                "Three vessels of different widths, joined at the floor, end at one level.",
+            .question =
+                "In vessels of different widths that are joined below, which stands highest?",
+            .predict = "Mark the three levels at the end. The wide vessel holds more water: does "
+                       "that push the others up?",
+            .measure = "Three vessels begin with different levels. Three gauges in each read the "
+                       "level for the length of the run.",
+            .compare =
+                "Pressure at the floor depends on the height above it alone, so water flows until "
+                "all heights are equal: the level is the volume divided by the sum of the widths. "
+                "What is left should be less than a quarter of the particles' spacing.",
+            .x_label = "time (s)",
+            .y_label = "level (m)",
+        },
     .parameters =
         {
             [LEVEL] = {"vessels.level", SKV_FIELD_NUMBER, "m", 0.2, 2, NULL, "0.45",
@@ -118,8 +147,6 @@ const experiment skv_exp_vessels = {
             [HEAD] = {"vessels.head", SKV_FIELD_NUMBER, "m", 0.02, 1, NULL, "0.2",
                       "difference between the highest and the lowest level at the start"},
         },
-    .x_label = "time (s)",
-    .y_label = "level (m)",
     .count = 1,
     .quantities = {{"highest - lowest level", "m", 0.25, true, 0}},
     .measure = measure,

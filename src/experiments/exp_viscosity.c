@@ -6,6 +6,7 @@
  * projected on it, and the rate is that of the best line through the logarithm. The same is done
  * without viscosity: what is left is the method's own.
  */
+#include "base/exact.h"
 #include "experiments/experiment.h"
 
 #include <math.h>
@@ -21,12 +22,12 @@ enum { SIZE, SPEED, NOMINAL };
 
 static double whirl_x(double k, double x, double y)
 {
-    return sin(k * x) * cos(k * y);
+    return skv_sin(k * x) * skv_cos(k * y);
 }
 
 static double whirl_y(double k, double x, double y)
 {
-    return -cos(k * x) * sin(k * y);
+    return -skv_cos(k * x) * skv_sin(k * y);
 }
 
 static double amplitude(const skv_world *world, double k)
@@ -99,7 +100,7 @@ static double decay(stage *s, double viscosity, skv_plot *plot)
         if (f % 6 == 0)
             skv_plot_point(plot, t, now / first);
         if (now <= FROM * first)
-            add_to_line(&l, t, log(now));
+            add_to_line(&l, t, skv_log(now));
     }
     return -slope_of(&l) / (2 * k * k);
 }
@@ -108,12 +109,13 @@ static void measure(stage *s, findings *found)
 {
     double nominal = skv_stage_value(s, NOMINAL);
     s->total = 2 * (SETTLE + SECONDS);
-    skv_plot_begin(&found->plot, "without viscosity", CURVE_LINE);
-    found->measured[1] = decay(s, 0, &found->plot);
-    skv_plot_begin(&found->plot, "measured", CURVE_DOTS);
-    found->measured[0] = decay(s, nominal, &found->plot);
     found->condition[0] = nominal;
     found->condition[1] = skv_stage_length(s, SIZE);
+    found->foreseen = true;
+    skv_plot_begin(&found->plot, "without viscosity", SKV_CURVE_LINE);
+    found->measured[1] = decay(s, 0, &found->plot);
+    skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
+    found->measured[0] = decay(s, nominal, &found->plot);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
@@ -121,15 +123,29 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
     expected->theory[0] = condition[0];
     expected->theory[1] = 0;
     double rate = 2 * condition[0] * PI * PI / (condition[1] * condition[1]);
-    skv_plot_begin(plot, "theory", CURVE_THEORY);
+    skv_plot_begin(plot, "theory", SKV_CURVE_THEORY);
     for (int i = 0; i <= 40; i++)
-        skv_plot_point(plot, i * 0.05, exp(-rate * i * 0.05));
+        skv_plot_point(plot, i * 0.05, skv_exp(-rate * i * 0.05));
 }
 
 const experiment skv_exp_viscosity = {
     .info =
-        {"viscosity", "Viscosity of a whirl",
-         "A whirl in a closed box dies out by viscosity alone: how viscous the fluid really is."},
+        {
+            .name = "viscosity",
+            .title = "Viscosity of a whirl",
+            .description = "A whirl in a closed box dies out by viscosity alone: how viscous the "
+                           "fluid really is.",
+            .question = "How viscous is this liquid really?",
+            .predict = "A whirl dies out. If the viscosity is doubled, how much sooner?",
+            .measure =
+                "A whirl that fills a closed box dies out, once without and once with viscosity. "
+                "The speed that is left is followed for ten seconds.",
+            .compare = "Viscosity alone slows them: exp(-2 nu k^2 t) (Taylor and Green). The "
+                       "line's slope is the viscosity; what the liquid without viscosity loses is "
+                       "the method's own, and is not counted.",
+            .x_label = "time (s)",
+            .y_label = "speed / speed at the start",
+        },
     .parameters =
         {
             [SIZE] = {"viscosity.size", SKV_FIELD_NUMBER, "m", 0.1, 4, NULL, "0.8",
@@ -139,8 +155,6 @@ const experiment skv_exp_viscosity = {
             [NOMINAL] = {"viscosity.nominal", SKV_FIELD_NUMBER, "m^2/s", 0, 0.05, NULL, "0.02",
                          "kinematic viscosity that the fluid is given"},
         },
-    .x_label = "time (s)",
-    .y_label = "speed / speed at the start",
     .count = 2,
     .quantities = {{"kinematic viscosity", "m^2/s", 0.25, false, 0},
                    {"without viscosity", "m^2/s", 0.002, false, 0}},

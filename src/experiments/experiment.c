@@ -19,10 +19,10 @@ struct skv_report {
 skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *options,
                                   findings *found, skv_error *error)
 {
-    *found =
-        (findings){.plot = {.title = e->info.title, .x_label = e->x_label, .y_label = e->y_label}};
+    *found = (findings){
+        .plot = {.title = e->info.title, .x_label = e->info.x_label, .y_label = e->info.y_label}};
     stage set_up;
-    skv_stage_open(&set_up, e, options, error);
+    skv_stage_open(&set_up, e, options, found, error);
     e->measure(&set_up, found);
     if (skv_stage_ok(&set_up)) {
         found->particles = skv_world_particle_count(set_up.world);
@@ -30,6 +30,24 @@ skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *op
         found->spacing = set_up.spacing;
         found->seconds = set_up.done;
     }
+    return skv_stage_close(&set_up);
+}
+
+skv_result skv_experiment_scene(int number, skv_write *write, void *user, skv_error *error)
+{
+    SKV_ASSERT_OR(write, SKV_ERROR_VALUE);
+    const experiment *e = skv_experiment_at(number);
+    if (!e)
+        return skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);
+    findings found = {0};
+    stage_plan plan;
+    stage set_up;
+    skv_stage_open(&set_up, e, NULL, &found, error);
+    set_up.sketch = &plan;
+    e->measure(&set_up, &found);
+    if (skv_stage_ok(&set_up) || set_up.result == SKV_STOPPED)
+        set_up.result = skv_stage_write(&set_up, write, user, error);
+    skv_findings_free(&found);
     return skv_stage_close(&set_up);
 }
 
@@ -125,6 +143,15 @@ void skv_report_facts(const skv_report *report, int *particles, double *spacing,
     *spacing = report->found.spacing;
     *substeps = report->found.substeps;
     *seconds = report->found.seconds;
+}
+
+bool skv_report_curve(const skv_report *report, int i, skv_curve *out)
+{
+    SKV_ASSERT_OR(report && out, false);
+    if (i < 0 || i >= report->found.plot.count)
+        return false;
+    *out = skv_plot_curve(&report->found.plot, i);
+    return true;
 }
 
 skv_result skv_report_plot(const skv_report *report, skv_write *write, void *user, skv_error *error)

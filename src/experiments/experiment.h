@@ -21,14 +21,15 @@ typedef struct quantity {
     int points; /* above 0: the quantity is the rms deviation of that many points of a curve */
 } quantity;
 
-typedef struct findings {
+struct findings {
     double measured[MAX_QUANTITIES];
     double point[MAX_POINTS]; /* of a curve that is judged as a whole */
     double condition[MAX_CONDITIONS];
+    bool foreseen; /* the conditions are known before the end: theory may be drawn */
     skv_plot plot;
     int particles, substeps;
     double spacing, seconds;
-} findings;
+};
 
 typedef struct expectation {
     double theory[MAX_QUANTITIES];
@@ -40,7 +41,6 @@ struct experiment {
     /* Its own parameters, numbers all of them, with paths that begin with its name; ends with an
      * empty one. */
     skv_field parameters[MAX_OWN + 1];
-    const char *x_label, *y_label; /* of the plot */
     int count;
     quantity quantities[MAX_QUANTITIES];
     void (*measure)(stage *stage, findings *found);

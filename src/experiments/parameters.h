@@ -15,6 +15,7 @@ typedef enum common_parameter {
 } common_parameter;
 
 typedef struct experiment experiment;
+typedef struct findings findings;
 
 /* The settings for one experiment. */
 typedef struct settings {

@@ -96,7 +96,7 @@ static void say_shapes(text *t, const char *list, const shape *shapes, int count
 
 static void say_scene(text *t, const stage_plan *plan, double pixel)
 {
-    say(t, "{\"sleep\": false, \"depth\": %.9g, ", plan->depth);
+    say(t, "\"depth\": %.9g, ", plan->depth);
     say(t, "\"world\": {\"width\": %.9g, \"height\": %.9g, \"pixel\": %.9g, ", plan->width,
         plan->height, pixel);
     say(t, "\"open\": {\"right\": %s, \"bottom\": %s}}, ", plan->open_right ? "true" : "false",
@@ -129,6 +129,14 @@ static skv_result check_size(const stage_plan *plan, const char *name, double sp
     return SKV_OK;
 }
 
+static double pixel_of(const stage_plan *plan, double spacing)
+{
+    double longest = fmax(plan->width, plan->height);
+    double shortest = fmin(plan->width, plan->height);
+    double pixel = fmax(spacing / PIXELS, longest / MOST_PIXELS);
+    return fmin(pixel, shortest / (SKV_TERRAIN_MIN_PIXELS + 1));
+}
+
 skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spacing,
                           const skv_setting *settings, int setting_count, skv_scene **scene,
                           skv_error *error)
@@ -137,13 +145,11 @@ skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spaci
     skv_result result = check_size(plan, name, spacing, error);
     if (result != SKV_OK)
         return result;
-    double longest = fmax(plan->width, plan->height);
-    double shortest = fmin(plan->width, plan->height);
-    double pixel = fmax(spacing / PIXELS, longest / MOST_PIXELS);
-    pixel = fmin(pixel, shortest / (SKV_TERRAIN_MIN_PIXELS + 1));
+    double pixel = pixel_of(plan, spacing);
     text t = {skv_calloc(ROOM, 1), 0};
     if (!t.bytes)
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", name);
+    say(&t, "{\"sleep\": false, ");
     say_scene(&t, plan, pixel);
     skv_scene_options options = skv_default_scene_options();
     options.settings = settings;
@@ -151,4 +157,26 @@ skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spaci
     result = skv_scene_load_memory(t.bytes, t.length, "json", name, &options, scene, error);
     skv_free(t.bytes);
     return result;
+}
+
+skv_result skv_plan_write(const stage_plan *plan, const skv_experiment *of, double particles,
+                          const skv_setting *settings, int setting_count, skv_write *write,
+                          void *user, skv_error *error)
+{
+    text t = {skv_calloc(ROOM, 1), 0};
+    if (!t.bytes)
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", of->name);
+    say(&t, "{\"name\": \"%s\", \"title\": \"%s\", \"description\": \"%s\", ", of->name, of->title,
+        of->description);
+    say(&t, "\"particles\": %.0f, \"fluid\": {", particles);
+    for (int i = 0; i < setting_count; i++)
+        say(&t, "%s\"%s\": %s", i ? ", " : "", strchr(settings[i].path, '.') + 1,
+            settings[i].value);
+    say(&t, "}, ");
+    say_scene(&t, plan, pixel_of(plan, sqrt(skv_plan_area(plan) / particles)));
+    bool written = write(t.bytes, t.length, user);
+    skv_free(t.bytes);
+    if (!written)
+        return skv_fail(error, SKV_ERROR_FILE, "%s: its scene could not be written", of->name);
+    return SKV_OK;
 }

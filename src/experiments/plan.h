@@ -2,7 +2,7 @@
 #ifndef SKV_EXPERIMENTS_PLAN_H
 #define SKV_EXPERIMENTS_PLAN_H
 
-#include "skvalp/scene.h"
+#include "skvalp/experiments.h"
 
 enum { MAX_CORNERS = 64, MAX_SHAPES = 8 };
 
@@ -33,6 +33,12 @@ typedef struct stage_plan {
 skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spacing,
                           const skv_setting *settings, int setting_count, skv_scene **scene,
                           skv_error *error);
+
+/* Writes the plan of an experiment as a scene to play with: with `particles` of them, where
+ * measuring is forgotten and still water may sleep. */
+skv_result skv_plan_write(const stage_plan *plan, const skv_experiment *of, double particles,
+                          const skv_setting *settings, int setting_count, skv_write *write,
+                          void *user, skv_error *error);
 
 /* The area of the plan's water, m^2; what lies in a solid counts, too. */
 double skv_plan_area(const stage_plan *plan);

@@ -7,12 +7,13 @@
  */
 #include "experiments/plot.h"
 
+#include "base/exact.h"
 #include "base/memory.h"
 
 #include <math.h>
 #include <string.h>
 
-void skv_plot_begin(skv_plot *p, const char *label, curve_style style)
+void skv_plot_begin(skv_plot *p, const char *label, skv_curve_style style)
 {
     if (p->count == MAX_CURVES) {
         p->failed = true;
@@ -21,6 +22,7 @@ void skv_plot_begin(skv_plot *p, const char *label, curve_style style)
     curve *c = &p->curves[p->count++];
     skv_format(c->label, sizeof c->label, "%s", label);
     c->style = style;
+    c->count = 0;
 }
 
 static bool grow(curve *c)
@@ -61,16 +63,28 @@ void skv_plot_point(skv_plot *p, double x, double y)
 void skv_plot_swing(skv_plot *p, const char *label, double start, double period, double time)
 {
     const int points = 400;
-    skv_plot_begin(p, label, CURVE_THEORY);
+    skv_plot_begin(p, label, SKV_CURVE_THEORY);
     for (int i = 0; i <= points; i++) {
         double at = time * i / points;
-        skv_plot_point(p, at, start * cos(2 * 3.14159265358979 * at / period));
+        skv_plot_point(p, at, start * skv_cos(2 * 3.14159265358979 * at / period));
     }
+}
+
+void skv_plot_cut(skv_plot *p, int count)
+{
+    if (p->count > count)
+        p->count = count;
+}
+
+skv_curve skv_plot_curve(const skv_plot *p, int i)
+{
+    const curve *c = &p->curves[i];
+    return (skv_curve){c->label, c->style, c->count, c->x, c->y};
 }
 
 void skv_plot_free(skv_plot *p)
 {
-    for (int i = 0; i < p->count; i++) {
+    for (int i = 0; i < MAX_CURVES; i++) {
         skv_free(p->curves[i].x);
         skv_free(p->curves[i].y);
     }
@@ -122,7 +136,7 @@ typedef struct axis {
 
 static double round_tick(double span)
 {
-    double power = pow(10, floor(log10(span / 5)));
+    double power = skv_decade(span / 5);
     double rest = span / 5 / power;
     return power * (rest < 1.5 ? 1 : rest < 3.5 ? 2 : rest < 7.5 ? 5 : 10);
 }
@@ -188,15 +202,15 @@ static void draw_ticks(sink *out, const axis *x, const axis *y)
     }
 }
 
-static bool is_marked(curve_style style)
+static bool is_marked(skv_curve_style style)
 {
-    return style == CURVE_DOTS || style == CURVE_RINGS;
+    return style == SKV_CURVE_DOTS || style == SKV_CURVE_RINGS;
 }
 
-static void say_mark(sink *out, curve_style style, double x, double y)
+static void say_mark(sink *out, skv_curve_style style, double x, double y)
 {
     say(out, "<circle class='%s' cx='%.1f' cy='%.1f' r='3.5'/>\n",
-        style == CURVE_RINGS ? "rings" : "dots", x, y);
+        style == SKV_CURVE_RINGS ? "rings" : "dots", x, y);
 }
 
 static void draw_curve(sink *out, const curve *c, const axis *x, const axis *y)
@@ -206,7 +220,7 @@ static void draw_curve(sink *out, const curve *c, const axis *x, const axis *y)
             say_mark(out, c->style, pixel(x, c->x[i]), pixel(y, c->y[i]));
         return;
     }
-    say(out, "<polyline class='%s' points='", c->style == CURVE_THEORY ? "theory" : "line");
+    say(out, "<polyline class='%s' points='", c->style == SKV_CURVE_THEORY ? "theory" : "line");
     for (int i = 0; i < c->count; i++)
         say(out, "%.1f,%.1f ", pixel(x, c->x[i]), pixel(y, c->y[i]));
     say(out, "'/>\n");
@@ -226,7 +240,7 @@ static void draw_legend(sink *out, const skv_plot *p)
             say_mark(out, c->style, at - 10, 28);
         else
             say(out, "<path class='%s' d='M%.1f 28h22'/>\n",
-                c->style == CURVE_THEORY ? "theory" : "line", at - 27);
+                c->style == SKV_CURVE_THEORY ? "theory" : "line", at - 27);
         at -= 46;
     }
 }

@@ -7,6 +7,7 @@
  * one size; the error at the two inner corners, of the order 4/3 of the cell, is removed by
  * extrapolation from two sizes.
  */
+#include "base/exact.h"
 #include "base/memory.h"
 #include "experiments/theory.h"
 
@@ -93,6 +94,6 @@ double skv_theory_inertial_length(double arm, double gap, double level)
     double fine = length_on_grid(gap / arm, level / arm, 24);
     if (coarse < 0 || fine < 0)
         return 2 * level + gap - arm; /* the centre line's */
-    double extrapolation = 1 / (pow(2, 4.0 / 3) - 1);
+    double extrapolation = 1 / (skv_pow(2, 4.0 / 3) - 1);
     return arm * (fine + extrapolation * (fine - coarse));
 }

@@ -15,18 +15,30 @@
 
 enum { HISTORY = 4000, SIDE_BY_SIDE = 6 };
 
+/* What theory said of the conditions when it was asked last. */
+typedef struct foresight {
+    bool known;
+    double condition[MAX_CONDITIONS];
+    skv_plot theory;
+} foresight;
+
 /* ---- Results --------------------------------------------------------------------------------- */
 
-void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options, skv_error *error)
+void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options, findings *found,
+                    skv_error *error)
 {
-    *s = (stage){.experiment = e, .options = options, .error = error};
+    *s = (stage){.experiment = e, .options = options, .found = found, .error = error};
     s->result = skv_settings_make(&s->settings, e, options, error);
 }
 
 skv_result skv_stage_close(stage *s)
 {
+    if (s->foresight)
+        skv_plot_free(&s->foresight->theory);
+    skv_free(s->foresight);
     skv_lab_destroy(s->lab);
     skv_world_destroy(s->world);
+    s->foresight = NULL;
     s->lab = NULL;
     s->world = NULL;
     return s->result;
@@ -85,6 +97,8 @@ void skv_stage_set(stage *s, const char *path, double value)
 /* The scene of a plan: with this spacing; 0: with the wanted number of particles. */
 static skv_scene *load(stage *s, const stage_plan *plan, double spacing)
 {
+    if (s->sketch)
+        *s->sketch = *plan;
     skv_setting list[MAX_FLUID_SETTINGS + MAX_OVERRIDES + 1];
     int count = s->settings.fluid_count;
     for (int i = 0; i < count; i++)
@@ -125,6 +139,20 @@ static void take_over(stage *s, skv_world *world)
     s->h = (double)skv_world_smoothing_radius(world);
     if (!s->lab)
         skv_stage_keep(s, skv_lab_create(&s->lab, s->error));
+}
+
+skv_result skv_stage_write(const stage *s, skv_write *write, void *user, skv_error *error)
+{
+    const stage_plan *plan = s->sketch;
+    skv_setting list[MAX_OVERRIDES];
+    int count = 0;
+    /* The number of particles says how far apart they are, also after a rebuild. */
+    for (int i = 0; i < s->override_count; i++)
+        if (strcmp(s->overrides[i].path, "fluid.spacing") != 0)
+            list[count++] = (skv_setting){s->overrides[i].path, s->overrides[i].value};
+    double particles = s->settings.common[PARAM_PARTICLES] * (plan->share > 0 ? plan->share : 1);
+    return skv_plan_write(plan, &s->experiment->info, floor(particles), list, count, write, user,
+                          error);
 }
 
 void skv_stage_build(stage *s, const stage_plan *plan)
@@ -231,12 +259,62 @@ int skv_stage_history(const stage *s, skv_instrument id, int channel, double *ti
 static void step(stage *s)
 {
     skv_stage_keep(s, skv_world_step(s->world, FRAME, s->error));
-    if (!skv_stage_ok(s))
+    if (skv_stage_ok(s))
+        s->done += (double)FRAME;
+}
+
+/* The theory of the conditions as they are now. It is asked for again only when they change, for
+ * some have to solve an equation first. Null if it is not known yet, or memory is out. */
+static const skv_plot *foresee(stage *s)
+{
+    if (s->found->foreseen && !s->foresight)
+        s->foresight = skv_calloc(1, sizeof *s->foresight);
+    foresight *f = s->foresight;
+    if (!f)
+        return NULL;
+    bool changed = !f->known;
+    for (int i = 0; i < MAX_CONDITIONS; i++)
+        changed |= f->condition[i] != s->found->condition[i];
+    if (changed) {
+        expectation unused = {0};
+        skv_plot_cut(&f->theory, 0);
+        s->experiment->expect(s->found->condition, &unused, &f->theory);
+        memcpy(f->condition, s->found->condition, sizeof f->condition);
+        f->known = true;
+    }
+    return &f->theory;
+}
+
+/* Calls the observer with the curves so far, and theory behind them. */
+static void show(stage *s)
+{
+    if (!skv_stage_ok(s) || !s->options || !s->options->observe)
         return;
-    s->done += (double)FRAME;
-    double share = fmin(1, s->done / s->total);
-    if (s->options && s->options->progress && !s->options->progress(share, s->options->user))
+    skv_stage_draw(s);
+    const skv_plot *const plots[] = {&s->found->plot, foresee(s)};
+    skv_curve curves[2 * MAX_CURVES];
+    int count = 0;
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; plots[k] && i < plots[k]->count; i++)
+            curves[count++] = skv_plot_curve(plots[k], i);
+    skv_frame frame = skv_world_frame(s->world);
+    skv_lab_moment moment = {fmin(1, s->done / s->total), &frame, curves, count};
+    if (!s->options->observe(&moment, s->options->user))
         s->result = skv_fail(s->error, SKV_STOPPED, "%s: it was stopped", s->experiment->info.name);
+}
+
+void skv_stage_show(stage *s, draw_curves *draw, const void *set_up)
+{
+    s->draw = draw;
+    s->set_up = set_up;
+}
+
+void skv_stage_draw(stage *s)
+{
+    if (!s->draw)
+        return;
+    skv_plot_cut(&s->found->plot, 0);
+    s->draw(s, s->set_up, s->found);
 }
 
 static int frames_in(double seconds)
@@ -244,10 +322,24 @@ static int frames_in(double seconds)
     return (int)(seconds * 60 + 0.5);
 }
 
+/* Whether nothing but the plan is asked for, and it is complete after so much waiting. */
+static bool is_sketched(stage *s, bool complete)
+{
+    if (s->sketch && complete && skv_stage_ok(s))
+        s->result = SKV_STOPPED;
+    return s->sketch;
+}
+
 void skv_stage_wait(stage *s, double seconds)
 {
-    for (int i = frames_in(seconds); i > 0 && skv_stage_ok(s); i--)
+    if (is_sketched(s, s->done > 0)) {
+        s->done += seconds;
+        return;
+    }
+    for (int i = frames_in(seconds); i > 0 && skv_stage_ok(s); i--) {
         step(s);
+        show(s);
+    }
 }
 
 void skv_stage_sample(stage *s)
@@ -258,8 +350,11 @@ void skv_stage_sample(stage *s)
 
 void skv_stage_watch(stage *s, double seconds)
 {
+    if (is_sketched(s, true))
+        return;
     for (int i = frames_in(seconds); i > 0 && skv_stage_ok(s); i--) {
         step(s);
         skv_stage_sample(s);
+        show(s);
     }
 }

@@ -20,7 +20,13 @@ typedef struct override {
     char value[32];
 } override;
 
-typedef struct stage {
+typedef struct stage stage;
+
+/* Draws what an experiment has measured up to now into its plot, from `set_up`, the experiment's
+ * own notes, and writes down the conditions that go with it. */
+typedef void draw_curves(const stage *s, const void *set_up, findings *found);
+
+struct stage {
     const experiment *experiment;
     const skv_lab_options *options; /* may be null */
     settings settings;
@@ -31,13 +37,22 @@ typedef struct stage {
     double done;
     skv_world *world; /* null until it is built */
     skv_lab *lab;
+    findings *found;
+    draw_curves *draw; /* null: the experiment adds its points itself, or it is too early */
+    const void *set_up;
+    struct foresight *foresight; /* for the observer; null before it is needed */
+    /* Where the last plan goes if only that is asked for: no frame is stepped, and it ends with
+     * SKV_STOPPED where measuring begins, at the second wait at the latest. Else null. */
+    stage_plan *sketch;
     skv_result result;
     skv_error *error;
-} stage;
+};
 
 /* Starts with an experiment's settings and no world. */
-void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options,
+void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options, findings *found,
                     skv_error *error);
+/* Writes the plan in `sketch` as a scene to play with. */
+skv_result skv_stage_write(const stage *s, skv_write *write, void *user, skv_error *error);
 /* Frees everything; returns the first failure, or SKV_OK. */
 skv_result skv_stage_close(stage *s);
 
@@ -77,6 +92,11 @@ double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int co
 /* As skv_lab_history. */
 int skv_stage_history(const stage *s, skv_instrument id, int channel, double *times, double *values,
                       int capacity);
+
+/* Names the function that draws the curves: whoever observes the experiment sees them grow. */
+void skv_stage_show(stage *s, draw_curves *draw, const void *set_up);
+/* Draws them for good, at the end. */
+void skv_stage_draw(stage *s);
 
 /* Lets `seconds` pass in frames of 1/60 s: without reading the instruments, and reading them after
  * every frame. */

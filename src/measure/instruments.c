@@ -18,11 +18,41 @@ static double speed_squared(const skv_survey *s, int i)
     return vx * vx + vy * vy;
 }
 
+/* How far the surface is from a wet point, against gravity: the first place where fluid ends. NaN
+ * if a wall is before it or keeps it, within a spacing, or for want of gravity. */
+static double depth_below_surface(const skv_survey *s, double x, double y)
+{
+    double gravity = sqrt(s->gravity_x * s->gravity_x + s->gravity_y * s->gravity_y);
+    if (!(gravity > 0))
+        return (double)NAN;
+    double up_x = -s->gravity_x / gravity, up_y = -s->gravity_y / gravity;
+    double wet = 0, dry = s->spacing;
+    while (skv_survey_fill(s, x + up_x * dry, y + up_y * dry) >= 0.5) {
+        wet = dry;
+        dry += s->spacing;
+    }
+    for (int i = 0; i < 24; i++) {
+        double middle = (wet + dry) / 2;
+        if (skv_survey_fill(s, x + up_x * middle, y + up_y * middle) >= 0.5)
+            wet = middle;
+        else
+            dry = middle;
+    }
+    double free = wet + s->spacing;
+    float share = skv_terrain_sweep(s->terrain, (float)x, (float)y, (float)(x + up_x * free),
+                                    (float)(y + up_y * free), 0);
+    return share < 1 ? (double)NAN : wet;
+}
+
 static skv_result sample_pressure(instrument *it, const look *seen, double *values)
 {
-    skv_local local = skv_survey_at(seen->survey, it->def.x0, it->def.y0);
-    if (local.wet)
-        values[0] = local.pressure;
+    const skv_survey *s = seen->survey;
+    skv_local local = skv_survey_at(s, it->def.x0, it->def.y0);
+    if (!local.wet)
+        return SKV_OK;
+    values[0] = local.pressure;
+    values[1] = s->density * sqrt(s->gravity_x * s->gravity_x + s->gravity_y * s->gravity_y) *
+                depth_below_surface(s, it->def.x0, it->def.y0);
     return SKV_OK;
 }
 
@@ -304,57 +334,65 @@ static skv_result sample_stopwatch(instrument *it, const look *seen, double *val
 
 static const instrument_kind kinds[] = {
     [SKV_INSTRUMENT_PRESSURE] = {.name = "pressure probe",
-                                 .channels = {{"pressure", "Pa m"}},
+                                 .channels = {{"pressure", "Pa m", false},
+                                              {"density g depth", "Pa m", true}},
                                  .sample = sample_pressure},
     [SKV_INSTRUMENT_VELOCITY] = {.name = "velocity probe",
-                                 .channels = {{"vx", "m/s"}, {"vy", "m/s"}, {"speed", "m/s"}},
+                                 .channels = {{"vx", "m/s", false},
+                                              {"vy", "m/s", false},
+                                              {"speed", "m/s", false}},
                                  .sample = sample_velocity},
     [SKV_INSTRUMENT_LEVEL] = {.name = "level gauge",
-                              .channels = {{"distance", "m"}, {"x", "m"}, {"y", "m"}},
+                              .channels = {{"distance", "m", false},
+                                           {"x", "m", false},
+                                           {"y", "m", false}},
                               .is_line = true,
                               .sample = sample_level},
     [SKV_INSTRUMENT_GATE] = {.name = "flow gate",
-                             .channels = {{"flow", "m^2/s"},
-                                          {"forward", "m^2/s"},
-                                          {"back", "m^2/s"},
-                                          {"particles forward", "1/s"},
-                                          {"particles back", "1/s"}},
+                             .channels = {{"flow", "m^2/s", false},
+                                          {"forward", "m^2/s", false},
+                                          {"back", "m^2/s", false},
+                                          {"particles forward", "1/s", false},
+                                          {"particles back", "1/s", false}},
                              .is_line = true,
                              .window = 0.25,
                              .sample = sample_gate},
     [SKV_INSTRUMENT_FORCE] = {.name = "force meter",
-                              .channels = {{"fx", "N"}, {"fy", "N"}, {"torque", "N m"}},
+                              .channels = {{"fx", "N", false},
+                                           {"fy", "N", false},
+                                           {"torque", "N m", false}},
                               .sample = sample_force},
     [SKV_INSTRUMENT_ENERGY] = {.name = "energy meter",
-                               .channels = {{"kinetic", "J"},
-                                            {"potential", "J"},
-                                            {"rms speed", "m/s"}},
+                               .channels = {{"kinetic", "J", false},
+                                            {"potential", "J", false},
+                                            {"rms speed", "m/s", false}},
                                .sample = sample_energy},
     [SKV_INSTRUMENT_REGION] = {.name = "region",
-                               .channels = {{"particles", ""},
-                                            {"area", "m^2"},
-                                            {"mean x", "m"},
-                                            {"mean y", "m"},
-                                            {"mean vx", "m/s"},
-                                            {"mean vy", "m/s"},
-                                            {"mean pressure", "Pa m"},
-                                            {"rms speed", "m/s"}},
+                               .channels = {{"particles", "", false},
+                                            {"area", "m^2", false},
+                                            {"mean x", "m", false},
+                                            {"mean y", "m", false},
+                                            {"mean vx", "m/s", false},
+                                            {"mean vy", "m/s", false},
+                                            {"mean pressure", "Pa m", false},
+                                            {"rms speed", "m/s", false}},
                                .sample = sample_region},
-    [SKV_INSTRUMENT_RULER] =
-        {.name = "ruler",
-         .channels = {{"length", "m"}, {"dx", "m"}, {"dy", "m"}, {"angle", "rad"}},
-         .sample = sample_ruler},
-    [SKV_INSTRUMENT_WAVES] =
-        {.name = "wave gauge",
-         .channels = {[LEVEL] = {"level", "m"},
-                      [SLOPE] = {"slope", ""},
-                      [HEIGHT] = {"wave height", "m"},
-                      [PERIOD] = {"wave period", "s"},
-                      [STEEPNESS] = {"steepness", ""}},
-         .is_line = true,
-         .sample = sample_waves},
+    [SKV_INSTRUMENT_RULER] = {.name = "ruler",
+                              .channels = {{"length", "m", false},
+                                           {"dx", "m", false},
+                                           {"dy", "m", false},
+                                           {"angle", "rad", false}},
+                              .sample = sample_ruler},
+    [SKV_INSTRUMENT_WAVES] = {.name = "wave gauge",
+                              .channels = {[LEVEL] = {"level", "m", false},
+                                           [SLOPE] = {"slope", "", false},
+                                           [HEIGHT] = {"wave height", "m", false},
+                                           [PERIOD] = {"wave period", "s", false},
+                                           [STEEPNESS] = {"steepness", "", false}},
+                              .is_line = true,
+                              .sample = sample_waves},
     [SKV_INSTRUMENT_STOPWATCH] = {.name = "stopwatch",
-                                  .channels = {{"time", "s"}},
+                                  .channels = {{"time", "s", false}},
                                   .holds = true,
                                   .sample = sample_stopwatch},
 };

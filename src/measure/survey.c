@@ -64,6 +64,7 @@ void skv_survey_destroy(skv_survey *survey)
 {
     if (!survey)
         return;
+    skv_terrain_destroy(survey->terrain);
     free_particles(survey);
     skv_free(survey->cell_start);
     skv_free(survey);
@@ -234,7 +235,10 @@ skv_result skv_survey_take(skv_survey *s, const skv_world *world, skv_error *err
     skv_world_gravity(world, &gx, &gy);
     s->gravity_x = (double)gx;
     s->gravity_y = (double)gy;
-    s->terrain = terrain;
+    if (terrain != s->terrain) {
+        skv_terrain_destroy(s->terrain);
+        s->terrain = skv_terrain_share(terrain);
+    }
     s->time = skv_world_time(world);
     s->spacing = (double)skv_world_spacing(world);
     s->density = (double)skv_world_fluid(world)->density;

@@ -7,8 +7,8 @@
 enum { SOLID_TABLE = 64, MAX_SURVEY_CELLS = 1 << 22 };
 
 struct skv_survey {
-    const skv_terrain *terrain; /* of the world that was looked at */
-    double time;                /* of the world, s */
+    skv_terrain *terrain; /* of the world that was looked at, shared */
+    double time;          /* of the world, s */
     double h, spacing, density;
     double gravity_x, gravity_y;
 

@@ -3,10 +3,14 @@
 
 #include <string.h>
 
-static GLuint compile(const char *name, GLenum stage, const char *text, skv_error *error)
+#include "render/shaders.h"
+
+static GLuint compile(const char *name, const char *defines, GLenum stage, const char *text,
+                      skv_error *error)
 {
+    const char *parts[] = {"#version 300 es\n", defines, skv_shader_common, text};
     GLuint shader = glCreateShader(stage);
-    glShaderSource(shader, 1, &text, NULL);
+    glShaderSource(shader, 4, parts, NULL);
     glCompileShader(shader);
     GLint done = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
@@ -33,12 +37,12 @@ static skv_result link_program(const char *name, GLuint program, skv_error *erro
                     log);
 }
 
-skv_result skv_gl_program(const char *name, const char *vertex, const char *fragment,
-                          GLuint *program, skv_error *error)
+skv_result skv_gl_program(const char *name, const char *defines, const char *vertex,
+                          const char *fragment, GLuint *program, skv_error *error)
 {
     *program = 0;
-    GLuint first = compile(name, GL_VERTEX_SHADER, vertex, error);
-    GLuint second = first ? compile(name, GL_FRAGMENT_SHADER, fragment, error) : 0;
+    GLuint first = compile(name, defines, GL_VERTEX_SHADER, vertex, error);
+    GLuint second = first ? compile(name, defines, GL_FRAGMENT_SHADER, fragment, error) : 0;
     skv_result result = SKV_ERROR_DEVICE;
     if (second) {
         *program = glCreateProgram();
@@ -54,6 +58,16 @@ skv_result skv_gl_program(const char *name, const char *vertex, const char *frag
         *program = 0;
     }
     return result;
+}
+
+bool skv_gl_is_software(void)
+{
+    static const char *const names[] = {"llvmpipe", "softpipe", "SwiftShader", "Software"};
+    const char *renderer = (const char *)glGetString(GL_RENDERER);
+    for (size_t i = 0; renderer && i < sizeof names / sizeof *names; i++)
+        if (strstr(renderer, names[i]))
+            return true;
+    return false;
 }
 
 bool skv_gl_half_float(void)

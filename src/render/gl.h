@@ -7,9 +7,13 @@
 #include "skvalp/base.h"
 #include "skvalp/camera.h"
 
-/* Compiles and links a program; `name` is for the message. */
-skv_result skv_gl_program(const char *name, const char *vertex, const char *fragment,
-                          GLuint *program, skv_error *error);
+/* Compiles and links a program; `name` is for the message, `defines` is text that goes before the
+ * shaders. */
+skv_result skv_gl_program(const char *name, const char *defines, const char *vertex,
+                          const char *fragment, GLuint *program, skv_error *error);
+
+/* True if the processor does what a graphics device would. */
+bool skv_gl_is_software(void);
 
 /* True if the current context can draw into, and blend in, half-float textures. */
 bool skv_gl_half_float(void);

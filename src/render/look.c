@@ -1,8 +1,12 @@
-/* The look: the two palettes. Invariant: fluid, wall and background differ clearly in brightness as
- * well as in hue, so that the picture reads without colour vision too. */
+/* The look: palettes and scales. Invariant: fluid against walls has a contrast of 3:1 or more in
+ * grey, scales grow in lightness from one end to the other, so that the picture reads without
+ * colour vision too. */
 #include "render/look.h"
 
 #include <math.h>
+
+#define EARTH_GRAVITY 9.81
+#define SCALE_COLORS  9
 
 #define RGB(code)                                                                                  \
     {(float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                          \
@@ -11,40 +15,134 @@
     {(float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                          \
      (float)((code) & 255) / 255, alpha}
 
-static const skv_palette dark_palette = {
-    .sky = RGB(0x1b2434),
-    .ground = RGB(0x10151f),
-    .shade = RGB(0x090c12),
-    .wall = RGB(0x56606f),
-    .wall_edge = RGB(0x8b96a6),
-    .shallow = RGB(0x2a83f6),
-    .middle = RGB(0x8a4df0),
-    .deep = RGB(0xffffff),
-    .surface = RGB(0xa9dcff),
-    .tracer = RGBA(0xffffff, 0.92f),
-    .hand = RGBA(0xffffff, 0.5f),
+static const skv_colors palettes[] =
+    {
+        [SKV_PALETTE_DARK] =
+            {
+                .sky = RGB(0x17202e),
+                .ground = RGB(0x0b1018),
+                .shade = RGB(0x05070b),
+                .wall = RGB(0x222933),
+                .wall_edge = RGB(0x596678),
+                .shallow = RGB(0x5cc8f2),
+                .deep = RGB(0x2078cc),
+                .surface = RGB(0xe4f8ff),
+                .light = RGB(0xd3f2ff),
+                .outline = RGB(0xf2f8ff),
+                .relief = 1,
+                .foam = 0.7f,
+                .murk = {2.0f, 1.15f, 0.8f},
+                .dyes = {RGB(0xf2487c), RGB(0xe0a92e), RGB(0xb8f05a), RGB(0xb674b0)},
+                .bubble = RGBA(0xffffff, 0.6f),
+                .ink = RGBA(0xffffff, 0.92f),
+                .faint = RGBA(0xc8d6e8, 0.16f),
+                .figures = RGBA(0xf2f6fa, 1),
+                .plate = RGBA(0x05080d, 0.62f),
+                .marks = {RGBA(0xffffff, 0.75f), RGBA(0xffffff, 0.85f), RGBA(0x7ee7a0, 0.9f),
+                          RGBA(0xffa27d, 0.9f), RGBA(0xc3d4ff, 0.9f), RGBA(0xffe27a, 0.95f),
+                          RGBA(0xff6b6b, 0.95f)},
+                .halo = RGBA(0x05080d, 0.5f),
+            },
+        [SKV_PALETTE_LIGHT] =
+            {
+                .sky = RGB(0xf8fbfd),
+                .ground = RGB(0xe9f0f6),
+                .shade = RGB(0xc9d4de),
+                .wall = RGB(0xd6dee7),
+                .wall_edge = RGB(0x223040),
+                .shallow = RGB(0x2274c2),
+                .deep = RGB(0x0c468f),
+                .surface = RGB(0x0a3a78),
+                .light = RGB(0x9fd4f7),
+                .outline = RGB(0x16202c),
+                .relief = 0.7f,
+                .foam = 0.55f,
+                .murk = {1.6f, 1.1f, 0.8f},
+                .dyes = {RGB(0xb81b56), RGB(0xac6608), RGB(0x14521a), RGB(0x521a66)},
+                .bubble = RGBA(0xffffff, 0.6f),
+                .ink = RGBA(0xffffff, 0.92f),
+                .faint = RGBA(0x1b2434, 0.14f),
+                .figures = RGBA(0x10161e, 1),
+                .plate = RGBA(0xffffff, 0.78f),
+                .marks = {RGBA(0x1b2434, 0.75f), RGBA(0x1b2434, 0.85f), RGBA(0x0c6b35, 0.9f),
+                          RGBA(0xa63a0c, 0.9f), RGBA(0x2a3f8f, 0.9f), RGBA(0x6a4a00, 0.95f),
+                          RGBA(0xb3121d, 0.95f)},
+                .halo = RGBA(0xffffff, 0.6f),
+            },
+        [SKV_PALETTE_CONTRAST] =
+            {
+                .sky = RGB(0x000000),
+                .ground = RGB(0x000000),
+                .shade = RGB(0x000000),
+                .wall = RGB(0xffffff),
+                .wall_edge = RGB(0x000000),
+                .shallow = RGB(0x1274e8),
+                .deep = RGB(0x1274e8),
+                .surface = RGB(0xffffff),
+                .light = RGB(0xffffff),
+                .outline = RGB(0x000000),
+                .relief = 0,
+                .foam = 0,
+                .murk = {1, 1, 1},
+                .dyes = {RGB(0xd23f73), RGB(0xc3880d), RGB(0x206b14), RGB(0x932c99)},
+                .ink = RGBA(0xffffff, 1),
+                .faint = RGBA(0xffffff, 0.4f),
+                .figures = RGBA(0xffffff, 1),
+                .plate = RGBA(0x000000, 1),
+                .marks = {RGBA(0xffffff, 1), RGBA(0xffffff, 1), RGBA(0xffff00, 1),
+                          RGBA(0xffff00, 1), RGBA(0xffff00, 1), RGBA(0xffff00, 1),
+                          RGBA(0xff9d9d, 1)},
+                .halo = RGBA(0x000000, 1),
+            },
 };
 
-static const skv_palette light_palette = {
-    .sky = RGB(0xf4f8fb),
-    .ground = RGB(0xdde7ef),
-    .shade = RGB(0xb9c6d2),
-    .wall = RGB(0x6d7887),
-    .wall_edge = RGB(0x4d5866),
-    .shallow = RGB(0x2277e8),
-    .middle = RGB(0x7c3fe0),
-    .deep = RGB(0xffffff),
-    .surface = RGB(0x8fd0ff),
-    .tracer = RGBA(0xffffff, 0.92f),
-    .hand = RGBA(0x1b2434, 0.45f),
-};
-
-const skv_palette *skv_look_palette(int dark)
+const skv_colors *skv_look_colors(skv_palette palette)
 {
-    return dark ? &dark_palette : &light_palette;
+    return &palettes[palette];
+}
+
+/* Even steps of lightness, CIE L* 52 to 96, so that walls of the dark palette stand off the lower
+ * end: the thesis' blue, purple, white; violet, red, yellow; blue, green, yellow. */
+static const float pressure_scale[SCALE_COLORS][3] = {RGB(0x1e78f2), RGB(0x6182fe), RGB(0x8c8dff),
+                                                      RGB(0xaf9afe), RGB(0xcca7fe), RGB(0xe6b5ff),
+                                                      RGB(0xfcc5fe), RGB(0xfedcf8), RGB(0xfcf4f9)};
+static const float speed_scale[SCALE_COLORS][3] = {RGB(0xa05fce), RGB(0xbd6bc6), RGB(0xd679bc),
+                                                   RGB(0xf484a5), RGB(0xfe9c88), RGB(0xfeb57f),
+                                                   RGB(0xffcc7b), RGB(0xfee386), RGB(0xf9f6c5)};
+static const float density_scale[SCALE_COLORS][3] = {RGB(0x2286a6), RGB(0x0798a9), RGB(0x09a9a8),
+                                                     RGB(0x11bba1), RGB(0x3fcb93), RGB(0x70d97b),
+                                                     RGB(0xa5e558), RGB(0xd2ee58), RGB(0xf9f676)};
+
+void skv_look_scale(skv_view view, double place, float color[3])
+{
+    const float(*scale)[3] = view == SKV_VIEW_PRESSURE  ? pressure_scale
+                             : view == SKV_VIEW_DENSITY ? density_scale
+                                                        : speed_scale;
+    double at = fmin(fmax(place, 0), 1) * (SCALE_COLORS - 1);
+    int i = at < SCALE_COLORS - 1 ? (int)at : SCALE_COLORS - 2;
+    float share = (float)(at - i);
+    for (int k = 0; k < 3; k++)
+        color[k] = scale[i][k] + share * (scale[i + 1][k] - scale[i][k]);
 }
 
 double skv_look_line(const skv_camera *camera)
 {
     return fmax(fmin(camera->width, camera->height) / 720.0, 1);
+}
+
+double skv_look_depth(const skv_frame *frame)
+{
+    float lowest, highest;
+    skv_terrain_free_range(frame->terrain, &lowest, &highest);
+    double spacing = (double)frame->spacing, free_area = skv_terrain_free_area(frame->terrain);
+    double fluid_area = frame->particles.count * spacing * spacing;
+    double filled = free_area > 0 ? fluid_area / free_area : 1;
+    double height = (double)highest - (double)lowest;
+    return fmax(fmax(1.6 * sqrt(fmin(filled, 1)), 0.3) * height, spacing);
+}
+
+double skv_look_speed(const skv_frame *frame)
+{
+    double gravity = hypot((double)frame->gravity_x, (double)frame->gravity_y);
+    return sqrt(2 * fmax(gravity, 0.1 * EARTH_GRAVITY) * skv_look_depth(frame));
 }

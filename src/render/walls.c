@@ -1,5 +1,6 @@
-/* Walls: uploads the terrain's distances as a half-float texture. Invariant: `fingerprint` belongs
- * to what the texture and the figures hold. */
+/* Walls: uploads the terrain's distances as a half-float texture. Invariant: the texture and the
+ * figures are those of `shown`, which is held: a terrain never changes, so the same one needs no
+ * look, and of another version only rows from the first to the last that differ are uploaded. */
 #include "render/walls.h"
 
 #include <string.h>
@@ -8,7 +9,9 @@
 
 /* More texels than a screen has pixels show nothing more. */
 #define LARGEST_TEXTURE 4096
-#define SAMPLES_A_SIDE  64
+
+/* Texels that are uploaded at a time: most pictures at once, without much memory for large ones. */
+#define BAND (1 << 19)
 
 void skv_walls_create(skv_walls *walls)
 {
@@ -18,35 +21,8 @@ void skv_walls_create(skv_walls *walls)
 void skv_walls_destroy(skv_walls *walls)
 {
     glDeleteTextures(1, &walls->texture);
+    skv_terrain_destroy(walls->shown);
     *walls = (skv_walls){0};
-}
-
-static uint64_t mix(uint64_t hash, const void *value, size_t size)
-{
-    const unsigned char *bytes = value;
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ bytes[i]) * 0x100000001b3u;
-    return hash;
-}
-
-/* A terrain's address says little: another one may come to lie there. Distances change over a wide
- * area when any wall changes, so a coarse grid of samples notices every edit that can be seen. */
-static uint64_t fingerprint(const skv_terrain *terrain)
-{
-    int stride, width = skv_terrain_pixels_x(terrain), height = skv_terrain_pixels_y(terrain);
-    const float *distances = skv_terrain_distances(terrain, &stride);
-    float pixel_size = skv_terrain_pixel_size(terrain);
-    uint64_t hash = 0xcbf29ce484222325u;
-    hash = mix(hash, &width, sizeof width);
-    hash = mix(hash, &height, sizeof height);
-    hash = mix(hash, &pixel_size, sizeof pixel_size);
-    for (int j = 0; j < SAMPLES_A_SIDE; j++)
-        for (int i = 0; i < SAMPLES_A_SIDE; i++) {
-            size_t row = (size_t)((2 * j + 1) * (int64_t)height / (2 * SAMPLES_A_SIDE));
-            size_t column = (size_t)((2 * i + 1) * (int64_t)width / (2 * SAMPLES_A_SIDE));
-            hash = mix(hash, &distances[row * (size_t)stride + column], sizeof(float));
-        }
-    return hash ? hash : 1;
 }
 
 static int texels(int pixels)
@@ -72,30 +48,67 @@ static void fill_row(const skv_terrain *terrain, int row, int columns, int rows,
         out[i] = skv_terrain_distance(terrain, ((float)i + 0.5f) * step_x, y);
 }
 
-skv_result skv_walls_update(skv_walls *walls, const skv_terrain *terrain, skv_error *error)
+static bool has_same_size(const skv_terrain *a, const skv_terrain *b)
 {
-    uint64_t wanted = fingerprint(terrain);
-    if (wanted == walls->fingerprint)
-        return SKV_OK;
+    return a && skv_terrain_pixels_x(a) == skv_terrain_pixels_x(b) &&
+           skv_terrain_pixels_y(a) == skv_terrain_pixels_y(b);
+}
+
+/* The rows that differ from those that are shown, from the first to beyond the last: all of them if
+ * nothing of this size is. `two` has room for two rows. */
+static void find_changed(const skv_walls *walls, const skv_terrain *terrain, int columns, int rows,
+                         float *two, int *first, int *end)
+{
+    *first = 0;
+    *end = rows;
+    if (!has_same_size(walls->shown, terrain))
+        return;
+    int last = -1;
+    *first = rows;
+    for (int j = 0; j < rows; j++) {
+        fill_row(terrain, j, columns, rows, two);
+        fill_row(walls->shown, j, columns, rows, two + columns);
+        if (memcmp(two, two + columns, (size_t)columns * sizeof *two) != 0) {
+            *first = j < *first ? j : *first;
+            last = j;
+        }
+    }
+    *end = last + 1;
+}
+
+/* Brings the texture up to date by way of `band`, which has room for so many rows, two at least. */
+static void upload(const skv_walls *walls, const skv_terrain *terrain, float *band, int room)
+{
     int columns = texels(skv_terrain_pixels_x(terrain));
     int rows = texels(skv_terrain_pixels_y(terrain));
-    float *row = skv_calloc((size_t)columns, sizeof *row);
-    if (!row)
-        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the picture of the walls");
-
+    int first, end;
+    find_changed(walls, terrain, columns, rows, band, &first, &end);
     glBindTexture(GL_TEXTURE_2D, walls->texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, columns, rows, 0, GL_RED, GL_FLOAT, NULL);
-    int64_t free_texels = 0;
-    for (int j = 0; j < rows; j++) {
-        fill_row(terrain, j, columns, rows, row);
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, j, columns, 1, GL_RED, GL_FLOAT, row);
-        for (int i = 0; i < columns; i++)
-            free_texels += row[i] > 0;
+    if (!has_same_size(walls->shown, terrain))
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, columns, rows, 0, GL_RED, GL_FLOAT, NULL);
+    for (int count; first < end; first += count) {
+        count = end - first < room ? end - first : room;
+        for (int j = 0; j < count; j++)
+            fill_row(terrain, first + j, columns, rows, band + (size_t)j * (size_t)columns);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, columns, count, GL_RED, GL_FLOAT, band);
     }
-    skv_free(row);
-    walls->free_area = (double)free_texels / ((double)columns * rows) * skv_terrain_width(terrain) *
-                       skv_terrain_height(terrain);
+}
+
+skv_result skv_walls_update(skv_walls *walls, const skv_terrain *terrain, skv_error *error)
+{
+    if (terrain == walls->shown)
+        return SKV_OK;
+    int columns = texels(skv_terrain_pixels_x(terrain));
+    int room = BAND / columns > 2 ? BAND / columns : 2;
+    float *band = skv_calloc((size_t)room * (size_t)columns, sizeof *band);
+    if (!band)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the picture of the walls");
+    upload(walls, terrain, band, room);
+    skv_free(band);
+    skv_terrain_destroy(walls->shown);
+    walls->shown = skv_terrain_share(terrain);
+    walls->version++;
+    walls->free_area = skv_terrain_free_area(terrain);
     skv_terrain_free_range(terrain, &walls->lowest, &walls->highest);
-    walls->fingerprint = wanted;
     return SKV_OK;
 }

@@ -7,7 +7,8 @@
 
 typedef struct skv_walls {
     GLuint texture;
-    uint64_t fingerprint;  /* of what the texture shows; 0: of nothing yet */
+    skv_terrain *shown;    /* what the texture shows, shared; null: nothing yet */
+    uint64_t version;      /* another number for each terrain that is shown; 0: none yet */
     double free_area;      /* m^2 */
     float lowest, highest; /* m, of the free region */
 } skv_walls;

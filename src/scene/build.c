@@ -11,6 +11,7 @@
 #include "scene/raster.h"
 #include "scene/scene_data.h"
 #include "scene/shapes.h"
+#include "scene/taps.h"
 #include "world/parameters.h"
 
 #define THINNEST_WALL 1.2 /* pixels */
@@ -184,10 +185,10 @@ static skv_result build_blank(builder *c)
 }
 
 /* Makes the shapes of a list; their points move to `points`. */
-static skv_result build_list(builder *c, bool water, skv_shape **shapes, int *count,
+static skv_result build_list(builder *c, skv_list id, skv_shape **shapes, int *count,
                              double **points)
 {
-    const skv_shape_list *list = water ? &c->draft->values.water : &c->draft->values.solid;
+    const skv_shape_list *list = &c->draft->values.list[id];
     if (list->count == 0)
         return SKV_OK;
     skv_scene *scene = c->scene;
@@ -195,7 +196,7 @@ static skv_result build_list(builder *c, bool water, skv_shape **shapes, int *co
     if (*shapes == NULL)
         return fail_memory(c);
     *count = list->count;
-    skv_result result = skv_shapes_make(c->draft, water, scene->width * scene->pixel_size,
+    skv_result result = skv_shapes_make(c->draft, id, scene->width * scene->pixel_size,
                                         scene->height * scene->pixel_size, *shapes, c->error);
     for (int i = 0; result == SKV_OK && i < list->count; i++) {
         skv_shape *shape = &(*shapes)[i];
@@ -244,14 +245,17 @@ static skv_result build_walls(builder *c)
 {
     skv_scene *scene = c->scene;
     const skv_values *values = &c->draft->values;
-    int total = values->solid.total_points + values->water.total_points;
+    int total = 0;
+    for (int i = 0; i < SKV_LISTS; i++)
+        total += values->list[i].total_points;
     scene->points = skv_calloc((size_t)total + 1, 2 * sizeof *scene->points);
     if (scene->points == NULL)
         return fail_memory(c);
     double *points = scene->points;
-    skv_result result = build_list(c, false, &scene->solids, &scene->solid_count, &points);
+    skv_result result = build_list(c, SKV_LIST_SOLID, &scene->solids, &scene->solid_count, &points);
     if (result == SKV_OK)
-        result = build_list(c, true, &scene->water.shapes, &scene->water.shape_count, &points);
+        result =
+            build_list(c, SKV_LIST_WATER, &scene->water.shapes, &scene->water.shape_count, &points);
     thicken_walls(scene);
     if (result == SKV_OK && scene->solid_count > 0)
         result = skv_raster_solids(scene->solids, scene->solid_count, scene->width, scene->height,
@@ -261,8 +265,8 @@ static skv_result build_walls(builder *c)
     if (!has_air(scene)) {
         if (c->pictured && scene->solid_count == 0)
             return fail_unfit(c, "no pixel is free; paint air dark and fluid blue");
-        return skv_draft_fail(c->draft, values->solid.shapes[0].origin, "solid", c->error,
-                              SKV_ERROR_VALUE, "fills the whole world; leave some air");
+        return skv_draft_fail(c->draft, values->list[SKV_LIST_SOLID].shapes[0].origin, "solid",
+                              c->error, SKV_ERROR_VALUE, "fills the whole world; leave some air");
     }
     for (int i = 0; i < 4; i++) {
         static const unsigned sides[] = {SKV_SIDE_LEFT, SKV_SIDE_RIGHT, SKV_SIDE_BOTTOM,
@@ -338,7 +342,7 @@ static skv_result fail_no_fit(const builder *c)
     if (c->pictured && water->shape_count == 0)
         return fail_unfit(c, "the dark (air) pixels have no room for a particle; make the passages "
                              "wider");
-    skv_origin origin = c->draft->values.water.shapes[0].origin;
+    skv_origin origin = c->draft->values.list[SKV_LIST_WATER].shapes[0].origin;
     return skv_draft_fail(c->draft, origin, "water", c->error, SKV_ERROR_VALUE,
                           "has no room for a particle; it lies in solid or is too small");
 }
@@ -427,7 +431,8 @@ static skv_result build_particles(builder *c, const skv_terrain *terrain)
     return spacing > number ? count_particles(c, terrain) : choose_spacing(c, terrain);
 }
 
-/* The deepest fluid to expect. Gravity that is not vertical may pile it up anywhere. */
+/* The deepest fluid to expect. Gravity that is not vertical may pile it up anywhere, and emitters
+ * fill the world. */
 static void build_depth(builder *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
@@ -435,7 +440,9 @@ static void build_depth(builder *c, const skv_terrain *terrain)
     skv_terrain_free_range(terrain, &low, &high);
     double width = scene->width * scene->pixel_size, height = scene->height * scene->pixel_size;
     double depth = c->value[SKV_F_DEPTH].number;
-    if (depth == 0.0 && scene->def.gravity_x != 0)
+    if (depth == 0.0 && scene->emitter_count > 0 && scene->def.gravity_x == 0)
+        depth = (double)high - (double)low;
+    else if (depth == 0.0 && scene->def.gravity_x != 0)
         depth = width > height ? width : height;
     else if (depth == 0.0)
         depth = scene->def.gravity_y <= 0 ? (double)scene->water.y1 - (double)low
@@ -444,18 +451,28 @@ static void build_depth(builder *c, const skv_terrain *terrain)
     scene->def.depth = (float)(depth > least ? depth : least);
 }
 
-static void note_marks(skv_scene *scene)
+static void note_taps(skv_scene *scene)
 {
-    for (int paint = SKV_PAINT_EMITTER; paint <= SKV_PAINT_DRAIN; paint++) {
-        long long count = (long long)scene->marked[paint];
-        bool emitter = paint == SKV_PAINT_EMITTER;
-        if (count == 1)
-            skv_scene_note(scene, "1 %s is kept but does nothing yet",
-                           emitter ? "emitter pixel (green)" : "drain pixel (red)");
-        else if (count > 1)
-            skv_scene_note(scene, "%lld %s are kept but do nothing yet", count,
-                           emitter ? "emitter pixels (green)" : "drain pixels (red)");
-    }
+    int emitters = scene->emitter_count, drains = scene->drain_count;
+    if (emitters > 0)
+        skv_scene_note(scene,
+                       emitters == 1 ? "%d green area emits fluid at 1 m/s"
+                                     : "%d green areas emit fluid at 1 m/s",
+                       emitters);
+    if (drains > 0)
+        skv_scene_note(scene, drains == 1 ? "%d red area drains it" : "%d red areas drain it",
+                       drains);
+}
+
+/* Painted taps come first, then those of the file. */
+static skv_result build_taps(builder *c)
+{
+    skv_error cause;
+    skv_result result = skv_scene_build_taps(c->scene, c->picture_label, &cause);
+    if (result != SKV_OK)
+        return fail_picture(c, result, cause.text);
+    note_taps(c->scene);
+    return skv_scene_build_acting(c->draft, c->scene, c->error);
 }
 
 /* ---- All of it ------------------------------------------------------------------------------- */
@@ -476,10 +493,11 @@ static skv_result build(builder *c, const skv_image *picture)
     result = build_water(c, terrain);
     if (result == SKV_OK)
         result = build_particles(c, terrain);
-    if (result == SKV_OK) {
+    c->scene->settle = c->value[SKV_F_SETTLE].number != 0.0;
+    if (result == SKV_OK)
+        result = build_taps(c);
+    if (result == SKV_OK)
         build_depth(c, terrain);
-        note_marks(c->scene);
-    }
     return result;
 }
 

@@ -60,11 +60,13 @@ skv_result skv_draft_begin(skv_draft *draft, const char *label, const char *fold
     const skv_field *fields = skv_scene_fields(NULL);
     for (int i = 0; i < SKV_F_SINGLE; i++)
         set_default(&values->value[i], &fields[i]);
-    values->solid.shapes = skv_calloc(SKV_MAX_SHAPES, sizeof *values->solid.shapes);
-    values->water.shapes = skv_calloc(SKV_MAX_SHAPES, sizeof *values->water.shapes);
-    if (values->solid.shapes == NULL || values->water.shapes == NULL) {
-        skv_draft_end(draft);
-        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+    for (int i = 0; i < SKV_LISTS; i++) {
+        skv_shape_list *list = &values->list[i];
+        list->shapes = skv_calloc((size_t)skv_scene_list((skv_list)i)->most, sizeof *list->shapes);
+        if (list->shapes == NULL) {
+            skv_draft_end(draft);
+            return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+        }
     }
     return SKV_OK;
 }
@@ -81,8 +83,8 @@ void skv_draft_end(skv_draft *draft)
 {
     for (int i = 0; i < SKV_F_SINGLE; i++)
         skv_free(draft->values.value[i].text);
-    free_shapes(&draft->values.solid);
-    free_shapes(&draft->values.water);
+    for (int i = 0; i < SKV_LISTS; i++)
+        free_shapes(&draft->values.list[i]);
 }
 
 /* ---- One value ------------------------------------------------------------------------------- */
@@ -188,18 +190,19 @@ static skv_result store(const skv_draft *draft, int id, const char *path, const 
 /* ---- Lists of shapes ------------------------------------------------------------------------- */
 
 /* The element `index` of a list, made if it is the next one. Null: `*result` says why. */
-static skv_shape_values *element(skv_draft *draft, bool water, const skv_field_path *path,
+static skv_shape_values *element(skv_draft *draft, skv_list id, const skv_field_path *path,
                                  skv_origin origin, const char *text, skv_result *result,
                                  skv_error *error)
 {
-    skv_shape_list *list = water ? &draft->values.water : &draft->values.solid;
-    const char *name = water ? "water" : "solid";
+    skv_shape_list *list = &draft->values.list[id];
+    const skv_list_fields *own = skv_scene_list(id);
+    const char *name = own->name;
     int index = path->index[0];
     if (index < list->count)
         return &list->shapes[index];
-    if (index >= SKV_MAX_SHAPES) {
+    if (index >= own->most) {
         *result = skv_draft_fail(draft, origin, text, error, SKV_ERROR_LIMIT,
-                                 "too many shapes; allowed are %d", SKV_MAX_SHAPES);
+                                 "too many; allowed are %d", own->most);
         return NULL;
     }
     if (index > list->count) {
@@ -209,9 +212,8 @@ static skv_shape_values *element(skv_draft *draft, bool water, const skv_field_p
         return NULL;
     }
     skv_shape_values *shape = &list->shapes[list->count++];
-    const skv_field *fields = skv_scene_fields(NULL) + (water ? SKV_F_WATER : SKV_F_SOLID);
-    for (int i = 0; i < (water ? SKV_SHAPE_VY : SKV_SHAPE_CARVE) + 1; i++)
-        set_default(&shape->value[i], &fields[i]);
+    for (int i = 0; i < own->count; i++)
+        set_default(&shape->value[i], &skv_scene_fields(NULL)[own->first + i]);
     shape->origin = origin;
     return shape;
 }
@@ -242,25 +244,37 @@ static skv_result reserve_point(const skv_draft *draft, skv_shape_list *list,
     return SKV_OK;
 }
 
+/* The list that a path leads into. */
+static skv_list list_of(const skv_field_path *path)
+{
+    int list = 0;
+    size_t length = strcspn(path->pattern, "[");
+    while (list < SKV_LISTS - 1 &&
+           (strlen(skv_scene_list((skv_list)list)->name) != length ||
+            strncmp(path->pattern, skv_scene_list((skv_list)list)->name, length) != 0))
+        list++;
+    return (skv_list)list;
+}
+
 /* Accepts an entry at or below an element of a list. `id` is -1 for one of its lists. */
 static skv_result accept_shape(skv_draft *draft, const skv_field_path *path, int id,
                                const char *text, const skv_entry *entry, skv_origin origin,
                                skv_error *error)
 {
-    bool water = strncmp(path->pattern, "water", 5) == 0;
+    skv_list list = list_of(path);
     skv_result result = SKV_OK;
-    skv_shape_values *shape = element(draft, water, path, origin, text, &result, error);
+    skv_shape_values *shape = element(draft, list, path, origin, text, &result, error);
     if (shape == NULL)
         return result;
     if (path->index_count >= 2) {
-        result = reserve_point(draft, water ? &draft->values.water : &draft->values.solid, shape,
-                               path->index[1], origin, text, error);
+        result = reserve_point(draft, &draft->values.list[list], shape, path->index[1], origin,
+                               text, error);
         if (result != SKV_OK)
             return result;
     }
     if (id < 0)
         return SKV_OK;
-    skv_value *value = &shape->value[id - (water ? SKV_F_WATER : SKV_F_SOLID)];
+    skv_value *value = &shape->value[id - skv_scene_list(list)->first];
     if (path->index_count == 3 && path->index[2] > 1)
         return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE,
                               "one value too many; a point is a pair [x, y]");

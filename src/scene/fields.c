@@ -7,6 +7,8 @@
 
 #include <string.h>
 
+#include "world/dye.h"
+
 /* Rows of the scene's own. */
 #define OWN_TEXT(id, path, most, help) [id] = {path, SKV_FIELD_TEXT, "", 0, most, NULL, "", help},
 #define OWN_NUMBER(id, path, unit, least, most, standard, help)                                    \
@@ -33,11 +35,14 @@
 #define HOST_WHOLE(...)
 #define HOST_CHOICE(...)
 
+#define FIRST_DYE(name) name
+#define NEXT_DYE(name)  "|" name
+#define DYES            SKV_DYE_NAMES(FIRST_DYE, NEXT_DYE)
+
 /* clang-format off */
-/* The fields that every shape has. `list` is "solid[]" or "water[]". */
-#define SHAPE_FIELDS(base, list)                                                                   \
-    OWN_CHOICE(base + SKV_SHAPE_KIND, list ".shape", "box|circle|polygon|line", "",                \
-               "kind of shape; needed")                                                            \
+/* The fields that every shape has. `list` is "solid[]" or the like. */
+#define SHAPE_FIELDS(base, list, kinds, kind_help, cornered)                                       \
+    OWN_CHOICE(base + SKV_SHAPE_KIND, list ".shape", kinds, "", kind_help)                         \
     OWN_NUMBER(base + SKV_SHAPE_X0, list ".x0", "m", -100, 100, "0", "box: left side")             \
     OWN_NUMBER(base + SKV_SHAPE_Y0, list ".y0", "m", -100, 100, "0", "box: lower side")            \
     OWN_NUMBER(base + SKV_SHAPE_X1, list ".x1", "m", -100, 100, "",                                \
@@ -49,7 +54,14 @@
     OWN_NUMBER(base + SKV_SHAPE_RADIUS, list ".radius", "m", 0.0001, 100, "",                      \
                "circle: radius; needed")                                                           \
     OWN_NUMBER(base + SKV_SHAPE_POINTS, list ".points[][]", "m", -100, 100, "",                    \
-               "polygon, line: corners [[x, y], ...]; needed")                                     \
+               cornered ": corners [[x, y], ...]; needed")
+
+/* Those of areas in which something is done, and of shapes that can be lines, too. */
+#define AREA_FIELDS(base, list, kind_help)                                                         \
+    SHAPE_FIELDS(base, list, "box|circle|polygon", kind_help, "polygon, at most 64")
+
+#define LINE_FIELDS(base, list)                                                                    \
+    SHAPE_FIELDS(base, list, "box|circle|polygon|line", "kind of shape; needed", "polygon, line")  \
     OWN_NUMBER(base + SKV_SHAPE_THICKNESS, list ".thickness", "m", 0.0001, 10, "0.02",             \
                "line: its width; ends and bends are round")
 
@@ -70,19 +82,54 @@ static const skv_field fields[SKV_F_COUNT] = {
     OWN_FLAG(SKV_F_OPEN_RIGHT, "world.open.right", "false", "fluid leaves through the right side")
     OWN_FLAG(SKV_F_OPEN_BOTTOM, "world.open.bottom", "false", "fluid leaves through the bottom")
     OWN_FLAG(SKV_F_OPEN_TOP, "world.open.top", "false", "fluid leaves through the top")
+    OWN_FLAG(SKV_F_SETTLE, "settle", "true", "what can rest where it is begins at rest")
     OWN_WHOLE(SKV_F_PARTICLES, "particles", 1, SKV_MAX_PARTICLES, "3000",
               "number of particles; the spacing follows from it")
 #include "world/parameter_rows.h"
-    SHAPE_FIELDS(SKV_F_SOLID, "solid[]")
-    OWN_FLAG(SKV_F_SOLID + SKV_SHAPE_CARVE, "solid[].carve", "false",
+    LINE_FIELDS(SKV_F_SOLID, "solid[]")
+    OWN_FLAG(SKV_F_SOLID + SKV_SOLID_CARVE, "solid[].carve", "false",
              "cut the shape out of the solid before it in the list")
-    SHAPE_FIELDS(SKV_F_WATER, "water[]")
-    OWN_NUMBER(SKV_F_WATER + SKV_SHAPE_VX, "water[].vx", "m/s", -20, 20, "0",
+    LINE_FIELDS(SKV_F_WATER, "water[]")
+    OWN_NUMBER(SKV_F_WATER + SKV_WATER_VX, "water[].vx", "m/s", -20, 20, "0",
                "speed to the right at the start")
-    OWN_NUMBER(SKV_F_WATER + SKV_SHAPE_VY, "water[].vy", "m/s", -20, 20, "0",
+    OWN_NUMBER(SKV_F_WATER + SKV_WATER_VY, "water[].vy", "m/s", -20, 20, "0",
                "speed upwards at the start")
+    OWN_CHOICE(SKV_F_WATER + SKV_WATER_DYE, "water[].dye", DYES, "none", "its colour")
+    AREA_FIELDS(SKV_F_FORCES, "forces[]", "kind of area; else a box, by itself all of the world")
+#define FORCE_NUMBER(id, member, unit, least, most, help)                                          \
+    OWN_NUMBER(SKV_F_FORCES + SKV_FORCE_##id, "forces[]." #member, unit, least, most, "0", help)
+#include "world/force_rows.h"
+    OWN_NUMBER(SKV_F_EMITTERS + SKV_EMITTER_X, "emitters[].x", "m", -100, 100, "",
+               "middle of the line from which fluid flows; needed")
+    OWN_NUMBER(SKV_F_EMITTERS + SKV_EMITTER_Y, "emitters[].y", "m", -100, 100, "",
+               "middle of that line; needed")
+    OWN_NUMBER(SKV_F_EMITTERS + SKV_EMITTER_VX, "emitters[].vx", "m/s", -20, 20, "0",
+               "speed to the right; the line lies across")
+    OWN_NUMBER(SKV_F_EMITTERS + SKV_EMITTER_VY, "emitters[].vy", "m/s", -20, 20, "0",
+               "speed upwards")
+    OWN_NUMBER(SKV_F_EMITTERS + SKV_EMITTER_WIDTH, "emitters[].width", "m", 0.0001, 100, "0.05",
+               "length of the line; width times speed is the rate")
+    OWN_CHOICE(SKV_F_EMITTERS + SKV_EMITTER_DYE, "emitters[].dye", DYES, "none",
+               "colour of what flows from it")
+    AREA_FIELDS(SKV_F_DRAINS, "drains[]", "kind of area; needed")
+    OWN_NUMBER(SKV_F_DRAINS + SKV_DRAIN_RATE, "drains[].rate", "m^2/s", 0, 10000, "0",
+               "takes at most so much; 0: all that comes")
 };
 /* clang-format on */
+
+const skv_list_fields *skv_scene_list(skv_list list)
+{
+    static const skv_list_fields lists[SKV_LISTS] = {
+        [SKV_LIST_SOLID] = {"solid", SKV_F_SOLID, SKV_SOLID_FIELDS, SKV_SHAPE_THICKNESS + 1, 256},
+        [SKV_LIST_WATER] = {"water", SKV_F_WATER, SKV_WATER_FIELDS, SKV_SHAPE_THICKNESS + 1, 256},
+        [SKV_LIST_FORCES] = {"forces", SKV_F_FORCES, SKV_FORCE_FIELDS, SKV_SHAPE_SHARED,
+                             SKV_MAX_FORCES},
+        [SKV_LIST_EMITTERS] = {"emitters", SKV_F_EMITTERS, SKV_EMITTER_FIELDS, 0, SKV_MAX_EMITTERS},
+        [SKV_LIST_DRAINS] = {"drains", SKV_F_DRAINS, SKV_DRAIN_FIELDS, SKV_SHAPE_SHARED,
+                             SKV_MAX_DRAINS},
+    };
+    return &lists[list];
+}
 
 const skv_field *skv_scene_field(int i)
 {

@@ -5,8 +5,8 @@
 #include "base/fields.h"
 #include "skvalp/scene.h"
 
-/* One shape of a list, relative to SKV_F_SOLID or SKV_F_WATER: the same fields in the same order,
- * then what only one of the lists has. */
+/* The fields of a list's element, relative to the list's first: those of every shape in the same
+ * order, then what only one of the lists has. */
 enum {
     SKV_SHAPE_KIND,
     SKV_SHAPE_X0,
@@ -17,12 +17,28 @@ enum {
     SKV_SHAPE_Y,
     SKV_SHAPE_RADIUS,
     SKV_SHAPE_POINTS,
-    SKV_SHAPE_THICKNESS,
     SKV_SHAPE_SHARED,
-    SKV_SHAPE_CARVE = SKV_SHAPE_SHARED, /* solid only */
-    SKV_SHAPE_VX = SKV_SHAPE_SHARED,    /* water only, like the next */
-    SKV_SHAPE_VY,
-    SKV_SHAPE_FIELDS
+    SKV_SHAPE_THICKNESS = SKV_SHAPE_SHARED, /* solid and water */
+    SKV_SOLID_CARVE,
+    SKV_SOLID_FIELDS,
+    SKV_WATER_VX = SKV_SHAPE_THICKNESS + 1,
+    SKV_WATER_VY,
+    SKV_WATER_DYE,
+    SKV_WATER_FIELDS,
+    SKV_FORCE_BEFORE = SKV_SHAPE_SHARED - 1,
+#define FORCE_NUMBER(id, ...) SKV_FORCE_##id,
+#include "world/force_rows.h"
+    SKV_FORCE_FIELDS,
+    SKV_EMITTER_X = 0,
+    SKV_EMITTER_Y,
+    SKV_EMITTER_VX,
+    SKV_EMITTER_VY,
+    SKV_EMITTER_WIDTH,
+    SKV_EMITTER_DYE,
+    SKV_EMITTER_FIELDS,
+    SKV_DRAIN_RATE = SKV_SHAPE_SHARED,
+    SKV_DRAIN_FIELDS,
+    SKV_MOST_FIELDS = SKV_FORCE_FIELDS /* of any list */
 };
 
 /* Index of a field in skv_scene_field. Those of the world's parameters are SKV_F_ and
@@ -40,6 +56,7 @@ typedef enum skv_field_id {
     SKV_F_OPEN_RIGHT,
     SKV_F_OPEN_BOTTOM,
     SKV_F_OPEN_TOP,
+    SKV_F_SETTLE,
     SKV_F_PARTICLES,
 #define NUMBER(id, ...) SKV_F_##id,
 #define WHOLE(id, ...)  SKV_F_##id,
@@ -51,9 +68,29 @@ typedef enum skv_field_id {
 #include "world/parameter_rows.h"
     SKV_F_SINGLE, /* so many fields are no list's */
     SKV_F_SOLID = SKV_F_SINGLE,
-    SKV_F_WATER = SKV_F_SOLID + SKV_SHAPE_CARVE + 1,
-    SKV_F_COUNT = SKV_F_WATER + SKV_SHAPE_VY + 1
+    SKV_F_WATER = SKV_F_SOLID + SKV_SOLID_FIELDS,
+    SKV_F_FORCES = SKV_F_WATER + SKV_WATER_FIELDS,
+    SKV_F_EMITTERS = SKV_F_FORCES + SKV_FORCE_FIELDS,
+    SKV_F_DRAINS = SKV_F_EMITTERS + SKV_EMITTER_FIELDS,
+    SKV_F_COUNT = SKV_F_DRAINS + SKV_DRAIN_FIELDS
 } skv_field_id;
+
+/* A list of a scene: "water" has elements "water[]" with fields "water[].shape" and so on. */
+typedef enum skv_list {
+    SKV_LIST_SOLID,
+    SKV_LIST_WATER,
+    SKV_LIST_FORCES,
+    SKV_LIST_EMITTERS,
+    SKV_LIST_DRAINS,
+    SKV_LISTS
+} skv_list;
+typedef struct skv_list_fields {
+    const char *name;
+    int first, count; /* fields */
+    int shape;        /* so many of them, the first, describe a shape */
+    int most;         /* elements */
+} skv_list_fields;
+const skv_list_fields *skv_scene_list(skv_list list);
 
 /* The world's parameters among the fields: from here to SKV_F_SINGLE, in the order of their own
  * registry. */

@@ -23,6 +23,7 @@ void skv_scene_destroy(skv_scene *scene)
         skv_free(scene->files[i]);
     for (int i = 0; i < SKV_MAX_NOTICES; i++)
         skv_free(scene->notices[i]);
+    skv_free(scene->recipe);
     skv_free(scene);
 }
 
@@ -39,26 +40,32 @@ static const skv_shape *shape_near(const skv_water *water, float x, float y, flo
     return shape;
 }
 
-/* Sets the fluid of shapes with a speed in motion. */
-static skv_result add_speeds(const skv_scene *scene, skv_world *world, skv_error *error)
+static bool is_moving(const skv_shape *shape)
 {
-    bool moving = false;
+    return shape->vx != 0.0 || shape->vy != 0.0;
+}
+
+/* Gives the fluid of shapes their speed and colour. */
+static skv_result tend_fluid(const skv_scene *scene, skv_world *world, skv_error *error)
+{
+    bool special = false;
     for (int i = 0; i < scene->water.shape_count; i++)
-        moving |= scene->water.shapes[i].vx != 0.0 || scene->water.shapes[i].vy != 0.0;
-    if (!moving)
+        special |= is_moving(&scene->water.shapes[i]) || scene->water.shapes[i].dye != 0;
+    if (!special)
         return SKV_OK;
     skv_particles particles = skv_world_particles(world);
     float slack = 0.02f * scene->def.fluid.spacing;
-    for (int i = 0; i < particles.count; i++) {
+    skv_result result = SKV_OK;
+    for (int i = 0; i < particles.count && result == SKV_OK; i++) {
         const skv_shape *shape = shape_near(&scene->water, particles.x[i], particles.y[i], slack);
-        if (shape == NULL || (shape->vx == 0.0 && shape->vy == 0.0))
+        if (shape == NULL)
             continue;
-        skv_result result =
-            skv_world_add_velocity(world, i, 1, (float)shape->vx, (float)shape->vy, error);
-        if (result != SKV_OK)
-            return result;
+        uint8_t dye = (uint8_t)shape->dye;
+        result = skv_world_set_dyes(world, i, 1, &dye, error);
+        if (result == SKV_OK && is_moving(shape))
+            result = skv_world_add_velocity(world, i, 1, (float)shape->vx, (float)shape->vy, error);
     }
-    return SKV_OK;
+    return result;
 }
 
 skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *error)
@@ -68,7 +75,13 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
     skv_fill_def def = skv_water_fill_def(&water);
     def.limit = scene->particles;
     skv_result result = skv_world_fill(world, &def, NULL, error);
-    return result == SKV_OK ? add_speeds(scene, world, error) : result;
+    if (result == SKV_OK)
+        result = tend_fluid(scene, world, error);
+    if (result == SKV_OK)
+        result = skv_scene_set_acting(scene, world, error);
+    if (result == SKV_OK && scene->settle)
+        result = skv_world_settle(world, error);
+    return result;
 }
 
 skv_world_def skv_scene_world_def(const skv_scene *scene)
@@ -143,25 +156,4 @@ const char *skv_scene_notice(const skv_scene *scene, int i)
 {
     SKV_ASSERT_OR(scene != NULL, NULL);
     return i >= 0 && i < SKV_MAX_NOTICES ? scene->notices[i] : NULL;
-}
-
-int skv_scene_marked_pixels(const skv_scene *scene, bool drain, float *points, int capacity)
-{
-    SKV_ASSERT_OR(scene != NULL, 0);
-    if (scene->paint == NULL)
-        return 0;
-    int wanted = drain ? SKV_PAINT_DRAIN : SKV_PAINT_EMITTER, count = 0;
-    for (int y = 0; y < scene->height; y++) {
-        const uint8_t *row = scene->paint + (size_t)y * (size_t)scene->width;
-        for (int x = 0; x < scene->width; x++) {
-            if (row[x] != wanted)
-                continue;
-            if (points != NULL && count < capacity) {
-                points[2 * count] = (float)((x + 0.5) * scene->pixel_size);
-                points[2 * count + 1] = (float)((y + 0.5) * scene->pixel_size);
-            }
-            count++;
-        }
-    }
-    return count;
 }

@@ -22,17 +22,31 @@ struct skv_scene {
     skv_shape *solids;
     int solid_count;
     skv_water water;
+    skv_force forces[SKV_MAX_FORCES];
+    int force_count;
+    skv_emitter emitters[SKV_MAX_EMITTERS];
+    int emitter_count;
+    skv_drain drains[SKV_MAX_DRAINS];
+    int drain_count;
     double *points;    /* of all shapes */
     skv_world_def def; /* of its worlds, but for terrain, threads and capacity */
     int particles;
+    bool settle;                /* its worlds */
     char *files[SKV_MAX_FILES]; /* it was read from */
     char *notices[SKV_MAX_NOTICES];
+    uint8_t *recipe; /* recipe.h; null: none */
+    size_t recipe_size;
 };
 
 /* Makes the scene that a draft's values describe, over a picture (null: none), which stays the
  * caller's. On failure `*scene` is null. */
 skv_result skv_scene_build(const skv_draft *draft, const skv_image *picture,
                            const char *picture_label, skv_scene **scene, skv_error *error);
+
+/* Makes what acts on the fluid in a scene of a given size, from a draft's values; and sets it in a
+ * world. */
+skv_result skv_scene_build_acting(const skv_draft *draft, skv_scene *scene, skv_error *error);
+skv_result skv_scene_set_acting(const skv_scene *scene, skv_world *world, skv_error *error);
 
 /* Says something without failing; cut to fit. */
 void skv_scene_note(skv_scene *scene, const char *format, ...) SKV_PRINTF(2, 3);

@@ -22,6 +22,7 @@ typedef struct skv_shape {
     int point_count;
     bool carve;    /* solid: cuts out instead of adding */
     double vx, vy; /* water: m/s */
+    int dye;       /* water */
 } skv_shape;
 
 /* Part of a horizontal line, begin < end. */

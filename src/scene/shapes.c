@@ -6,6 +6,7 @@
 #include "scene/shapes.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Which fields beside the shape itself a kind has, and which of them it needs. */
 typedef struct kind_fields {
@@ -15,7 +16,6 @@ typedef struct kind_fields {
 } kind_fields;
 
 #define BIT(field) (1u << (field))
-#define ANY_KIND   (BIT(SKV_SHAPE_KIND) | BIT(SKV_SHAPE_VX) | BIT(SKV_SHAPE_VY))
 
 static const kind_fields kinds[] = {
     [SKV_SHAPE_BOX] = {"box", "x0, y0, x1 and y1",
@@ -34,28 +34,27 @@ static const kind_fields kinds[] = {
 typedef struct context {
     const skv_draft *draft;
     const skv_shape_values *values;
-    const char *list; /* "water" */
+    const skv_list_fields *list;
     int index;
-    int base; /* SKV_F_WATER */
     skv_error *error;
 } context;
 
 /* The last key of a shape's field: "radius". */
 static const char *key_of(const context *c, int field)
 {
-    const char *path = skv_scene_fields(NULL)[c->base + field].path;
-    return path + 8; /* behind "water[]." or "solid[]." */
+    const char *path = skv_scene_fields(NULL)[c->list->first + field].path;
+    return path + strlen(c->list->name) + 3; /* behind "water[]." */
 }
 
 /* Fails for one field, or for the whole shape if `field` is negative. */
 static skv_result fail(const context *c, int field, const char *message)
 {
     char path[SKV_PATH_SIZE];
-    skv_format(path, sizeof path, "%s[%d]", c->list, c->index);
+    skv_format(path, sizeof path, "%s[%d]", c->list->name, c->index);
     if (field >= 0) {
         const char *key = key_of(c, field);
         int length = field == SKV_SHAPE_POINTS ? 6 : 20; /* "points[][]" without its indices */
-        skv_format(path, sizeof path, "%s[%d].%.*s", c->list, c->index, length, key);
+        skv_format(path, sizeof path, "%s[%d].%.*s", c->list->name, c->index, length, key);
     }
     skv_origin origin = c->values->origin;
     if (field >= 0 && c->values->value[field].origin.source != SKV_FROM_DEFAULT)
@@ -67,12 +66,10 @@ static skv_result fail(const context *c, int field, const char *message)
 static skv_result check_fields(const context *c, const kind_fields *kind)
 {
     char message[120];
-    bool water = c->base == SKV_F_WATER;
-    int fields = (water ? SKV_SHAPE_VY : SKV_SHAPE_CARVE) + 1;
-    for (int i = 0; i < fields; i++) {
+    for (int i = 0; i < c->list->shape; i++) {
         bool given = c->values->value[i].origin.source != SKV_FROM_DEFAULT ||
                      (i == SKV_SHAPE_POINTS && c->values->point_count > 0);
-        if (given && !((kind->has | ANY_KIND) & BIT(i))) {
+        if (given && !((kind->has | BIT(SKV_SHAPE_KIND)) & BIT(i))) {
             skv_format(message, sizeof message, "does not belong to a %s; it has %s", kind->name,
                        kind->list);
             return fail(c, i, message);
@@ -96,6 +93,8 @@ static skv_result check_points(const context *c, skv_shape_kind kind)
         return fail(c, SKV_SHAPE_POINTS, "a polygon needs at least 3 points");
     if (kind == SKV_SHAPE_LINE && values->point_count < 2)
         return fail(c, SKV_SHAPE_POINTS, "a line needs at least 2 points");
+    if (c->list->shape == SKV_SHAPE_SHARED && values->point_count > SKV_MAX_CORNERS)
+        return fail(c, SKV_SHAPE_POINTS, "too many points; an area has at most 64");
     return SKV_OK;
 }
 
@@ -118,13 +117,17 @@ static skv_result make_box(const context *c, double width, double height, skv_sh
     return SKV_OK;
 }
 
-static skv_result make_shape(const context *c, double width, double height, skv_shape *shape)
+static skv_result make_shape(const context *c, skv_list list, double width, double height,
+                             skv_shape *shape)
 {
     const skv_value *value = c->values->value;
-    if (value[SKV_SHAPE_KIND].origin.source == SKV_FROM_DEFAULT)
-        return fail(c, SKV_SHAPE_KIND, "is missing; allowed is box, circle, polygon or line");
+    if (value[SKV_SHAPE_KIND].origin.source == SKV_FROM_DEFAULT && list != SKV_LIST_FORCES)
+        return fail(c, SKV_SHAPE_KIND,
+                    list == SKV_LIST_DRAINS
+                        ? "is missing; allowed is box, circle or polygon"
+                        : "is missing; allowed is box, circle, polygon or line");
     skv_shape_kind kind = (skv_shape_kind)value[SKV_SHAPE_KIND].number;
-    bool water = c->base == SKV_F_WATER;
+    bool solid = list == SKV_LIST_SOLID, water = list == SKV_LIST_WATER;
     skv_result result = check_fields(c, &kinds[kind]);
     if (result == SKV_OK)
         result = check_points(c, kind);
@@ -138,9 +141,10 @@ static skv_result make_shape(const context *c, double width, double height, skv_
                                          : value[SKV_SHAPE_RADIUS].number,
         .points = c->values->points,
         .point_count = c->values->point_count,
-        .carve = !water && value[SKV_SHAPE_CARVE].number != 0.0,
-        .vx = water ? value[SKV_SHAPE_VX].number : 0.0,
-        .vy = water ? value[SKV_SHAPE_VY].number : 0.0,
+        .carve = solid && value[SKV_SOLID_CARVE].number != 0.0,
+        .vx = water ? value[SKV_WATER_VX].number : 0.0,
+        .vy = water ? value[SKV_WATER_VY].number : 0.0,
+        .dye = water ? (int)value[SKV_WATER_DYE].number : 0,
     };
     if (kind == SKV_SHAPE_BOX)
         result = make_box(c, width, height, shape);
@@ -148,7 +152,7 @@ static skv_result make_shape(const context *c, double width, double height, skv_
         skv_shape_set_bounds(shape);
     if (result != SKV_OK)
         return result;
-    if (water &&
+    if (!solid &&
         (shape->x1 <= 0.0 || shape->y1 <= 0.0 || shape->x0 >= width || shape->y0 >= height)) {
         char message[160], x[32], y[32];
         skv_format_number(width, x);
@@ -160,18 +164,17 @@ static skv_result make_shape(const context *c, double width, double height, skv_
     return SKV_OK;
 }
 
-skv_result skv_shapes_make(const skv_draft *draft, bool water, double width, double height,
+skv_result skv_shapes_make(const skv_draft *draft, skv_list list, double width, double height,
                            skv_shape *shapes, skv_error *error)
 {
-    const skv_shape_list *list = water ? &draft->values.water : &draft->values.solid;
-    for (int i = 0; i < list->count; i++) {
+    const skv_shape_list *values = &draft->values.list[list];
+    for (int i = 0; i < values->count; i++) {
         context c = {.draft = draft,
-                     .values = &list->shapes[i],
-                     .list = water ? "water" : "solid",
+                     .values = &values->shapes[i],
+                     .list = skv_scene_list(list),
                      .index = i,
-                     .base = water ? SKV_F_WATER : SKV_F_SOLID,
                      .error = error};
-        skv_result result = make_shape(&c, width, height, &shapes[i]);
+        skv_result result = make_shape(&c, list, width, height, &shapes[i]);
         if (result != SKV_OK)
             return result;
     }

@@ -5,9 +5,9 @@
 #include "scene/draft.h"
 #include "scene/shape.h"
 
-/* Writes the shapes of a list (`water`, or else solid) to `shapes`, which has room for them. Their
- * points stay the values'. Boxes without a far corner end at the world's (`width`, `height`). */
-skv_result skv_shapes_make(const skv_draft *draft, bool water, double width, double height,
+/* Writes the shapes of a list to `shapes`, which has room for them. Their points stay the values'.
+ * Boxes without a far corner end at the world's (`width`, `height`). Solid may lie outside it. */
+skv_result skv_shapes_make(const skv_draft *draft, skv_list list, double width, double height,
                            skv_shape *shapes, skv_error *error);
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "scene/fields.h"
 
-#define SKV_MAX_SHAPES       256   /* in a list */
 #define SKV_MAX_POINTS       1000  /* of a shape */
 #define SKV_MAX_TOTAL_POINTS 10000 /* of all shapes of a list */
 
@@ -28,8 +27,9 @@ typedef struct skv_value {
     skv_origin origin;
 } skv_value;
 
+/* One element of a list. */
 typedef struct skv_shape_values {
-    skv_value value[SKV_SHAPE_FIELDS];
+    skv_value value[SKV_MOST_FIELDS];
     double *points; /* x, y, x, y...; NaN where a coordinate is still missing */
     int point_count;
     skv_origin origin;
@@ -43,7 +43,7 @@ typedef struct skv_shape_list {
 
 typedef struct skv_values {
     skv_value value[SKV_F_SINGLE];
-    skv_shape_list solid, water;
+    skv_shape_list list[SKV_LISTS];
 } skv_values;
 
 #endif

@@ -13,35 +13,38 @@
  * velocity fades only after this many seconds without a move. */
 #define PATIENCE 0.03
 
-static skv_pointer *find(skv_pointers *pointers, uint64_t id)
+skv_pointer *skv_pointers_find(skv_pointers *pointers, skv_pointer_id id)
 {
     for (int i = 0; i < pointers->count; i++)
-        if (pointers->list[i].id == id)
+        if (pointers->list[i].id.device == id.device && pointers->list[i].id.number == id.number)
             return &pointers->list[i];
     return NULL;
 }
 
-void skv_pointers_down(skv_pointers *pointers, uint64_t id, double px, double py, double time)
+skv_pointer *skv_pointers_down(skv_pointers *pointers, skv_pointer_id id, double x, double y,
+                               double time)
 {
-    if (!isfinite(px) || !isfinite(py) || !isfinite(time))
-        return;
-    skv_pointer *pointer = find(pointers, id);
+    if (!isfinite(x) || !isfinite(y) || !isfinite(time))
+        return NULL;
+    skv_pointer *pointer = skv_pointers_find(pointers, id);
     if (!pointer) {
         if (pointers->count == SKV_MAX_HANDS)
-            return;
+            return NULL;
         pointer = &pointers->list[pointers->count++];
     }
-    *pointer = (skv_pointer){
-        .id = id, .px = px, .py = py, .sample_px = px, .sample_py = py, .sample_time = time};
+    *pointer =
+        (skv_pointer){.id = id, .x = x, .y = y, .sample_x = x, .sample_y = y, .sample_time = time};
+    return pointer;
 }
 
-void skv_pointers_move(skv_pointers *pointers, uint64_t id, double px, double py, double time)
+skv_pointer *skv_pointers_move(skv_pointers *pointers, skv_pointer_id id, double x, double y,
+                               double time)
 {
-    skv_pointer *pointer = find(pointers, id);
-    if (!pointer || !isfinite(px) || !isfinite(py) || !isfinite(time))
-        return;
-    pointer->px = px;
-    pointer->py = py;
+    skv_pointer *pointer = skv_pointers_find(pointers, id);
+    if (!pointer || !isfinite(x) || !isfinite(y) || !isfinite(time))
+        return NULL;
+    pointer->x = x;
+    pointer->y = y;
     pointer->quiet = 0;
 
     /* Several events may share one time stamp; their way adds up until the clock moves on. The
@@ -50,19 +53,20 @@ void skv_pointers_move(skv_pointers *pointers, uint64_t id, double px, double py
     double seconds = time - pointer->sample_time;
     if (seconds > 0) {
         double share = 1 - skv_exp(-fmin(seconds / SMOOTHING, 50));
-        pointer->vx += share * ((px - pointer->sample_px) / seconds - pointer->vx);
-        pointer->vy += share * ((py - pointer->sample_py) / seconds - pointer->vy);
+        pointer->vx += share * ((x - pointer->sample_x) / seconds - pointer->vx);
+        pointer->vy += share * ((y - pointer->sample_y) / seconds - pointer->vy);
     }
     if (seconds != 0) {
-        pointer->sample_px = px;
-        pointer->sample_py = py;
+        pointer->sample_x = x;
+        pointer->sample_y = y;
         pointer->sample_time = time;
     }
+    return pointer;
 }
 
-void skv_pointers_up(skv_pointers *pointers, uint64_t id)
+void skv_pointers_up(skv_pointers *pointers, skv_pointer_id id)
 {
-    skv_pointer *pointer = find(pointers, id);
+    skv_pointer *pointer = skv_pointers_find(pointers, id);
     if (!pointer)
         return;
     skv_pointer *last = &pointers->list[--pointers->count];

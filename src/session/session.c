@@ -1,58 +1,73 @@
-/* Session: the open scene, its world, and what a person does to it. Invariant: scene and world are
- * either both null or both there and belong together; a failed open or reset changes neither. All
- * worlds share one pool, since a new one is made while the old one is still there. */
+/* The face's side of a session: every call leaves a message, or reads what was published.
+ *
+ * Invariant: nothing here waits for the worker, but for skv_session_wait and skv_session_destroy;
+ * and no message that must not be lost is: if there is no room, all pointers are let go.
+ */
 #include "skvalp/session.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/assert.h"
 #include "base/memory.h"
-#include "session/pointers.h"
+#include "session/face.h"
 
-#define FRAME_RATE           60.0
-#define MOST_FRAMES_A_CALL   4
-#define EARTH_GRAVITY        9.81
-#define STRONGEST_GRAVITY    1000.0
-#define FASTEST_HAND         10.0 /* m/s; faster, the fluid would only tear off */
-#define WIDEST_GRIP          100.0
 #define DEFAULT_WORLD_WIDTH  1.6
 #define DEFAULT_WORLD_HEIGHT 0.9
+#define LONGEST_PAUSE        1.0 /* s: who calls less often was away */
+#define STRONGEST_TILT       2.0
+#define FASTEST_PUSH         10.0 /* m/s */
+#define WIDEST_BRUSH         100.0
 
-struct skv_session {
-    skv_scene *scene;
-    skv_world *world;
-    skv_pool *pool;
+enum { SESSION_COOKIE = 0x53455353 };
 
-    bool paused;
-    double speed;
-    double frames_due; /* a fraction of a frame between calls */
-
-    double direction_x, direction_y; /* of gravity, in units of `strength` */
-    double strength;                 /* m/s^2, the scene's own */
-
-    int view_width, view_height;
-    skv_pointers pointers;
-    double grip; /* m; 0: by the world's size */
-};
-
-skv_result skv_session_create(int threads, skv_session **session, skv_error *error)
+skv_session_def skv_default_session_def(void)
 {
-    SKV_ASSERT_OR(session, SKV_ERROR_VALUE);
-    *session = NULL;
-    skv_session *made = skv_calloc(1, sizeof *made);
-    if (!made)
+    return (skv_session_def){
+        .own_thread = true, .history = (size_t)64 << 20, .cookie = SESSION_COOKIE};
+}
+
+/* ---- Lifetime -------------------------------------------------------------------------------- */
+
+static void run(void *argument)
+{
+    skv_worker *worker = argument;
+    while (!atomic_load(&worker->quit)) {
+        unsigned settled = atomic_load(&worker->settled);
+        if (atomic_load(&worker->posted) == settled)
+            skv_threads_sleep(worker->threads, &worker->posted, settled);
+        skv_worker_pump(worker);
+    }
+}
+
+skv_result skv_session_create(const skv_session_def *def, skv_session **out, skv_error *error)
+{
+    SKV_ASSERT_OR(out, SKV_ERROR_VALUE);
+    *out = NULL;
+    skv_session_def plain = skv_default_session_def();
+    def = def ? def : &plain;
+    SKV_ASSERT_INITIALISED(def, SESSION_COOKIE);
+    skv_session *session = skv_calloc(1, sizeof *session);
+    if (!session)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
-    skv_result result = skv_pool_create(threads, &made->pool, error);
+    skv_worker *worker = &session->worker;
+    skv_worker_start(worker, def);
+    session->speed = 1;
+    session->dye = worker->tools.dye;
+    session->camera = skv_camera_fit(1280, 720, DEFAULT_WORLD_WIDTH, DEFAULT_WORLD_HEIGHT);
+    skv_result result = skv_pool_create(def->threads, &worker->pool, error);
+    if (result == SKV_OK) {
+        worker->threads = skv_threads_create();
+        if (!worker->threads)
+            result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
+    }
     if (result != SKV_OK) {
-        skv_free(made);
+        skv_pool_destroy(worker->pool);
+        skv_free(session);
         return result;
     }
-    made->speed = 1;
-    made->direction_y = -1;
-    made->strength = EARTH_GRAVITY;
-    made->view_width = 1280;
-    made->view_height = 720;
-    *session = made;
+    worker->def.own_thread = def->own_thread && skv_threads_start(worker->threads, run, worker);
+    *out = session;
     return SKV_OK;
 }
 
@@ -60,179 +75,295 @@ void skv_session_destroy(skv_session *session)
 {
     if (!session)
         return;
-    skv_world_destroy(session->world);
-    skv_scene_destroy(session->scene);
-    skv_pool_destroy(session->pool);
+    skv_worker *worker = &session->worker;
+    atomic_store(&worker->quit, true);
+    atomic_fetch_add(&worker->posted, 1);
+    skv_threads_wake(worker->threads);
+    skv_threads_join(worker->threads);
+    skv_worker_close(worker);
+    skv_pool_destroy(worker->pool);
     skv_free(session);
 }
 
-/* The world at the scene's start. */
-static skv_result make_world(const skv_session *session, const skv_scene *scene, skv_world **world,
-                             skv_error *error)
+void skv_session_wait(skv_session *session)
 {
-    skv_world_def def = skv_scene_world_def(scene);
-    def.pool = session->pool;
-    skv_result result = skv_world_create(&def, world, error);
-    if (result != SKV_OK) {
-        skv_terrain_destroy(def.terrain);
-        return result;
+    SKV_ASSERT(session);
+    skv_worker *worker = &session->worker;
+    unsigned wanted = atomic_load(&worker->posted);
+    for (;;) {
+        unsigned settled = atomic_load(&worker->settled);
+        if ((int)(settled - wanted) >= 0)
+            return;
+        skv_threads_sleep(worker->threads, &worker->settled, settled);
     }
-    result = skv_scene_fill(scene, *world, error);
-    if (result != SKV_OK)
-        skv_world_destroy(*world);
-    return result;
 }
 
-/* Puts a fresh world in place of the old one, with the scene's own gravity. */
-static void take_world(skv_session *session, skv_world *world)
-{
-    skv_world_destroy(session->world);
-    session->world = world;
-    session->frames_due = 0;
+/* ---- Messages -------------------------------------------------------------------------------- */
 
-    float x, y;
-    skv_world_gravity(world, &x, &y);
-    double strength = sqrt((double)x * x + (double)y * y);
-    session->direction_x = strength > 0 ? x / strength : 0;
-    session->direction_y = strength > 0 ? y / strength : 0;
-    /* In a weightless scene the arrow keys still do what they say. */
-    session->strength = strength > 0 ? strength : EARTH_GRAVITY;
+/* There is something to do. */
+static void stir(skv_session *session)
+{
+    skv_worker *worker = &session->worker;
+    atomic_fetch_add(&worker->posted, 1);
+    if (worker->def.own_thread)
+        skv_threads_wake(worker->threads);
+    else
+        skv_worker_pump(worker);
 }
 
-skv_result skv_session_open_scene(skv_session *session, skv_scene *scene, skv_error *error)
+/* After a message was lost, a pointer might be down for ever: all are let go first. */
+static bool put(skv_session *session, const skv_message *message)
 {
-    SKV_ASSERT_OR(session && scene, SKV_ERROR_VALUE);
-    skv_world *world = NULL;
-    skv_result result = make_world(session, scene, &world, error);
-    if (result != SKV_OK)
-        return result;
-    skv_scene *old = session->scene;
-    session->scene = scene;
-    take_world(session, world);
-    if (old != scene)
-        skv_scene_destroy(old);
-    skv_session_pointer_cancel_all(session);
-    return SKV_OK;
-}
-
-skv_result skv_session_open(skv_session *session, const char *name_or_path,
-                            const skv_scene_options *options, skv_error *error)
-{
-    SKV_ASSERT_OR(session && name_or_path, SKV_ERROR_VALUE);
-    skv_scene *scene = NULL;
-    skv_result result = skv_scene_load(name_or_path, options, &scene, error);
-    if (result != SKV_OK)
-        return result;
-    result = skv_session_open_scene(session, scene, error);
-    if (result != SKV_OK)
-        skv_scene_destroy(scene);
-    return result;
-}
-
-const skv_world *skv_session_world(const skv_session *session)
-{
-    SKV_ASSERT_OR(session, NULL);
-    return session->world;
-}
-
-const skv_scene *skv_session_scene(const skv_session *session)
-{
-    SKV_ASSERT_OR(session, NULL);
-    return session->scene;
-}
-
-skv_result skv_session_reset(skv_session *session, skv_error *error)
-{
-    SKV_ASSERT_OR(session, SKV_ERROR_VALUE);
-    if (!session->scene)
-        return skv_fail(error, SKV_ERROR_VALUE, "no scene is open: open one before a reset");
-    skv_world *world = NULL;
-    skv_result result = make_world(session, session->scene, &world, error);
-    if (result != SKV_OK)
-        return result;
-    take_world(session, world);
-    return SKV_OK;
-}
-
-/* Playback. */
-
-static skv_result step_frame(skv_session *session, skv_error *error)
-{
-    skv_hand hands[SKV_MAX_HANDS];
-    int count = skv_session_hands(session, hands, SKV_MAX_HANDS);
-    skv_result result = skv_world_set_hands(session->world, hands, count, error);
-    return result != SKV_OK ? result
-                            : skv_world_step(session->world, (float)(1 / FRAME_RATE), error);
-}
-
-/* Frames that real time asks for. Displays near 60 Hz count as exactly 60, so that each refresh
- * shows one new frame instead of now and then none or two. */
-static double frames_of(double seconds)
-{
-    double frames = seconds * FRAME_RATE;
-    double whole = floor(frames + 0.5);
-    return whole >= 1 && fabs(frames - whole) < 0.02 * whole ? whole : frames;
-}
-
-/* Whole frames that are due after so much real time. */
-static int take_due_frames(skv_session *session, double seconds)
-{
-    /* The tiny share added makes ten times a tenth of a frame one frame. */
-    session->frames_due += frames_of(seconds) * session->speed;
-    double whole = floor(session->frames_due + 1e-9);
-    if (whole > MOST_FRAMES_A_CALL) {
-        whole = MOST_FRAMES_A_CALL;
-        session->frames_due = whole;
+    skv_mailbox *box = &session->worker.mailbox;
+    if (session->lost) {
+        if (!skv_mailbox_put(box, &(skv_message){.kind = SKV_MESSAGE_CANCEL}))
+            return false;
+        session->lost = false;
     }
-    session->frames_due = fmax(session->frames_due - whole, 0);
-    return (int)whole;
+    return skv_mailbox_put(box, message);
 }
 
-skv_result skv_session_advance(skv_session *session, double seconds, int *frames, skv_error *error)
+bool skv_session_post(skv_session *session, const skv_message *message)
 {
-    SKV_ASSERT_OR(session, SKV_ERROR_VALUE);
-    int stepped = 0;
-    skv_result result = SKV_OK;
-    if (seconds > 0 && isfinite(seconds)) {
-        skv_pointers_pass(&session->pointers, seconds);
-        bool playing = session->world && !session->paused;
-        int due = playing ? take_due_frames(session, seconds) : 0;
-        while (stepped < due && result == SKV_OK) {
-            result = step_frame(session, error);
-            stepped += result == SKV_OK;
-        }
+    bool done = put(session, message);
+    if (!done) {
+        session->lost = true;
+        session->down_count = 0;
     }
-    if (result != SKV_OK) {
-        session->paused = true;
-        session->frames_due = 0;
+    stir(session);
+    return done;
+}
+
+static void post_kind(skv_session *session, skv_message_kind kind)
+{
+    skv_session_post(session, &(skv_message){.kind = kind});
+}
+
+static void post_number(skv_session *session, skv_message_kind kind, int number)
+{
+    skv_message message = {.kind = kind};
+    message.number = number;
+    skv_session_post(session, &message);
+}
+
+static void post_vector(skv_session *session, skv_message_kind kind, double x, double y)
+{
+    skv_message message = {.kind = kind};
+    message.x = x;
+    message.y = y;
+    skv_session_post(session, &message);
+}
+
+/* What could not even be asked for is reported, too. */
+static void fail(skv_session *session, skv_outcome_kind kind, skv_result code, const char *cause,
+                 const char *name)
+{
+    session->failed = true;
+    session->failure = (skv_outcome){.kind = kind};
+    skv_fail(&session->failure.error, code, "%s: %s", name, cause);
+    post_kind(session, SKV_MESSAGE_LOOK);
+}
+
+/* A request in one block of memory, whose owner is the worker. */
+static void post_request(skv_session *session, skv_message_kind kind, skv_outcome_kind report,
+                         const skv_request *from)
+{
+    skv_message message = {.kind = kind};
+    message.request = skv_request_copy(from);
+    if (message.request && skv_session_post(session, &message))
+        return;
+    skv_free(message.request);
+    fail(session, report, SKV_ERROR_MEMORY, "out of memory", from->name);
+}
+
+/* ---- Opening and saving ---------------------------------------------------------------------- */
+
+void skv_session_open(skv_session *session, const char *name_or_path,
+                      const skv_scene_options *options)
+{
+    SKV_ASSERT(session && name_or_path);
+    session->down_count = 0;
+    skv_request request = {.name = name_or_path,
+                           .options = options ? *options : skv_default_scene_options()};
+    post_request(session, SKV_MESSAGE_OPEN, SKV_OUTCOME_OPEN, &request);
+}
+
+void skv_session_open_memory(skv_session *session, const void *data, size_t size,
+                             const char *format, const char *label,
+                             const skv_scene_options *options)
+{
+    SKV_ASSERT(session && data && format && label);
+    session->down_count = 0;
+    skv_request request = {.name = label,
+                           .text = format,
+                           .data = data,
+                           .size = size,
+                           .options = options ? *options : skv_default_scene_options()};
+    post_request(session, SKV_MESSAGE_OPEN, SKV_OUTCOME_OPEN, &request);
+}
+
+void skv_session_save(skv_session *session, const char *path)
+{
+    SKV_ASSERT(session && path);
+    skv_request request = {.name = path};
+    post_request(session, SKV_MESSAGE_SAVE, SKV_OUTCOME_SAVE, &request);
+}
+
+void skv_session_share(skv_session *session)
+{
+    SKV_ASSERT(session);
+    post_kind(session, SKV_MESSAGE_SHARE);
+}
+
+/* Taken out meanwhile, so that the worker cannot free it; there may be newer bytes by then. */
+bool skv_session_read_shared(skv_session *session, skv_write *write, void *user)
+{
+    SKV_ASSERT_OR(session && write, false);
+    skv_worker *worker = &session->worker;
+    skv_shared *shared = atomic_exchange(&worker->shared, NULL), *newer = NULL;
+    bool written = shared && write(shared->bytes, shared->size, user);
+    if (shared && !atomic_compare_exchange_strong(&worker->shared, &newer, shared))
+        skv_free(shared);
+    return written;
+}
+
+bool skv_session_next_outcome(skv_session *session, skv_outcome *report)
+{
+    SKV_ASSERT_OR(session && report, false);
+    if (session->failed) {
+        *report = session->failure;
+        session->failed = false;
+        return true;
     }
-    if (frames)
-        *frames = stepped;
-    return result;
+    skv_worker *worker = &session->worker;
+    unsigned taken = atomic_load(&worker->reports_taken);
+    if (taken == atomic_load(&worker->reported))
+        return false;
+    *report = worker->reports[taken % SKV_REPORTS];
+    atomic_store(&worker->reports_taken, taken + 1);
+    return true;
+}
+
+/* ---- The view -------------------------------------------------------------------------------- */
+
+skv_camera skv_session_camera(const skv_session *session)
+{
+    SKV_ASSERT_OR(session, (skv_camera){.scale = 1, .width = 1, .height = 1});
+    /* Counting holders is all that changes. */
+    skv_gallery *gallery = (skv_gallery *)&session->worker.gallery;
+    const skv_picture *picture = skv_gallery_acquire(gallery);
+    const skv_terrain *terrain = picture->frame.terrain;
+    double width = terrain ? (double)skv_terrain_width(terrain) : DEFAULT_WORLD_WIDTH;
+    double height = terrain ? (double)skv_terrain_height(terrain) : DEFAULT_WORLD_HEIGHT;
+    bool same = picture->opened == session->seen;
+    skv_gallery_release(gallery, picture);
+    const skv_camera *c = &session->camera;
+    return same ? skv_camera_at(c->width, c->height, width, height, c->centre_x, c->centre_y,
+                                c->zoom)
+                : skv_camera_fit(c->width, c->height, width, height);
+}
+
+static void post_pointer(skv_session *session, const skv_pointer_event *event, skv_phase phase)
+{
+    skv_camera camera = skv_session_camera(session);
+    skv_message message = {.kind = SKV_MESSAGE_POINTER};
+    message.pointer = *event;
+    message.pointer.phase = phase;
+    skv_camera_to_world(&camera, event->px, event->py, &message.pointer.px, &message.pointer.py);
+    if (phase == SKV_PHASE_MOVE) {
+        session->move_lost |= !put(session, &message);
+        stir(session);
+    } else {
+        skv_session_post(session, &message);
+    }
+}
+
+/* Where pointers are, if a move got lost: they may rest there. */
+static void repeat_moves(skv_session *session)
+{
+    if (!session->move_lost)
+        return;
+    session->move_lost = false;
+    for (int i = 0; i < session->down_count; i++)
+        post_pointer(session, &session->down[i], SKV_PHASE_MOVE);
+}
+
+/* A finger stays where it is, and is elsewhere in the world. */
+static void replace_pointers(skv_session *session)
+{
+    for (int i = 0; i < session->down_count; i++)
+        post_pointer(session, &session->down[i], SKV_PHASE_DOWN);
+}
+
+void skv_session_set_view(skv_session *session, int width, int height)
+{
+    SKV_ASSERT(session);
+    if (width == session->camera.width && height == session->camera.height)
+        return;
+    session->camera.width = width;
+    session->camera.height = height;
+    replace_pointers(session);
+}
+
+void skv_session_set_camera(skv_session *session, const skv_camera *camera)
+{
+    SKV_ASSERT(session && camera);
+    const skv_picture *picture = skv_gallery_acquire(&session->worker.gallery);
+    session->seen = picture->opened;
+    skv_gallery_release(&session->worker.gallery, picture);
+    session->camera = *camera;
+    replace_pointers(session);
+}
+
+/* ---- Time ------------------------------------------------------------------------------------ */
+
+void skv_session_advance(skv_session *session, double seconds, double drawing)
+{
+    SKV_ASSERT(session);
+    if (!(seconds > 0) || !isfinite(seconds))
+        return;
+    skv_worker *worker = &session->worker;
+    double passed = fmin(seconds, LONGEST_PAUSE);
+    if (drawing > 0)
+        atomic_store(&worker->drawing, (int)(fmin(drawing, LONGEST_PAUSE) * 1e6));
+    repeat_moves(session);
+    skv_pointer_event event;
+    if (skv_keyboard_pass(&session->keyboard, passed, &event))
+        skv_session_pointer(session, &event);
+    atomic_fetch_add(&worker->elapsed, (long long)(passed * 1e9 + 0.5));
+    stir(session);
+}
+
+bool skv_session_is_active(const skv_session *session)
+{
+    SKV_ASSERT_OR(session, false);
+    return atomic_load(&session->worker.active) || skv_keyboard_moves(&session->keyboard);
 }
 
 void skv_session_set_paused(skv_session *session, bool paused)
 {
     SKV_ASSERT(session);
-    session->paused = paused;
+    atomic_store(&session->worker.paused, paused);
+    post_kind(session, SKV_MESSAGE_LOOK);
 }
 
 bool skv_session_paused(const skv_session *session)
 {
     SKV_ASSERT_OR(session, false);
-    return session->paused;
+    return atomic_load(&session->worker.paused);
 }
 
-skv_result skv_session_step_once(skv_session *session, skv_error *error)
+void skv_session_step_once(skv_session *session)
 {
-    SKV_ASSERT_OR(session, SKV_ERROR_VALUE);
-    return session->world ? step_frame(session, error) : SKV_OK;
+    SKV_ASSERT(session);
+    post_kind(session, SKV_MESSAGE_STEP);
 }
 
 void skv_session_set_speed(skv_session *session, double speed)
 {
     SKV_ASSERT(session && isfinite(speed));
     session->speed = fmin(fmax(speed, 0.05), 2);
+    post_vector(session, SKV_MESSAGE_SPEED, session->speed, 0);
 }
 
 double skv_session_speed(const skv_session *session)
@@ -241,131 +372,178 @@ double skv_session_speed(const skv_session *session)
     return session->speed;
 }
 
-/* Gravity. */
-
-static float gravity_component(double value)
+void skv_session_seek(skv_session *session, int64_t frame)
 {
-    return (float)fmin(fmax(value, -STRONGEST_GRAVITY), STRONGEST_GRAVITY);
+    SKV_ASSERT(session);
+    skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SEEK, .frame = frame});
 }
 
-void skv_session_set_gravity_direction(skv_session *session, double x, double y)
+void skv_session_reset(skv_session *session)
+{
+    skv_session_seek(session, 0);
+}
+
+void skv_session_replay(skv_session *session)
+{
+    SKV_ASSERT(session);
+    post_kind(session, SKV_MESSAGE_REPLAY);
+}
+
+void skv_session_undo(skv_session *session)
+{
+    SKV_ASSERT(session);
+    post_kind(session, SKV_MESSAGE_UNDO);
+}
+
+void skv_session_redo(skv_session *session)
+{
+    SKV_ASSERT(session);
+    post_kind(session, SKV_MESSAGE_REDO);
+}
+
+/* ---- Pictures -------------------------------------------------------------------------------- */
+
+const skv_picture *skv_session_acquire(skv_session *session)
+{
+    SKV_ASSERT_OR(session, NULL);
+    return skv_gallery_acquire(&session->worker.gallery);
+}
+
+void skv_session_release(skv_session *session, const skv_picture *picture)
+{
+    SKV_ASSERT(session && picture);
+    skv_gallery_release(&session->worker.gallery, picture);
+}
+
+/* ---- Gravity and parameters ------------------------------------------------------------------ */
+
+void skv_session_set_gravity(skv_session *session, double x, double y)
 {
     SKV_ASSERT(session && isfinite(x) && isfinite(y));
-    session->direction_x = x;
-    session->direction_y = y;
-    if (session->world)
-        skv_world_set_gravity(session->world, gravity_component(x * session->strength),
-                              gravity_component(y * session->strength), NULL);
+    double length = hypot(x, y), cut = length > STRONGEST_TILT ? STRONGEST_TILT / length : 1;
+    post_vector(session, SKV_MESSAGE_GRAVITY, x * cut, y * cut);
 }
 
-void skv_session_gravity_direction(const skv_session *session, double *x, double *y)
+void skv_session_push(skv_session *session, double vx, double vy)
 {
-    SKV_ASSERT(session && x && y);
-    *x = session->direction_x;
-    *y = session->direction_y;
+    SKV_ASSERT(session && fabs(vx) <= FASTEST_PUSH && fabs(vy) <= FASTEST_PUSH);
+    post_vector(session, SKV_MESSAGE_PUSH, vx, vy);
 }
 
-/* View and pointers. */
-
-static void world_size(const skv_session *session, double *width, double *height)
+void skv_session_edit(skv_session *session, const skv_command *command)
 {
-    *width = DEFAULT_WORLD_WIDTH;
-    *height = DEFAULT_WORLD_HEIGHT;
-    if (session->world) {
-        const skv_terrain *terrain = skv_world_terrain(session->world);
-        *width = skv_terrain_width(terrain);
-        *height = skv_terrain_height(terrain);
+    SKV_ASSERT(session && command);
+    SKV_ASSERT(command->kind > SKV_COMMAND_HANDS);
+    skv_request request = {.name = "an edit", .data = command, .size = sizeof *command};
+    post_request(session, SKV_MESSAGE_EDIT, SKV_OUTCOME_EDIT, &request);
+}
+
+void skv_session_set(skv_session *session, const char *path, const char *text)
+{
+    SKV_ASSERT(session && path && text);
+    skv_command command = {.kind = SKV_COMMAND_SET};
+    if (strlen(path) < sizeof command.set.path && strlen(text) < sizeof command.set.text) {
+        memcpy(command.set.path, path, strlen(path) + 1);
+        memcpy(command.set.text, text, strlen(text) + 1);
+        skv_session_edit(session, &command);
+    } else {
+        fail(session, SKV_OUTCOME_EDIT, SKV_ERROR_VALUE, "no parameter has so long a name or value",
+             path);
     }
 }
 
-void skv_session_set_view(skv_session *session, int width, int height)
+/* ---- Tools and pointers ---------------------------------------------------------------------- */
+
+void skv_session_set_tool(skv_session *session, int tool)
 {
-    SKV_ASSERT(session);
-    session->view_width = width;
-    session->view_height = height;
+    SKV_ASSERT(session && skv_tool_info(tool));
+    session->tool = tool;
+    post_number(session, SKV_MESSAGE_TOOL, tool);
 }
 
-skv_camera skv_session_camera(const skv_session *session)
+int skv_session_tool(const skv_session *session)
 {
-    SKV_ASSERT_OR(session, (skv_camera){.scale = 1, .width = 1, .height = 1});
-    double width, height;
-    world_size(session, &width, &height);
-    return skv_camera_fit(session->view_width, session->view_height, width, height);
+    SKV_ASSERT_OR(session, 0);
+    return session->tool;
 }
 
-void skv_session_pointer_down(skv_session *session, uint64_t pointer, double px, double py,
-                              double time)
+void skv_session_set_brush(skv_session *session, double radius)
 {
-    SKV_ASSERT(session);
-    skv_pointers_down(&session->pointers, pointer, px, py, time);
+    SKV_ASSERT(session && radius >= 0 && radius <= WIDEST_BRUSH);
+    post_vector(session, SKV_MESSAGE_BRUSH, radius, 0);
 }
 
-void skv_session_pointer_move(skv_session *session, uint64_t pointer, double px, double py,
-                              double time)
+void skv_session_set_dye(skv_session *session, int dye)
 {
-    SKV_ASSERT(session);
-    skv_pointers_move(&session->pointers, pointer, px, py, time);
+    SKV_ASSERT(session && skv_dye_name(dye));
+    session->dye = dye;
+    post_number(session, SKV_MESSAGE_DYE, dye);
 }
 
-void skv_session_pointer_up(skv_session *session, uint64_t pointer)
+int skv_session_dye(const skv_session *session)
 {
-    SKV_ASSERT(session);
-    skv_pointers_up(&session->pointers, pointer);
+    SKV_ASSERT_OR(session, 0);
+    return session->dye;
 }
 
-void skv_session_pointer_cancel_all(skv_session *session)
+static int find_down(const skv_session *session, const skv_pointer_event *event)
+{
+    for (int i = 0; i < session->down_count; i++)
+        if (session->down[i].device == event->device && session->down[i].pointer == event->pointer)
+            return i;
+    return -1;
+}
+
+/* Notes who is down; false for one too many, or one that never went down. */
+static bool note(skv_session *session, const skv_pointer_event *event)
+{
+    int i = find_down(session, event);
+    switch (event->phase) {
+    case SKV_PHASE_DOWN:
+        if (i < 0 && session->down_count == SKV_MAX_HANDS)
+            return false;
+        session->down[i < 0 ? session->down_count++ : i] = *event;
+        return true;
+    case SKV_PHASE_MOVE:
+        if (i >= 0) {
+            session->down[i].px = event->px;
+            session->down[i].py = event->py;
+            session->down[i].time = event->time;
+        }
+        return i >= 0 || event->device != SKV_DEVICE_FINGER;
+    default:
+        if (i >= 0)
+            session->down[i] = session->down[--session->down_count];
+        return i >= 0 || event->phase == SKV_PHASE_LEAVE;
+    }
+}
+
+void skv_session_pointer(skv_session *session, const skv_pointer_event *event)
+{
+    SKV_ASSERT(session && event);
+    bool finite = isfinite(event->px) && isfinite(event->py) && isfinite(event->time);
+    if (finite && note(session, event))
+        post_pointer(session, event, event->phase);
+}
+
+void skv_session_cancel_pointers(skv_session *session)
 {
     SKV_ASSERT(session);
-    session->pointers.count = 0;
+    session->down_count = 0;
+    post_kind(session, SKV_MESSAGE_CANCEL);
 }
 
 int skv_session_pointer_count(const skv_session *session)
 {
     SKV_ASSERT_OR(session, 0);
-    return session->pointers.count;
+    return session->down_count;
 }
 
-void skv_session_set_grip(skv_session *session, double radius)
+void skv_session_keyboard(skv_session *session, int right, int up, bool down)
 {
-    SKV_ASSERT(session && radius >= 0 && radius <= WIDEST_GRIP);
-    session->grip = radius;
-}
-
-double skv_session_grip(const skv_session *session)
-{
-    SKV_ASSERT_OR(session, 0);
-    double width, height;
-    world_size(session, &width, &height);
-    return session->grip > 0 ? session->grip : 0.1 * fmax(width, height);
-}
-
-/* A pointer's velocity in metres per simulated second: in slow motion the fluid sees a hand that
- * is faster than the real one. Cut to FASTEST_HAND without changing its direction. */
-static void hand_velocity(const skv_session *session, const skv_pointer *pointer, double scale,
-                          skv_hand *hand)
-{
-    double factor = 1 / (scale * session->speed);
-    double x = pointer->vx * factor, y = -pointer->vy * factor;
-    double length = sqrt(x * x + y * y);
-    double cut = length > FASTEST_HAND ? FASTEST_HAND / length : 1;
-    hand->vx = (float)(x * cut);
-    hand->vy = (float)(y * cut);
-}
-
-int skv_session_hands(const skv_session *session, skv_hand *hands, int capacity)
-{
-    SKV_ASSERT_OR(session && (hands || capacity <= 0), 0);
-    skv_camera camera = skv_session_camera(session);
-    int count = session->pointers.count;
-    for (int i = 0; i < count && i < capacity; i++) {
-        const skv_pointer *pointer = &session->pointers.list[i];
-        double x, y;
-        skv_camera_to_world(&camera, pointer->px, pointer->py, &x, &y);
-        hands[i] = skv_default_hand();
-        hands[i].x = (float)x;
-        hands[i].y = (float)y;
-        hands[i].radius = (float)skv_session_grip(session);
-        hand_velocity(session, pointer, camera.scale, &hands[i]);
-    }
-    return count;
+    SKV_ASSERT(session);
+    skv_pointer_event event;
+    if (skv_keyboard_press(&session->keyboard, right, up, down, session->camera.width,
+                           session->camera.height, &event))
+        skv_session_pointer(session, &event);
 }

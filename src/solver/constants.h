@@ -1,5 +1,5 @@
-/* What is the same for all particles of a substep: the fluid's constants, and the hands. Made once
- * by the world; a solver converts them to its own units. */
+/* What is the same for all particles of a substep: the fluid's constants. Made once by the world; a
+ * solver converts them to its own units. */
 #ifndef SKV_SOLVER_CONSTANTS_H
 #define SKV_SOLVER_CONSTANTS_H
 
@@ -38,6 +38,8 @@ typedef struct skv_constants {
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
+    float design_pressure; /* that the substeps are made for, Pa m */
+
     float softness; /* share of the penetration corrected a substep */
     float friction; /* share of the tangential displacement removed a substep */
 } skv_constants;
@@ -47,13 +49,5 @@ static inline bool skv_is_viscous(const skv_constants *constants)
 {
     return constants->viscosity_linear > 0 || constants->viscosity_quadratic > 0;
 }
-
-/* A finger's pull (thesis, section 3.5), lengths in m. */
-typedef struct skv_pull {
-    float x, y, vx, vy;
-    float inv_radius;
-    float attraction;       /* m/s^2 at half the radius */
-    float friction, follow; /* shares of the velocity a substep at the centre, 0..1 */
-} skv_pull;
 
 #endif

@@ -15,6 +15,7 @@
 #include "skvalp/base.h"
 #include "solver/constants.h"
 #include "solver/impulse.h"
+#include "solver/pull.h"
 #include "terrain/boundary.h"
 
 #include <limits.h>
@@ -28,6 +29,10 @@ typedef struct skv_solver_def {
     const skv_boundary *boundary;        /* has to outlive the solver */
 } skv_solver_def;
 
+/* What a particle does in a step: nothing; lie there, so that it counts in the sums but stays, and
+ * nothing of it is written; or move. */
+typedef enum skv_part { SKV_ABSENT, SKV_HELD, SKV_MOVES } skv_part;
+
 /* The particles, in the caller's arrays: SI units. */
 typedef struct skv_solver_particles {
     int count;
@@ -37,10 +42,7 @@ typedef struct skv_solver_particles {
     float *clearance; /* lower bound of the distance to the nearest wall */
     float *pressure;  /* gauge pressure, Pa m; written only */
     const uint32_t *id;
-    /* Who takes part: indices, ascending, or ~index of one that is held, which takes part in the
-     * sums but stays, and nothing of it is written. Null: all, 0..count-1. */
-    const int *members;
-    int member_count;
+    const uint8_t *part; /* skv_part; null: all move */
 } skv_solver_particles;
 
 /* What walls have done to the fluid, of which the nearest point lies in a box. */
@@ -72,11 +74,11 @@ typedef struct skv_solver_memory {
 
 typedef struct skv_solver skv_solver;
 
-enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_PULLS = 16, SKV_SOLVER_MOST_MEMORIES = 2 };
+enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_PULLS = 48, SKV_SOLVER_MOST_MEMORIES = 2 };
 
 /* A kind of solver. */
 typedef struct skv_solver_type {
-    bool holds;        /* knows `members` */
+    bool holds;        /* knows `part` */
     bool reacts;       /* knows `reaction` */
     int most_substeps; /* that it can take after one `reserve` */
     int pass_count;

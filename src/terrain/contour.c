@@ -3,21 +3,15 @@
  */
 #include "terrain/contour.h"
 
-#include "base/memory.h"
 #include "terrain/terrain.h"
 
 #include <string.h>
 
-skv_result skv_coverage_create(const skv_terrain_def *def, skv_coverage *coverage, skv_error *error)
+void skv_coverage_fill(const skv_terrain_def *def, skv_coverage *coverage)
 {
     const int rim = SKV_TERRAIN_RIM;
-    int columns = def->width + 2 * rim, rows = def->height + 2 * rim;
-    uint8_t *bytes = skv_calloc((size_t)columns * (size_t)rows, 1);
-    if (!bytes)
-        return skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
-                        def->width, def->height);
-    for (int y = 0; y < rows; y++) {
-        uint8_t *row = bytes + (size_t)y * (size_t)columns;
+    for (int y = 0; y < coverage->rows; y++) {
+        uint8_t *row = coverage->bytes + (size_t)y * (size_t)coverage->columns;
         bool above = y >= def->height + rim, below = y < rim;
         bool open = (below && (def->open_sides & SKV_SIDE_BOTTOM)) ||
                     (above && (def->open_sides & SKV_SIDE_TOP));
@@ -32,14 +26,6 @@ skv_result skv_coverage_create(const skv_terrain_def *def, skv_coverage *coverag
             memcpy(row + rim, def->coverage + (size_t)(y - rim) * (size_t)def->width,
                    (size_t)def->width);
     }
-    *coverage = (skv_coverage){columns, rows, bytes};
-    return SKV_OK;
-}
-
-void skv_coverage_destroy(skv_coverage *coverage)
-{
-    skv_free(coverage->bytes);
-    *coverage = (skv_coverage){0};
 }
 
 unsigned skv_cell_corners(const skv_coverage *coverage, int x, int y)

@@ -20,9 +20,8 @@ typedef struct skv_wall_segment {
     float x0, y0, x1, y1;
 } skv_wall_segment;
 
-skv_result skv_coverage_create(const skv_terrain_def *def, skv_coverage *coverage,
-                               skv_error *error);
-void skv_coverage_destroy(skv_coverage *coverage);
+/* Fills the zeroed bytes of a coverage that has the definition's size. */
+void skv_coverage_fill(const skv_terrain_def *def, skv_coverage *coverage);
 
 /* Grey from 128 on is solid; the exact shade only shifts the wall between two pixels. */
 static inline bool skv_is_solid(uint8_t byte)

@@ -3,11 +3,13 @@
 #define SKV_TERRAIN_DISTANCE_H
 
 #include "terrain/contour.h"
+#include "terrain/squares.h"
 
 /* Fills `field`, one float a pixel of `coverage` in its order: positive in air, negative in solid,
- * times `pixel_size`. If there is no wall at all, the distance is the picture's width plus height.
- * Needs four more bytes a pixel while it runs. */
-skv_result skv_distance_transform(const skv_coverage *coverage, float pixel_size, float *field,
-                                  skv_error *error);
+ * times `pixel_size`. Farther from walls than SKV_TERRAIN_REACH pixels it is that many. Each is a
+ * function of the picture within the reach alone. With `wanted`, the rest of the field stays as it
+ * was. On failure nothing has changed. */
+skv_result skv_distance_fill(const skv_coverage *coverage, float pixel_size,
+                             const skv_squares *wanted, float *field, skv_error *error);
 
 #endif

@@ -9,6 +9,8 @@
 #include "terrain/contour.h"
 #include "terrain/distance.h"
 
+#include <string.h>
+
 #define TERRAIN_COOKIE 0x7e44a1
 
 /* Metres: the longest side of a world, in which float positions are fine enough, and the smallest
@@ -64,35 +66,44 @@ static float reach_of_air(const skv_coverage *coverage, int y, int beside)
     return reach;
 }
 
-static void find_free_range(const skv_coverage *coverage, skv_terrain *terrain)
+static void find_free_range(skv_terrain *terrain)
 {
     const int rim = SKV_TERRAIN_RIM;
     const float first_centre = (float)rim - 0.5f;
-    int bottom = rim, top = coverage->rows - rim - 1;
+    const skv_coverage coverage = skv_terrain_coverage(terrain);
+    int bottom = rim, top = coverage.rows - rim - 1;
     float reach = -1;
-    while (bottom <= top && (reach = reach_of_air(coverage, bottom, bottom - 1)) < 0)
+    terrain->lowest = terrain->highest = 0;
+    while (bottom <= top && (reach = reach_of_air(&coverage, bottom, bottom - 1)) < 0)
         bottom++;
     if (bottom > top)
         return;
     terrain->lowest = ((float)bottom - first_centre - reach) * terrain->pixel_size;
-    while ((reach = reach_of_air(coverage, top, top + 1)) < 0)
+    while ((reach = reach_of_air(&coverage, top, top + 1)) < 0)
         top--;
     terrain->highest = ((float)top - first_centre + reach) * terrain->pixel_size;
 }
 
-/* A pixel that the wall cuts counts by its centre's distance from it. */
-static double measure_free_area(const skv_terrain *terrain)
+/* The free pixels of a row; one that the wall cuts counts by its centre's distance from it. */
+static double free_pixels(const skv_terrain *terrain, int y)
 {
     double pixels = 0;
-    for (int y = 0; y < terrain->height; y++) {
-        const float *row = terrain->field + SKV_TERRAIN_RIM +
-                           (size_t)(y + SKV_TERRAIN_RIM) * (size_t)terrain->columns;
-        for (int x = 0; x < terrain->width; x++)
-            pixels += (double)skv_maxf(0, skv_minf(1, 0.5f + row[x] * terrain->per_metre));
-    }
+    const float *row =
+        terrain->field + SKV_TERRAIN_RIM + (size_t)(y + SKV_TERRAIN_RIM) * (size_t)terrain->columns;
+    for (int x = 0; x < terrain->width; x++)
+        pixels += (double)skv_maxf(0, skv_minf(1, 0.5f + row[x] * terrain->per_metre));
+    return pixels;
+}
+
+static double sum_free_area(const skv_terrain *terrain)
+{
+    double pixels = 0;
+    for (int y = 0; y < terrain->height; y++)
+        pixels += terrain->row_free[y];
     return pixels * (double)terrain->pixel_size * (double)terrain->pixel_size;
 }
 
+/* Of the picture's rows' hashes, after what else the terrain was made from. */
 static uint64_t hash_of(const skv_terrain *terrain)
 {
     uint8_t bytes[16];
@@ -102,9 +113,51 @@ static uint64_t hash_of(const skv_terrain *terrain)
     skv_put_float(&head, terrain->pixel_size);
     skv_put(&head, terrain->open_sides, 4);
     uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, bytes, head.used);
-    for (int y = 0; y < terrain->height; y++)
-        hash = skv_hash_bytes(hash, skv_terrain_row(terrain, y), (size_t)terrain->width);
+    for (int y = 0; y < terrain->height; y++) {
+        skv_writer row = {bytes, 0};
+        skv_put(&row, terrain->row_hash[y], 8);
+        hash = skv_hash_bytes(hash, bytes, row.used);
+    }
     return hash;
+}
+
+skv_terrain *skv_terrain_allocate(int width, int height)
+{
+    int columns = width + 2 * SKV_TERRAIN_RIM, rows = height + 2 * SKV_TERRAIN_RIM;
+    size_t pixels = (size_t)columns * (size_t)rows;
+    skv_terrain *made = skv_calloc(1, sizeof *made);
+    if (!made)
+        return NULL;
+    *made = (skv_terrain){
+        .owners = 1,
+        .width = width,
+        .height = height,
+        .columns = columns,
+        .rows = rows,
+        .field = skv_malloc(pixels, sizeof *made->field),
+        .coverage = skv_malloc(pixels, 1),
+        .row_hash = skv_malloc((size_t)height, sizeof *made->row_hash),
+        .row_free = skv_malloc((size_t)height, sizeof *made->row_free),
+    };
+    if (made->field && made->coverage && made->row_hash && made->row_free)
+        return made;
+    skv_terrain_destroy(made);
+    return NULL;
+}
+
+void skv_terrain_derive(skv_terrain *terrain, const skv_squares *changed)
+{
+    for (int y = 0; y < terrain->height; y++) {
+        int row = y + SKV_TERRAIN_RIM;
+        if (changed && !skv_squares_meet(changed, 0, row, terrain->columns, row))
+            continue;
+        terrain->row_hash[y] =
+            skv_hash_bytes(SKV_HASH_BEGIN, skv_terrain_row(terrain, y), (size_t)terrain->width);
+        terrain->row_free[y] = free_pixels(terrain, y);
+    }
+    terrain->hash = hash_of(terrain);
+    terrain->free_area = sum_free_area(terrain);
+    find_free_range(terrain);
 }
 
 skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain, skv_error *error)
@@ -115,40 +168,22 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
     skv_result result = check_def(def, error);
     if (result != SKV_OK)
         return result;
-
-    skv_coverage coverage;
-    result = skv_coverage_create(def, &coverage, error);
-    if (result != SKV_OK)
-        return result;
-    skv_terrain *made = skv_calloc(1, sizeof *made);
-    float *field = skv_calloc((size_t)coverage.columns * (size_t)coverage.rows, sizeof *field);
-    if (made && field) {
-        *made = (skv_terrain){
-            .owners = 1,
-            .width = def->width,
-            .height = def->height,
-            .columns = coverage.columns,
-            .rows = coverage.rows,
-            .pixel_size = def->pixel_size,
-            .per_metre = 1 / def->pixel_size,
-            .open_sides = def->open_sides,
-            .field = field,
-            .coverage = coverage.bytes,
-        };
-        made->hash = hash_of(made);
-        find_free_range(&coverage, made);
-        result = skv_distance_transform(&coverage, def->pixel_size, field, error);
-        made->free_area = measure_free_area(made);
-    } else {
-        result = skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
-                          def->width, def->height);
-    }
+    skv_terrain *made = skv_terrain_allocate(def->width, def->height);
+    if (!made)
+        return skv_fail(error, SKV_ERROR_MEMORY, "terrain: no memory for %d x %d pixels",
+                        def->width, def->height);
+    made->pixel_size = def->pixel_size;
+    made->per_metre = 1 / def->pixel_size;
+    made->open_sides = def->open_sides;
+    skv_coverage coverage = skv_terrain_coverage(made);
+    memset(coverage.bytes, 0, (size_t)coverage.columns * (size_t)coverage.rows);
+    skv_coverage_fill(def, &coverage);
+    result = skv_distance_fill(&coverage, def->pixel_size, NULL, made->field, error);
     if (result != SKV_OK) {
-        skv_coverage_destroy(&coverage);
-        skv_free(field);
-        skv_free(made);
+        skv_terrain_destroy(made);
         return result;
     }
+    skv_terrain_derive(made, NULL);
     *terrain = made;
     return SKV_OK;
 }
@@ -167,6 +202,8 @@ void skv_terrain_destroy(skv_terrain *terrain)
         return;
     skv_free(terrain->field);
     skv_free(terrain->coverage);
+    skv_free(terrain->row_hash);
+    skv_free(terrain->row_free);
     skv_free(terrain);
 }
 

@@ -7,7 +7,8 @@
 #ifndef SKV_TERRAIN_TERRAIN_H
 #define SKV_TERRAIN_TERRAIN_H
 
-#include "skvalp/terrain.h"
+#include "terrain/contour.h"
+#include "terrain/squares.h"
 
 #include <stdatomic.h>
 
@@ -25,8 +26,23 @@ struct skv_terrain {
     double free_area;      /* m^2 */
     float *field;          /* columns * rows signed distances, m */
     uint8_t *coverage;     /* columns * rows: the picture it was made from, with its rim */
+    uint64_t *row_hash;    /* height: of the picture's rows */
+    double *row_free;      /* height: the free pixels of each */
     uint64_t hash;         /* of all that it was made from: equal hashes, equal terrains */
 };
+
+/* Allocates a terrain of such a picture, with its arrays; what is in them and everything else is to
+ * be filled in. Null: no memory. */
+skv_terrain *skv_terrain_allocate(int width, int height);
+
+/* Derives from a terrain's picture and distances what else it holds. With `changed`, where these
+ * differ from those of a terrain whose rows it has: what it says of the other rows stays. */
+void skv_terrain_derive(skv_terrain *terrain, const skv_squares *changed);
+
+static inline skv_coverage skv_terrain_coverage(const skv_terrain *terrain)
+{
+    return (skv_coverage){terrain->columns, terrain->rows, terrain->coverage};
+}
 
 /* The picture as it was given: row `y` from the bottom, `width` bytes. */
 static inline const uint8_t *skv_terrain_row(const skv_terrain *terrain, int y)

@@ -53,42 +53,23 @@ static bool find_middle(const skv_terrain *terrain, int x, int y, double longest
     return false;
 }
 
-/* Marks the cell of a point in metres; true if it is on the grid. */
-static bool mark(const skv_thin_walls *thin, uint8_t *marks, double x, double y)
-{
-    double column = floor(x * (double)thin->per_metre) + MARGIN;
-    double row = floor(y * (double)thin->per_metre) + MARGIN;
-    if (column < 0 || row < 0 || column >= thin->columns || row >= thin->rows)
-        return false;
-    marks[(size_t)row * (size_t)thin->columns + (size_t)column] = 1;
-    return true;
-}
+/* What is known of a cell. */
+enum {
+    MIDDLE = 1,    /* a thin wall's middle lies in it ... */
+    UPPER_END = 2, /* ... near where the wall ends, and comes from below: usually in the air; ... */
+    OTHER_END = 4, /* ... or ends otherwise, or is no more than a spot */
+    SOLID = 8      /* the wall passes through */
+};
 
-/* Marks the middles of all thin walls; false if there are none. */
-static bool mark_middles(const skv_thin_walls *thin, const skv_terrain *terrain, double radius,
-                         uint8_t *marks)
-{
-    const double shift = (double)SKV_TERRAIN_RIM - 0.5, pixel = (double)terrain->pixel_size;
-    bool any = false;
-    for (int y = 1; y < terrain->rows - 2; y++) {
-        const float *row = terrain->field + (size_t)y * (size_t)terrain->columns;
-        for (int x = 1; x < terrain->columns - 2; x++) {
-            double mx, my;
-            if (row[x] > 0 && row[x] <= terrain->pixel_size &&
-                find_middle(terrain, x, y, radius / pixel, &mx, &my))
-                any = mark(thin, marks, (mx - shift) * pixel, (my - shift) * pixel) || any;
-        }
-    }
-    return any;
-}
-
-/* What finding needs besides the result: cells as marks, and as solid. */
+/* What finding needs besides the result. */
 typedef struct search {
-    const skv_thin_walls *thin;
-    uint8_t *middles;  /* 1: a middle */
-    uint8_t *solid;    /* 1: the wall passes through */
-    int *queue;        /* cells reached from free ends ... */
-    uint8_t *distance; /* ... in so many steps + 1; 0: not reached */
+    const skv_terrain *terrain;
+    skv_thin_walls *thin;
+    double longest;           /* the way through a thin wall, pixels */
+    const skv_squares *redo;  /* where cells are found anew; null: everywhere */
+    skv_square_bounds within; /* the box around it, or the whole picture */
+    int *queue;               /* cells reached from free ends ... */
+    uint8_t *distance;        /* ... in so many steps + 1; 0: not reached */
 } search;
 
 static size_t cell_at(const skv_thin_walls *thin, int x, int y)
@@ -96,19 +77,91 @@ static size_t cell_at(const skv_thin_walls *thin, int x, int y)
     return (size_t)y * (size_t)thin->columns + (size_t)x;
 }
 
-static void find_solid(const search *s, const skv_terrain *terrain)
+/* The middle of a cell in grid coordinates. */
+static float middle_of(const search *s, int cell)
 {
-    const skv_thin_walls *thin = s->thin;
-    float side = 1 / thin->per_metre;
-    for (int y = 0; y < thin->rows; y++) {
-        float gy = skv_to_grid(terrain, ((float)(y - MARGIN) + 0.5f) * side);
-        for (int x = 0; x < thin->columns; x++) {
-            float gx = skv_to_grid(terrain, ((float)(x - MARGIN) + 0.5f) * side);
-            /* A line passes the middles of a chain of cells by no more than half a side. */
-            s->solid[cell_at(thin, x, y)] = s->middles[cell_at(thin, x, y)] ||
-                                            skv_grid_distance(terrain, gx, gy) <= 0.5f * side;
+    return skv_to_grid(s->terrain, ((float)(cell - MARGIN) + 0.5f) * (1 / s->thin->per_metre));
+}
+
+/* True if a cell, or pixels that reach into it, may be other than before. */
+static bool is_redone(const search *s, float gx, float gy, double reach)
+{
+    return !s->redo || skv_squares_meet(s->redo, (double)gx - reach, (double)gy - reach,
+                                        (double)gx + reach, (double)gy + reach);
+}
+
+/* Notes the cell of a point in metres, if it is on the grid, as a middle. */
+static void note_middle(const skv_thin_walls *thin, double x, double y)
+{
+    double column = floor(x * (double)thin->per_metre) + MARGIN;
+    double row = floor(y * (double)thin->per_metre) + MARGIN;
+    if (column >= 0 && row >= 0 && column < thin->columns && row < thin->rows)
+        thin->found[(size_t)row * (size_t)thin->columns + (size_t)column] |= MIDDLE;
+}
+
+/* Notes the middles of all thin walls; those of walls that stay are found again. */
+static void find_middles(const search *s)
+{
+    const skv_terrain *terrain = s->terrain;
+    const double shift = (double)SKV_TERRAIN_RIM - 0.5, pixel = (double)terrain->pixel_size;
+    double reach = s->longest + 4;
+    int around = (int)reach + 1;
+    int x0 = s->within.x0 - around, x1 = s->within.x1 + around;
+    int y0 = s->within.y0 - around, y1 = s->within.y1 + around;
+    x0 = x0 > 1 ? x0 : 1;
+    y0 = y0 > 1 ? y0 : 1;
+    x1 = x1 < terrain->columns - 2 ? x1 : terrain->columns - 2;
+    y1 = y1 < terrain->rows - 2 ? y1 : terrain->rows - 2;
+    for (int y = y0; y < y1; y++) {
+        const float *row = terrain->field + (size_t)y * (size_t)terrain->columns;
+        for (int x = x0; x < x1; x++) {
+            double mx, my;
+            if (row[x] > 0 && row[x] <= terrain->pixel_size &&
+                is_redone(s, (float)x, (float)y, reach) &&
+                find_middle(terrain, x, y, s->longest, &mx, &my))
+                note_middle(s->thin, (mx - shift) * pixel, (my - shift) * pixel);
         }
     }
+}
+
+/* The cells along a side whose middles lie from pixel `low` to before `high` of `pixels`: from
+ * *first to before *end. What lies outside of the picture is near its edge. */
+static void cells_between(const search *s, int cells, int low, int high, int pixels, int *first,
+                          int *end)
+{
+    *first = 0;
+    *end = cells;
+    while (low > 0 && *first < cells && middle_of(s, *first) < (float)low)
+        ++*first;
+    while (high < pixels && *end > *first && middle_of(s, *end - 1) >= (float)high)
+        --*end;
+}
+
+/* Finds out which cells a wall passes through, and forgets what else was known of them. */
+static void find_solid(const search *s)
+{
+    const skv_thin_walls *thin = s->thin;
+    const skv_terrain *terrain = s->terrain;
+    float side = 1 / thin->per_metre;
+    int x0, y0, x1, y1;
+    cells_between(s, thin->columns, s->within.x0, s->within.x1, terrain->columns, &x0, &x1);
+    cells_between(s, thin->rows, s->within.y0, s->within.y1, terrain->rows, &y0, &y1);
+    for (int y = y0; y < y1; y++) {
+        float gy = middle_of(s, y);
+        for (int x = x0; x < x1; x++) {
+            float gx = middle_of(s, x);
+            /* A line passes the middles of a chain of cells by no more than half a side. */
+            if (is_redone(s, gx, gy, 0))
+                thin->found[cell_at(thin, x, y)] =
+                    skv_grid_distance(terrain, gx, gy) <= 0.5f * side ? SOLID : 0;
+        }
+    }
+}
+
+/* A middle counts as solid, however thin the wall. */
+static bool is_solid(const skv_thin_walls *thin, size_t at)
+{
+    return thin->found[at] & (SOLID | MIDDLE);
 }
 
 /* The cells around one, as far as they are solid and hang together with it. */
@@ -126,7 +179,7 @@ static void reach_from_middle(const search *s, int x, int y, window reached)
         for (int k = 0; k < 9; k++) {
             int i = at % WINDOW + k % 3 - 1, j = at / WINDOW + k / 3 - 1;
             if (i < 0 || j < 0 || i >= WINDOW || j >= WINDOW || reached[j][i] ||
-                !s->solid[cell_at(s->thin, x + i - AROUND, y + j - AROUND)])
+                !is_solid(s->thin, cell_at(s->thin, x + i - AROUND, y + j - AROUND)))
                 continue;
             reached[j][i] = true;
             stack[top++] = j * WINDOW + i;
@@ -143,14 +196,8 @@ static void border_cell(int k, int *x, int *y)
     *y = edge == 0 ? 0 : edge == 1 ? along : edge == 2 ? side : side - along;
 }
 
-/* How a wall goes on past a marked cell. */
-typedef enum course {
-    GOES_ON,   /* to two sides */
-    UPPER_END, /* it ends nearby, and comes from below: usually in the air */
-    OTHER_END  /* it ends nearby otherwise, or is no more than a spot */
-} course;
-
-static course follow(const search *s, int x, int y)
+/* Whether the wall goes on to two sides of a middle, 0, or how it ends nearby. */
+static uint8_t follow(const search *s, int x, int y)
 {
     window reached;
     reach_from_middle(s, x, y, reached);
@@ -164,11 +211,24 @@ static course follow(const search *s, int x, int y)
         up += reached[j][i] ? j - AROUND : 0;
     }
     if (ways >= 2)
-        return GOES_ON;
+        return 0;
     return ways == 1 && up < -(across < 0 ? -across : across) ? UPPER_END : OTHER_END;
 }
 
-/* Takes away the marks near free ends of walls. */
+static void find_ends(const search *s)
+{
+    const skv_thin_walls *thin = s->thin;
+    double reach = (AROUND + 1) * (double)s->terrain->per_metre / (double)thin->per_metre;
+    for (int y = AROUND; y < thin->rows - AROUND; y++) {
+        for (int x = AROUND; x < thin->columns - AROUND; x++) {
+            uint8_t *found = &thin->found[cell_at(thin, x, y)];
+            if ((*found & MIDDLE) && is_redone(s, middle_of(s, x), middle_of(s, y), reach))
+                *found = (uint8_t)((*found & (MIDDLE | SOLID)) | follow(s, x, y));
+        }
+    }
+}
+
+/* Reaches from the free ends along the walls: what is reached is no thin wall's middle any more. */
 static void clear_ends(const search *s)
 {
     const skv_thin_walls *thin = s->thin;
@@ -176,17 +236,15 @@ static void clear_ends(const search *s)
     for (int y = AROUND; y < thin->rows - AROUND; y++) {
         for (int x = AROUND; x < thin->columns - AROUND; x++) {
             size_t at = cell_at(thin, x, y);
-            course there = s->middles[at] ? follow(s, x, y) : GOES_ON;
-            if (there == GOES_ON)
+            if (!(thin->found[at] & (UPPER_END | OTHER_END)))
                 continue;
-            s->distance[at] = there == UPPER_END ? CLEARED + 1 : 1;
+            s->distance[at] = thin->found[at] & UPPER_END ? CLEARED + 1 : 1;
             s->queue[count++] = (int)at;
         }
     }
-    /* The upper ends' marks alone go away; from the others on it spreads. */
+    /* The upper ends' middles alone go away; from the others on it spreads. */
     for (int next = 0; next < count; next++) {
         int at = s->queue[next];
-        s->middles[at] = 0;
         if (s->distance[at] > CLEARED)
             continue;
         for (int k = 0; k < 9; k++) {
@@ -194,7 +252,7 @@ static void clear_ends(const search *s)
             if (x < 0 || y < 0 || x >= thin->columns || y >= thin->rows)
                 continue;
             size_t to = cell_at(thin, x, y);
-            if (!s->solid[to] || s->distance[to])
+            if (!is_solid(thin, to) || s->distance[to])
                 continue;
             s->distance[to] = (uint8_t)(s->distance[at] + 1);
             s->queue[count++] = (int)to;
@@ -202,16 +260,16 @@ static void clear_ends(const search *s)
     }
 }
 
-/* Marks all cells within the radius of the middles that are left; false if there are none. */
-static bool spread(const search *s)
+/* Marks all cells within the radius of the middles that are left. */
+static void spread(const search *s)
 {
-    const skv_thin_walls *thin = s->thin;
-    bool any = false;
+    skv_thin_walls *thin = s->thin;
     for (int y = SPREAD; y < thin->rows - SPREAD; y++) {
         for (int x = SPREAD; x < thin->columns - SPREAD; x++) {
-            if (!s->middles[cell_at(thin, x, y)])
+            size_t at = cell_at(thin, x, y);
+            if (!(thin->found[at] & MIDDLE) || s->distance[at])
                 continue;
-            any = true;
+            thin->any = true;
             for (int dy = -SPREAD; dy <= SPREAD; dy++) {
                 for (int dx = -SPREAD; dx <= SPREAD; dx++) {
                     if (dx * dx + dy * dy <= SPREAD * SPREAD)
@@ -220,36 +278,73 @@ static bool spread(const search *s)
             }
         }
     }
-    return any;
 }
 
-static skv_result find_walls(const search *s, const skv_terrain *terrain, double radius, bool *any,
-                             size_t cells, skv_error *error)
+/* How far, in pixels, from where the picture has changed middles may be other ones: those that lie
+ * on a way through the wall that has changed itself, or has begun or ended within its length. Where
+ * the wall's surface is farther away, distances are so large that the way is too long. */
+static double reach_of_change(double longest)
 {
-    *any = mark_middles(s->thin, terrain, THIN * radius, s->middles);
-    if (!*any)
+    return 3.5 * longest + 12;
+}
+
+static bool has_middles(const skv_thin_walls *thin, size_t cells)
+{
+    uint8_t all = 0;
+    for (size_t i = 0; i < cells; i++)
+        all |= thin->found[i];
+    return all & MIDDLE;
+}
+
+static skv_result find_walls(search *s, size_t cells, skv_error *error)
+{
+    find_solid(s);
+    find_middles(s);
+    if (!has_middles(s->thin, cells))
         return SKV_OK;
-    search more = *s;
-    more.solid = skv_calloc(cells, 1);
-    more.distance = skv_calloc(cells, 1);
-    more.queue = skv_calloc(cells, sizeof *more.queue);
+    find_ends(s);
+    s->distance = skv_calloc(cells, 1);
+    s->queue = skv_calloc(cells, sizeof *s->queue);
     skv_result result = SKV_OK;
-    if (more.solid && more.distance && more.queue) {
-        find_solid(&more, terrain);
-        clear_ends(&more);
-        *any = spread(&more);
+    if (s->distance && s->queue) {
+        clear_ends(s);
+        spread(s);
     } else {
         result = skv_fail(error, SKV_ERROR_MEMORY,
                           "walls: no memory for %zu cells; a wider spacing needs fewer", cells);
     }
-    skv_free(more.solid);
-    skv_free(more.distance);
-    skv_free(more.queue);
+    skv_free(s->distance);
+    skv_free(s->queue);
     return result;
 }
 
-skv_result skv_thin_walls_create(const skv_terrain *terrain, float radius, skv_thin_walls **out,
-                                 skv_error *error)
+/* The empty result, with what was known before. */
+static skv_thin_walls *allocate(double per_metre, double columns, double rows,
+                                const skv_thin_walls *before)
+{
+    size_t cells = (size_t)columns * (size_t)rows;
+    skv_thin_walls *thin = skv_calloc(1, sizeof *thin);
+    if (!thin)
+        return NULL;
+    *thin = (skv_thin_walls){
+        .per_metre = (float)per_metre,
+        .columns = (int)columns,
+        .rows = (int)rows,
+        .marks = skv_calloc(cells, 1),
+        .found = skv_calloc(cells, 1),
+    };
+    if (!thin->marks || !thin->found) {
+        skv_thin_walls_destroy(thin);
+        return NULL;
+    }
+    if (before)
+        memcpy(thin->found, before->found, cells);
+    return thin;
+}
+
+skv_result skv_thin_walls_create(const skv_terrain *terrain, float radius,
+                                 const skv_thin_walls *before, const skv_squares *changed,
+                                 skv_thin_walls **out, skv_error *error)
 {
     *out = NULL;
     double per_metre = RADIUS / (double)radius;
@@ -258,26 +353,30 @@ skv_result skv_thin_walls_create(const skv_terrain *terrain, float radius, skv_t
     if (columns * rows > INT32_MAX)
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "thin walls: a radius of %g m is too small for this world", (double)radius);
-    size_t cells = (size_t)columns * (size_t)rows;
-    skv_thin_walls *thin = skv_calloc(1, sizeof *thin);
-    uint8_t *middles = skv_calloc(cells, 1), *marks = skv_calloc(cells, 1);
-    bool any = false;
+    search s = {.terrain = terrain,
+                .longest = THIN * (double)radius / (double)terrain->pixel_size,
+                .within = {0, 0, terrain->columns, terrain->rows}};
+    skv_squares redo = {0};
     skv_result result = SKV_OK;
-    if (thin && middles && marks) {
-        *thin = (skv_thin_walls){(float)per_metre, (int)columns, (int)rows, marks};
-        search s = {.thin = thin, .middles = middles};
-        result = find_walls(&s, terrain, (double)radius, &any, cells, error);
-    } else {
+    if (before) {
+        result = skv_squares_spread(changed, reach_of_change(s.longest), &redo, error);
+        if (result != SKV_OK)
+            return result;
+        s.redo = &redo;
+        s.within = skv_squares_bounds(&redo);
+    }
+    size_t cells = (size_t)columns * (size_t)rows;
+    s.thin = allocate(per_metre, columns, rows, before);
+    if (s.thin)
+        result = find_walls(&s, cells, error);
+    else
         result = skv_fail(error, SKV_ERROR_MEMORY,
                           "walls: no memory for %zu cells; a wider spacing needs fewer", cells);
-    }
-    skv_free(middles);
-    if (result == SKV_OK && any) {
-        *out = thin;
-        return SKV_OK;
-    }
-    skv_free(marks);
-    skv_free(thin);
+    skv_squares_destroy(&redo);
+    if (result == SKV_OK)
+        *out = s.thin;
+    else
+        skv_thin_walls_destroy(s.thin);
     return result;
 }
 
@@ -286,5 +385,6 @@ void skv_thin_walls_destroy(skv_thin_walls *thin)
     if (!thin)
         return;
     skv_free(thin->marks);
+    skv_free(thin->found);
     skv_free(thin);
 }

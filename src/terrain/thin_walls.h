@@ -9,6 +9,7 @@
 #define SKV_TERRAIN_THIN_WALLS_H
 
 #include "skvalp/terrain.h"
+#include "terrain/squares.h"
 
 /* Cells around the world, on its grid of an eighth of the radius. */
 enum { SKV_THIN_MARGIN = 26 };
@@ -17,12 +18,16 @@ typedef struct skv_thin_walls {
     float per_metre; /* cells a metre */
     int columns, rows;
     uint8_t *marks; /* columns * rows: 1 where a thin wall is within the radius */
+    bool any;       /* a cell is marked */
+    uint8_t *found; /* columns * rows: what else is known of the cells, for finding them anew */
 } skv_thin_walls;
 
-/* Finds a terrain's thin walls; *thin is null if it has none. `terrain` is only read during the
- * call. */
-skv_result skv_thin_walls_create(const skv_terrain *terrain, float radius, skv_thin_walls **thin,
-                                 skv_error *error);
+/* Finds a terrain's thin walls. With `before`, those of a terrain of the same size whose picture
+ * differs in the squares `changed` alone, what stays is taken from there: the result is the same.
+ * `terrain` and `before` are only read during the call. */
+skv_result skv_thin_walls_create(const skv_terrain *terrain, float radius,
+                                 const skv_thin_walls *before, const skv_squares *changed,
+                                 skv_thin_walls **thin, skv_error *error);
 void skv_thin_walls_destroy(skv_thin_walls *thin);
 
 /* True if a thin wall may be within the radius of a point, in m; false where none is within one and

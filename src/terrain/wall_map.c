@@ -6,19 +6,17 @@
  * each with the first samples of its neighbours, so that sampling needs one block. Invariant: a
  * block not stored is uniform: all its samples are 0, or all are those deep inside solid.
  */
-#include "terrain/wall_map.h"
+#include "terrain/wall_build.h"
 
 #include "base/assert.h"
 #include "base/memory.h"
 #include "terrain/sample.h"
-#include "terrain/thin_walls.h"
-#include "terrain/wall_kernel.h"
-#include "terrain/wall_shadow.h"
 
 #include <math.h>
+#include <string.h>
 
-/* Cells a block side needs for its convolution, and the same rounded up for whole vectors. */
-#define WINDOW     (SAMPLES + 2 * SKV_WALL_REACH)
+/* Cells a block side needs for its convolution, rounded up for whole vectors. */
+#define WINDOW     SKV_WALL_WINDOW
 #define LANES      4
 #define ROW_LENGTH (WINDOW + LANES)
 
@@ -29,14 +27,6 @@ enum {
     FLAT_STEPS = SKV_WALL_FLAT_STEPS
 };
 
-/* What building needs. */
-typedef struct builder {
-    const skv_terrain *terrain;
-    skv_wall_map *map;
-    skv_wall_kernel kernel;
-    double cell; /* a cell's side in pixels */
-} builder;
-
 /* The solid shares of the cells around a block. */
 typedef struct window {
     float share[WINDOW][ROW_LENGTH];
@@ -44,19 +34,12 @@ typedef struct window {
 } window;
 
 /* Distance in pixels at a point given in cells. */
-static float distance_at(const builder *b, double x, double y)
+static float distance_at(const skv_wall_builder *b, double x, double y)
 {
     const double shift = (double)SKV_TERRAIN_RIM - 0.5;
     float gx = (float)((x - MARGIN) * b->cell + shift);
     float gy = (float)((y - MARGIN) * b->cell + shift);
     return skv_grid_distance(b->terrain, gx, gy) * b->terrain->per_metre;
-}
-
-/* Beyond this distance from its middle, in pixels, no wall passes through a square. Half a pixel
- * for what interpolation between pixel centres may smooth away. */
-static float clear_distance(double side)
-{
-    return (float)(0.7072 * side + 0.5);
 }
 
 /* The solid share of a small square at this distance, both in pixels. What rounding leaves of
@@ -69,9 +52,9 @@ static float solid_share_at(float distance, float side)
 }
 
 /* The solid share of cell (x, y). */
-static float solid_share(const builder *b, int x, int y)
+static float solid_share(const skv_wall_builder *b, int x, int y)
 {
-    float middle = distance_at(b, x + 0.5, y + 0.5), clear = clear_distance(b->cell);
+    float middle = distance_at(b, x + 0.5, y + 0.5), clear = skv_wall_clear_distance(b->cell);
     if (middle >= clear)
         return 0;
     if (middle <= -clear)
@@ -90,10 +73,10 @@ static float solid_share(const builder *b, int x, int y)
 
 /* Sorts a square of cells: SKV_WALL_AIR, SKV_WALL_SOLID, or 0 where a wall may pass through it.
  * Halves the square until it is about a cell wide. */
-static int sort_square(const builder *b, double x, double y, double side)
+static int sort_square(const skv_wall_builder *b, double x, double y, double side)
 {
     float middle = distance_at(b, x + 0.5 * side, y + 0.5 * side);
-    float clear = clear_distance(side * b->cell);
+    float clear = skv_wall_clear_distance(side * b->cell);
     if (middle >= clear)
         return SKV_WALL_AIR;
     if (middle <= -clear)
@@ -109,7 +92,7 @@ static int sort_square(const builder *b, double x, double y, double side)
     return kind;
 }
 
-static void fill_window(const builder *b, int x0, int y0, window *w)
+static void fill_window(const skv_wall_builder *b, int x0, int y0, window *w)
 {
     for (int y = 0; y < WINDOW; y++) {
         float least = 1, most = 0;
@@ -181,34 +164,66 @@ static void fill_block(const skv_wall_kernel *kernel, const window *w, skv_wall_
     }
 }
 
+int skv_wall_sort_block(const skv_wall_builder *b, int x, int y)
+{
+    return sort_square(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, WINDOW);
+}
+
 /* Numbers the blocks that a wall is near. */
-static void sort_blocks(const builder *b)
+static void sort_blocks(const skv_wall_builder *b)
 {
     skv_wall_map *map = b->map;
     int32_t count = 0;
     for (int y = 0; y < map->rows; y++) {
         for (int x = 0; x < map->columns; x++) {
-            int kind =
-                sort_square(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, WINDOW);
+            int kind = skv_wall_sort_block(b, x, y);
             map->index[(size_t)y * (size_t)map->columns + (size_t)x] = kind ? kind : count++;
         }
     }
     map->count = (size_t)count;
 }
 
-static void fill_blocks(const builder *b)
+void skv_wall_build_block(const skv_wall_builder *b, int x, int y, skv_wall_block *made)
+{
+    window w;
+    fill_window(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, &w);
+    fill_block(&b->map->kernel, &w, made);
+}
+
+static void build_blocks(const skv_wall_builder *b)
 {
     skv_wall_map *map = b->map;
-    window w;
     for (int y = 0; y < map->rows; y++) {
         for (int x = 0; x < map->columns; x++) {
             int32_t number = map->index[(size_t)y * (size_t)map->columns + (size_t)x];
-            if (number < 0)
-                continue;
-            fill_window(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, &w);
-            fill_block(&b->kernel, &w, &map->blocks[number]);
+            if (number >= 0)
+                skv_wall_build_block(b, x, y, &map->blocks[number]);
         }
     }
+}
+
+skv_result skv_wall_reserve_blocks(skv_wall_map *map, size_t room, skv_error *error)
+{
+    if (room <= map->room && map->blocks)
+        return SKV_OK;
+    skv_wall_block *blocks = skv_calloc(room, sizeof *blocks);
+    int32_t *spare = skv_calloc(room, sizeof *spare);
+    if (!blocks || !spare) {
+        skv_free(blocks);
+        skv_free(spare);
+        return skv_fail(error, SKV_ERROR_MEMORY,
+                        "walls: no memory for %zu blocks; a wider spacing needs fewer", room);
+    }
+    if (map->blocks)
+        memcpy(blocks, map->blocks, map->count * sizeof *blocks);
+    if (map->spare)
+        memcpy(spare, map->spare, map->spare_count * sizeof *spare);
+    skv_free(map->blocks);
+    skv_free(map->spare);
+    map->blocks = blocks;
+    map->spare = spare;
+    map->room = room;
+    return SKV_OK;
 }
 
 /* Blocks along a side of so many pixels. */
@@ -228,10 +243,7 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
         return skv_fail(error, SKV_ERROR_VALUE,
                         "wall map: radius %g m and spacing %g m; 0 < spacing <= radius is needed",
                         h, s);
-    builder b = {
-        .terrain = terrain,
-        .cell = h / ((double)terrain->pixel_size * SKV_WALL_REACH),
-    };
+    skv_wall_builder b = skv_wall_builder_of(NULL, terrain, h);
     double columns = blocks_along(terrain->width, b.cell);
     double rows = blocks_along(terrain->height, b.cell);
     if (columns * rows > INT32_MAX)
@@ -257,18 +269,14 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
         .index = index,
     };
     b.map = made;
-    skv_wall_kernel_make(pressure, made->density, &b.kernel);
-    for (int k = 0; k < SKV_WALL_MAPS; k++)
-        made->full[k] = b.kernel.full[k];
+    skv_wall_kernel_make(pressure, made->density, &made->kernel);
     sort_blocks(&b);
-    made->blocks = skv_calloc(made->count, sizeof *made->blocks);
-    if (!made->blocks) {
-        size_t count = made->count;
+    skv_result result = skv_wall_reserve_blocks(made, made->count, error);
+    if (result != SKV_OK) {
         skv_wall_map_destroy(made);
-        return skv_fail(error, SKV_ERROR_MEMORY,
-                        "walls: no memory for %zu blocks; a wider spacing needs fewer", count);
+        return result;
     }
-    fill_blocks(&b);
+    build_blocks(&b);
     *map = made;
     return SKV_OK;
 }
@@ -277,9 +285,10 @@ void skv_wall_map_destroy(skv_wall_map *map)
 {
     if (!map)
         return;
-    skv_thin_walls_destroy(map->thin);
+    skv_thin_walls_destroy(map->found);
     skv_free(map->index);
     skv_free(map->blocks);
+    skv_free(map->spare);
     skv_free(map);
 }
 
@@ -287,7 +296,7 @@ size_t skv_wall_map_bytes(const skv_wall_map *map)
 {
     SKV_ASSERT_OR(map, 0);
     return sizeof *map + (size_t)map->columns * (size_t)map->rows * sizeof *map->index +
-           map->count * sizeof *map->blocks;
+           map->room * (sizeof *map->blocks + sizeof *map->spare);
 }
 
 /* The table for points too near to a thin wall. */
@@ -305,39 +314,52 @@ static void tabulate_flat(skv_wall_map *map, const skv_shadow_rays *rays)
     }
 }
 
-/* Replaces the samples of a block, whose first cell is (x0, y0), that lie in the air near a thin
- * wall. */
-static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
-                        const skv_shadow_rays *rays, int x0, int y0, skv_wall_block *b)
+void skv_wall_take_found(skv_wall_map *map, skv_thin_walls *found, const skv_shadow_rays *rays)
 {
-    double cell = map->radius / SKV_WALL_REACH;
+    map->found = found;
+    map->thin = found->any ? found : NULL;
+    if (map->thin)
+        tabulate_flat(map, rays);
+}
+
+void skv_wall_shade_sample(const skv_wall_map *map, const skv_terrain *terrain,
+                           const skv_shadow_rays *rays, float x, float y,
+                           float values[SKV_WALL_MAPS])
+{
+    skv_shadow_at(rays, map->pressure, terrain, skv_to_grid(terrain, x), skv_to_grid(terrain, y),
+                  map->radius * (double)terrain->per_metre, map->density, values);
+}
+
+/* Replaces the samples of block (x, y) that lie in the air near a thin wall. */
+static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
+                        const skv_shadow_rays *rays, int x, int y, skv_wall_block *b)
+{
     for (int j = 0; j < SAMPLES; j++) {
         for (int i = 0; i < SAMPLES; i++) {
-            float x = (float)((x0 + i + 0.5 - MARGIN) * cell);
-            float y = (float)((y0 + j + 0.5 - MARGIN) * cell);
-            float gx = skv_to_grid(terrain, x), gy = skv_to_grid(terrain, y);
-            if (skv_near_thin_wall(map->thin, x, y) && skv_grid_distance(terrain, gx, gy) > 0)
-                skv_shadow_at(rays, map->pressure, terrain, gx, gy,
-                              map->radius * (double)terrain->per_metre, map->density,
-                              b->samples[j][i]);
+            float sx = skv_wall_sample_place(map, x * BLOCK + i),
+                  sy = skv_wall_sample_place(map, y * BLOCK + j);
+            if (skv_wall_is_shaded(map->thin, terrain, sx, sy))
+                skv_wall_shade_sample(map, terrain, rays, sx, sy, b->samples[j][i]);
         }
     }
 }
 
 skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error)
 {
-    SKV_ASSERT_OR(map && terrain && !map->thin, SKV_ERROR_VALUE);
-    skv_result result = skv_thin_walls_create(terrain, (float)map->radius, &map->thin, error);
-    if (result != SKV_OK || !map->thin)
+    SKV_ASSERT_OR(map && terrain && !map->found, SKV_ERROR_VALUE);
+    skv_thin_walls *found;
+    skv_result result =
+        skv_thin_walls_create(terrain, (float)map->radius, NULL, NULL, &found, error);
+    if (result != SKV_OK)
         return result;
     skv_shadow_rays rays;
     skv_shadow_rays_make(&rays);
-    tabulate_flat(map, &rays);
-    for (int y = 0; y < map->rows; y++) {
+    skv_wall_take_found(map, found, &rays);
+    for (int y = 0; map->thin && y < map->rows; y++) {
         for (int x = 0; x < map->columns; x++) {
             int32_t number = map->index[(size_t)y * (size_t)map->columns + (size_t)x];
             if (number >= 0)
-                shade_block(map, terrain, &rays, x * BLOCK, y * BLOCK, &map->blocks[number]);
+                shade_block(map, terrain, &rays, x, y, &map->blocks[number]);
         }
     }
     return SKV_OK;

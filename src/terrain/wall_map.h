@@ -10,6 +10,7 @@
 #ifndef SKV_TERRAIN_WALL_MAP_H
 #define SKV_TERRAIN_WALL_MAP_H
 
+#include "base/pool.h"
 #include "terrain/thin_walls.h"
 #include "terrain/wall_kernel.h"
 
@@ -39,9 +40,12 @@ typedef struct skv_wall_map {
     int columns, rows; /* blocks */
     int32_t *index;    /* columns * rows: a stored block, or one of those that are not */
     skv_wall_block *blocks;
-    size_t count;
-    float full[SKV_WALL_MAPS]; /* a sample deep inside solid */
-    skv_thin_walls *thin;      /* null: there are none */
+    size_t count, room; /* blocks numbered so far, and that there is memory for */
+    int32_t *spare;     /* numbers that were given back */
+    size_t spare_count;
+    skv_wall_kernel kernel;
+    const skv_thin_walls *thin; /* null: there are none */
+    skv_thin_walls *found;      /* what is known of them; null: they have not been looked for */
     /* R, Rn, F1 and F2 beside a flat wall, from touching it to KEEP_OFF, against those there. */
     float flat[SKV_WALL_FLAT_STEPS + 1][4];
 } skv_wall_map;
@@ -62,6 +66,13 @@ void skv_wall_map_destroy(skv_wall_map *map);
  * point cannot see, the fluid behind the wall included: pairs are cut there, so the wall must stand
  * for all that they would have given. Once for a map; on failure it stays as it was. */
 skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error);
+
+/* Makes a map, and what is known of thin walls, that of another terrain of the same size, whose
+ * picture differs in the squares `changed` alone: bit for bit what they would be if they were made
+ * for it. On failure nothing has changed. */
+skv_result skv_wall_map_update(skv_wall_map *map, const skv_terrain *before,
+                               const skv_terrain *terrain, const skv_squares *changed,
+                               skv_pool *pool, skv_error *error);
 
 /* Bytes held, for reports. */
 size_t skv_wall_map_bytes(const skv_wall_map *map);
@@ -95,8 +106,8 @@ static inline bool skv_wall_map_sample(const skv_wall_map *map, float x, float y
     if (number == SKV_WALL_AIR)
         return false;
     if (number == SKV_WALL_SOLID) {
-        sample->r = map->full[SKV_WALL_R];
-        sample->rn = map->full[SKV_WALL_RN];
+        sample->r = map->kernel.full[SKV_WALL_R];
+        sample->rn = map->kernel.full[SKV_WALL_RN];
         return true;
     }
     gx -= (float)(column * SKV_WALL_BLOCK);

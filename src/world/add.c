@@ -7,10 +7,10 @@
 
 #include "base/assert.h"
 
-/* Particles are not added closer to each other than this, in spacings: such pairs fly apart. */
-#define LEAST_SPACING 0.7f
+#include <math.h>
+
 /* Share of the free area that particles at rest may take before the host is told. */
-#define MOST_FULL 1.05
+#define MOST_FULL 1.1
 
 skv_result skv_world_make_room(skv_world *world, int more, skv_error *error)
 {
@@ -25,11 +25,18 @@ skv_result skv_world_make_room(skv_world *world, int more, skv_error *error)
     return skv_world_reserve(world, world->state.count + more, error);
 }
 
-skv_result skv_world_find_taken(const skv_world *world, int more, skv_occupancy *taken,
-                                skv_error *error)
+skv_result skv_world_find_taken(const skv_world *world, const skv_region *box, int more,
+                                float spacings, skv_occupancy *taken, skv_error *error)
 {
-    float reach = LEAST_SPACING * world->fluid.spacing;
-    skv_result result = skv_occupancy_create(taken, &world->state, more, reach, error);
+    float reach = spacings * world->fluid.spacing, around = 2 * reach;
+    skv_region near = {.x0 = -INFINITY, .y0 = -INFINITY, .x1 = INFINITY, .y1 = INFINITY};
+    if (box)
+        near = (skv_region){.x0 = box->x0 - around,
+                            .y0 = box->y0 - around,
+                            .x1 = box->x1 + around,
+                            .y1 = box->y1 + around};
+    near.radius = -1;
+    skv_result result = skv_occupancy_create(taken, &world->state, &near, more, reach, error);
     if (skv_boundary_has_thin(&world->boundary))
         taken->boundary = &world->boundary;
     return result;
@@ -43,7 +50,7 @@ void skv_world_say_if_overfull(const skv_world *world, int added)
     if (now > MOST_FULL && before <= MOST_FULL && skv_terrain_open_sides(world->terrain) == 0)
         skv_world_say(world,
                       "the fluid is overfull: %d particles at rest take %.2f of the free area; it "
-                      "will not come to rest",
+                      "may boil; remove some or use a larger world",
                       world->state.count, now);
 }
 
@@ -65,7 +72,7 @@ static bool is_outside(const skv_world *world, float x, float y)
            y > height + h;
 }
 
-static bool is_blocked(const skv_world *world, float x, float y)
+bool skv_world_is_blocked(const skv_world *world, float x, float y)
 {
     return is_outside(world, x, y) || skv_terrain_distance(world->terrain, x, y) <= 0;
 }
@@ -100,7 +107,7 @@ static skv_placed add_where_free(skv_world *world, const skv_particle *particles
         const skv_particle *p = &particles[i];
         if (ids)
             ids[i] = SKV_NO_PARTICLE;
-        if (is_blocked(world, p->x, p->y)) {
+        if (skv_world_is_blocked(world, p->x, p->y)) {
             placed.blocked++;
         } else if (skv_is_occupied(taken, p->x, p->y)) {
             placed.occupied++;
@@ -110,7 +117,7 @@ static skv_placed add_where_free(skv_world *world, const skv_particle *particles
             if (ids)
                 ids[i] = world->next_id;
             skv_occupy(taken, p->x, p->y);
-            skv_world_append(world, p->x, p->y, p->vx, p->vy);
+            skv_world_append(world, p->x, p->y, p->vx, p->vy, 0);
         }
     }
     return placed;
@@ -129,7 +136,7 @@ skv_result skv_world_add_particles(skv_world *world, const skv_particle *particl
     skv_result result = skv_world_make_room(world, count, error);
     skv_occupancy taken = {0};
     if (result == SKV_OK)
-        result = skv_world_find_taken(world, count, &taken, error);
+        result = skv_world_find_taken(world, NULL, count, SKV_LEAST_SPACING, &taken, error);
     if (result != SKV_OK)
         return result;
     skv_placed all = add_where_free(world, particles, count, &taken, ids);
@@ -147,14 +154,14 @@ skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, 
     if (!is_sane(x, y, vx, vy))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "particle: position or velocity is not finite or beyond 100 m, 1000 m/s");
-    if (is_blocked(world, x, y))
+    if (skv_world_is_blocked(world, x, y))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "particle: (%g, %g) is in solid or outside the world; choose a free place",
                         (double)x, (double)y);
     skv_result result = skv_world_make_room(world, 1, error);
     if (result != SKV_OK)
         return result;
-    skv_world_append(world, x, y, vx, vy);
+    skv_world_append(world, x, y, vx, vy, 0);
     skv_world_say_if_overfull(world, 1);
     return SKV_OK;
 }

@@ -1,16 +1,24 @@
-/* Asking whether points lie in an area. */
+/* Areas as the world and its solvers ask them. */
 #ifndef SKV_WORLD_AREA_H
 #define SKV_WORLD_AREA_H
 
+#include "base/bytes.h"
+#include "base/region.h"
 #include "skvalp/world.h"
+#include "world/state.h"
 
-/* An area that has been checked, and its bounds. */
-typedef struct skv_bounds {
-    const skv_area *area;
-    float x0, y0, x1, y1; /* nothing lies in it if x0 > x1 */
-} skv_bounds;
+/* Whether an area is of a known kind and finite. */
+bool skv_area_is_sane(const skv_area *area);
 
-skv_bounds skv_area_bounds(const skv_area *area);
-bool skv_is_within(const skv_bounds *bounds, float x, float y);
+/* The region of an area, whose corners it refers to; of one that is not sane, an empty one. */
+skv_region skv_area_region(const skv_area *area);
+
+/* The first particle from `from` on in a region, or in its box alone; the number of particles if
+ * there is none. Blocks of particles of which none is in the box cost little. */
+int skv_next_in_region(const skv_state *state, const skv_region *region, int from);
+int skv_next_in_box(const skv_state *state, const skv_region *box, int from);
+
+/* Writes or reads an area; what has been read need not be sane. */
+void skv_exchange_area(skv_port *port, skv_area *area);
 
 #endif

@@ -1,11 +1,14 @@
-/* What may change while a world runs: gravity and the fluid, and with them the number of substeps.
- * Invariant: after each call a world of the substep rule takes as many as the rule asks for, or a
- * few more.
+/* What may change while a world runs: gravity, forces and the fluid, and with them the number of
+ * substeps. Invariant: after each call a world of the substep rule takes as many as the rule asks
+ * for, or a few more.
  */
 #include "base/assert.h"
+#include "world/emitters.h"
+#include "world/forces.h"
 #include "world/world_internal.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Substeps are given back when less than this share of them is needed. */
 #define SPARE_SUBSTEPS (2.0f / 3)
@@ -24,13 +27,15 @@ int skv_substeps_needed(const skv_world *world)
 {
     float gx = world->gravity_x, gy = world->gravity_y;
     return skv_substep_rule(&world->fluid, sqrtf(gx * gx + gy * gy),
-                            world->filled * skv_extent_along_gravity(world));
+                            world->filled * skv_extent_along_gravity(world),
+                            skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
+                                            skv_terrain_height(world->terrain)));
 }
 
-/* Follows the gravity that has been set. The pressure of a fluid at rest is its excess of density
- * over dt^2: where g dt^2 stays, so does the fluid. Fewer substeps only if a good part can be
- * spared, so that a gravity that trembles does not change them to and fro. */
-static void adapt_substeps(skv_world *world)
+/* Follows the gravity and the forces that have been set. The pressure of a fluid at rest is its
+ * excess of density over dt^2: where g dt^2 stays, so does the fluid. Fewer substeps only if a good
+ * part can be spared, so that a gravity that trembles does not change them to and fro. */
+void skv_world_adapt_substeps(skv_world *world)
 {
     if (world->substeps_fixed)
         return;
@@ -52,8 +57,86 @@ skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error
         skv_sleep_wake_all(world);
     world->gravity_x = gx;
     world->gravity_y = gy;
-    adapt_substeps(world);
+    skv_world_adapt_substeps(world);
     return SKV_OK;
+}
+
+skv_result skv_world_set_forces(skv_world *world, const skv_force *forces, int count,
+                                skv_error *error)
+{
+    SKV_ASSERT_OR(world && (forces || count == 0), SKV_ERROR_VALUE);
+    skv_result result = skv_check_forces(forces, count, error);
+    if (result != SKV_OK)
+        return result;
+    if (count)
+        memmove(world->acting.forces, forces, (size_t)count * sizeof *forces);
+    world->acting.force_count = count;
+    skv_sleep_wake_all(world);
+    skv_world_adapt_substeps(world);
+    return SKV_OK;
+}
+
+const skv_force *skv_world_forces(const skv_world *world, int *count)
+{
+    SKV_ASSERT_OR(world && count, NULL);
+    *count = world->acting.force_count;
+    return world->acting.forces;
+}
+
+static bool is_same(const skv_emitter *a, const skv_emitter *b)
+{
+    return a->x == b->x && a->y == b->y && a->vx == b->vx && a->vy == b->vy && a->width == b->width;
+}
+
+skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters, int count,
+                                  skv_error *error)
+{
+    SKV_ASSERT_OR(world && (emitters || count == 0), SKV_ERROR_VALUE);
+    skv_result result = skv_check_emitters(emitters, count, error);
+    if (result != SKV_OK)
+        return result;
+    for (int i = 0; i < count; i++)
+        if (emitters[i].width > SKV_MOST_COLUMNS * world->fluid.spacing)
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "emitter %d: it is %g m wide; allowed is %d spacings, %g m", i,
+                            (double)emitters[i].width, SKV_MOST_COLUMNS,
+                            (double)(SKV_MOST_COLUMNS * world->fluid.spacing));
+    skv_acting *acting = &world->acting;
+    for (int i = 0; i < count; i++) {
+        if (i >= acting->emitter_count || !is_same(&acting->emitters[i], &emitters[i]))
+            acting->streams[i] = skv_new_stream(world->next_id);
+        acting->emitters[i] = emitters[i];
+    }
+    acting->emitter_count = count;
+    skv_world_adapt_substeps(world);
+    return SKV_OK;
+}
+
+const skv_emitter *skv_world_emitters(const skv_world *world, int *count)
+{
+    SKV_ASSERT_OR(world && count, NULL);
+    *count = world->acting.emitter_count;
+    return world->acting.emitters;
+}
+
+skv_result skv_world_set_drains(skv_world *world, const skv_drain *drains, int count,
+                                skv_error *error)
+{
+    SKV_ASSERT_OR(world && (drains || count == 0), SKV_ERROR_VALUE);
+    skv_result result = skv_check_drains(drains, count, error);
+    if (result != SKV_OK)
+        return result;
+    if (count)
+        memmove(world->acting.drains, drains, (size_t)count * sizeof *drains);
+    world->acting.drain_count = count;
+    return SKV_OK;
+}
+
+const skv_drain *skv_world_drains(const skv_world *world, int *count)
+{
+    SKV_ASSERT_OR(world && count, NULL);
+    *count = world->acting.drain_count;
+    return world->acting.drains;
 }
 
 void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid)
@@ -63,9 +146,15 @@ void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid)
     world->boundary.contact_distance = fluid->contact_distance * fluid->spacing;
 }
 
+void skv_world_put_emission(skv_world *world, const skv_world_def *def)
+{
+    world->emission_limit = def->emission_limit;
+    world->emission_replaces = def->emission_replaces;
+}
+
 void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid)
 {
     skv_world_put_fluid(world, fluid);
-    adapt_substeps(world);
+    skv_world_adapt_substeps(world);
     skv_sleep_wake_all(world);
 }

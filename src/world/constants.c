@@ -60,15 +60,15 @@ static double linear_viscosity(const skv_fluid_def *f)
     return sigma;
 }
 
-int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
+int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth, float head)
 {
     double g = (double)gravity > EARTH_GRAVITY ? (double)gravity : EARTH_GRAVITY;
     double h = (double)f->spacing * (double)f->radius_ratio;
-    double substeps;
+    double load = g * (double)depth + (double)head, substeps;
     if (f->law == SKV_LAW_CLAVET) {
-        substeps = FRAME / h * sqrt(g * (double)depth / CLAVET_LOAD);
+        substeps = FRAME / h * sqrt(load / CLAVET_LOAD);
     } else {
-        substeps = FRAME / (SPEED_OF_SOUND * h) * sqrt(g * (double)depth / COMPRESSION);
+        substeps = FRAME / (SPEED_OF_SOUND * h) * sqrt(load / COMPRESSION);
         /* Cohesion needs a stiffer pressure to hold it, or small groups gain energy by it. */
         skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SMOOTH, (double)f->radius_ratio);
         double at_one = effective_stiffness(f, h, FRAME, lattice.response);
@@ -82,6 +82,12 @@ int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth)
         substeps = viscous;
     int whole = (int)ceil(substeps - 1e-9);
     return whole < 1 ? 1 : whole > 1000 ? 1000 : whole;
+}
+
+double skv_speed_of_sound(const skv_fluid_def *f, double dt)
+{
+    double h = (double)f->spacing * (double)f->radius_ratio;
+    return f->law == SKV_LAW_CLAVET ? 0 : SPEED_OF_SOUND * h / dt;
 }
 
 double skv_surface_gradient(const skv_fluid_def *f)
@@ -154,6 +160,9 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         set_clavet(&c, f, h);
     else
         set_calibrated(&c, f, h, dt);
+    double load =
+        f->law == SKV_LAW_CLAVET ? CLAVET_LOAD : COMPRESSION * SPEED_OF_SOUND * SPEED_OF_SOUND;
+    c.design_pressure = (float)((double)f->density * load * h * h / (dt * dt));
     /* Virial pressure in the plane: sum of r f over a particle's pairs / (4 s^2), where f is a mass
      * density s^2 times a displacement over dt^2. */
     c.pressure_scale = (float)((double)f->density / (4 * dt * dt));

@@ -42,10 +42,10 @@ void skv_events_end(skv_events *events)
     events->over = true;
 }
 
-void skv_events_add(skv_events *events, skv_event_kind kind, skv_particle_id particle)
+void skv_events_add(skv_events *events, skv_event_kind kind, skv_particle_id particle, int source)
 {
     skv_events_begin(events);
-    events->list[events->count++] = (skv_event){kind, particle};
+    events->list[events->count++] = (skv_event){kind, particle, source};
 }
 
 const skv_event *skv_world_events(const skv_world *world, int *count)

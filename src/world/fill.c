@@ -8,6 +8,8 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "world/add.h"
+#include "world/area.h"
+#include "world/dye.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,6 +18,9 @@ enum { FILL_COOKIE = 0x66696c31 };
 
 /* Particles of a fresh lattice are this far from walls, in spacings. */
 #define WALL_GAP 0.3f
+/* And of aligned lattices this far from other particles: where fills follow each other frame by
+ * frame, closer ones would add up to a pressure that throws the fluid apart. */
+#define BRUSH_SPACING 0.95f
 /* Shift of each particle, in spacings: a perfect lattice would stand like a crystal. */
 #define JITTER 0.02f
 
@@ -37,7 +42,8 @@ static bool is_sane(const skv_fill_def *def)
 typedef struct walk {
     const skv_fill_def *def;
     const skv_terrain *terrain;
-    float spacing, x0, y0, x1, y1; /* the part of the box that the terrain covers */
+    skv_region area;               /* only places in it */
+    float spacing, x0, y0, x1, y1; /* the part of box and area that the terrain covers */
     const skv_occupancy *others;   /* null: there are none */
     uint32_t next_id;
     int limit; /* walk no farther than so many places */
@@ -50,13 +56,16 @@ typedef struct walk {
 
 static walk make_walk(const skv_terrain *terrain, float spacing, const skv_fill_def *def, int limit)
 {
+    skv_region all = {.x0 = -100, .y0 = -100, .x1 = 100, .y1 = 100, .radius = -1};
+    skv_region area = def->area ? skv_area_region(def->area) : all;
     return (walk){.def = def,
                   .terrain = terrain,
+                  .area = area,
                   .spacing = spacing,
-                  .x0 = skv_maxf(def->x0, 0),
-                  .y0 = skv_maxf(def->y0, 0),
-                  .x1 = skv_minf(def->x1, skv_terrain_width(terrain)),
-                  .y1 = skv_minf(def->y1, skv_terrain_height(terrain)),
+                  .x0 = skv_maxf(skv_maxf(def->x0, area.x0), 0),
+                  .y0 = skv_maxf(skv_maxf(def->y0, area.y0), 0),
+                  .x1 = skv_minf(skv_minf(def->x1, area.x1), skv_terrain_width(terrain)),
+                  .y1 = skv_minf(skv_minf(def->y1, area.y1), skv_terrain_height(terrain)),
                   .limit = def->limit >= 0 && def->limit < limit ? def->limit : limit};
 }
 
@@ -89,7 +98,8 @@ static bool grow(walk *w)
 /* Judges one place of the lattice. */
 static void visit(walk *w, float x, float y)
 {
-    if (w->def->inside && !w->def->inside(x, y, w->def->user))
+    if (!skv_region_holds(&w->area, x, y) ||
+        (w->def->inside && !w->def->inside(x, y, w->def->user)))
         return;
     if (skv_terrain_distance(w->terrain, x, y) < WALL_GAP * w->spacing) {
         w->placed.blocked++;
@@ -116,19 +126,22 @@ static void visit(walk *w, float x, float y)
 static void take_walk(walk *w)
 {
     double a = (double)w->spacing * sqrt(2 / sqrt(3.0)), b = a * sqrt(3.0) / 2;
-    int rows = (int)ceil(((double)(w->y1 - w->y0)) / b);
-    int columns = (int)ceil(((double)(w->x1 - w->x0)) / a) + 1;
-    for (int row = 0; row < rows; row++) {
-        float y = (float)((double)w->y0 + (row + 0.5) * b);
-        if (y > w->y1)
+    bool aligned = w->def->aligned;
+    double left = aligned ? 0 : (double)w->x0, bottom = aligned ? 0 : (double)w->y0;
+    int first_row = (int)skv_max(0, floor(((double)w->y0 - bottom) / b - 0.5));
+    int first_column = (int)skv_max(0, floor(((double)w->x0 - left) / a - 0.75));
+    for (int row = first_row;; row++) {
+        float y = (float)(bottom + (row + 0.5) * b);
+        if (!(y <= w->y1))
             return;
-        for (int column = 0; column < columns; column++) {
-            float x = (float)((double)w->x0 + (column + (row % 2 ? 0.75 : 0.25)) * a);
-            if (x > w->x1)
+        for (int column = first_column;; column++) {
+            float x = (float)(left + (column + (row % 2 ? 0.75 : 0.25)) * a);
+            if (!(x <= w->x1))
                 break;
             if (w->placed.added >= w->limit || w->out_of_memory)
                 return;
-            visit(w, x, y);
+            if (x >= w->x0 && y >= w->y0)
+                visit(w, x, y);
         }
     }
 }
@@ -150,7 +163,8 @@ static skv_result settle(skv_world *world, const walk *w, skv_error *error)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a fill");
     skv_result result = skv_world_make_room(world, w->placed.added, error);
     for (int i = 0; i < w->placed.added && result == SKV_OK; i++)
-        skv_world_append(world, w->x[i], w->x[w->capacity + i], w->def->vx, w->def->vy);
+        skv_world_append(world, w->x[i], w->x[w->capacity + i], w->def->vx, w->def->vy,
+                         w->def->dye);
     if (result == SKV_OK)
         skv_world_say_if_overfull(world, w->placed.added);
     return result;
@@ -171,9 +185,11 @@ skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed 
     w.keep = true;
     w.next_id = world->next_id;
     skv_occupancy others = {0};
-    skv_result result = SKV_OK;
-    if (world->state.count > 0) {
-        result = skv_world_find_taken(world, 0, &others, error);
+    skv_result result = skv_check_dye(def->dye, error);
+    if (result == SKV_OK && world->state.count > 0) {
+        const skv_region box = {.x0 = w.x0, .y0 = w.y0, .x1 = w.x1, .y1 = w.y1, .radius = -1};
+        result = skv_world_find_taken(
+            world, &box, 0, def->aligned ? BRUSH_SPACING : SKV_LEAST_SPACING, &others, error);
         w.others = &others;
     }
     if (result == SKV_OK) {

@@ -1,4 +1,5 @@
 /* The hands that hold fluid. Invariant: every hand of a world has been checked. */
+#include "world/hands.h"
 #include "base/assert.h"
 #include "base/exact.h"
 #include "world/world_internal.h"
@@ -10,7 +11,7 @@ skv_hand skv_default_hand(void)
     return (skv_hand){.radius = 0.15f, .attraction = 60, .friction = 6, .follow = 6};
 }
 
-skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error)
+static skv_result check(const skv_hand *hands, int count, skv_error *error)
 {
     if (count < 0 || count > SKV_MAX_HANDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "%d hands; allowed is 0..%d", count, SKV_MAX_HANDS);
@@ -35,16 +36,16 @@ skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error)
 skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count, skv_error *error)
 {
     SKV_ASSERT_OR(world && (hands || count == 0), SKV_ERROR_VALUE);
-    skv_result result = skv_check_hands(hands, count, error);
+    skv_result result = check(hands, count, error);
     if (result != SKV_OK)
         return result;
     if (count)
-        memcpy(world->hands, hands, (size_t)count * sizeof *hands);
-    world->hand_count = count;
+        memcpy(world->acting.hands, hands, (size_t)count * sizeof *hands);
+    world->acting.hand_count = count;
     return SKV_OK;
 }
 
-skv_pull skv_make_pull(const skv_hand *hand, float dt)
+skv_pull skv_hand_pull(const skv_hand *hand, float dt)
 {
     return (skv_pull){
         .x = hand->x,
@@ -52,9 +53,26 @@ skv_pull skv_make_pull(const skv_hand *hand, float dt)
         .vx = hand->vx,
         .vy = hand->vy,
         .inv_radius = 1 / hand->radius,
-        .attraction = hand->attraction,
+        .attraction = dt * hand->attraction,
         /* Half each at most: more than the whole velocity would turn it round. */
         .friction = skv_minf(0.5f, dt * hand->friction),
         .follow = skv_minf(0.5f, dt * hand->follow),
     };
+}
+
+static void exchange(skv_port *port, skv_hand *hand)
+{
+    float *const values[] = {&hand->x,      &hand->y,          &hand->vx,       &hand->vy,
+                             &hand->radius, &hand->attraction, &hand->friction, &hand->follow};
+    for (int i = 0; i < 8; i++)
+        skv_exchange_float(port, values[i]);
+}
+
+skv_result skv_exchange_hands(skv_port *port, skv_acting *acting, skv_error *error)
+{
+    if (!skv_exchange_count(port, &acting->hand_count, SKV_MAX_HANDS))
+        return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: it has too many hands");
+    for (int i = 0; i < acting->hand_count; i++)
+        exchange(port, &acting->hands[i]);
+    return check(acting->hands, acting->hand_count, error);
 }

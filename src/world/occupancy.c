@@ -23,10 +23,13 @@ static unsigned slot_of(const skv_occupancy *o, int column, int row)
     return (key ^ key >> 15) & o->mask;
 }
 
-skv_result skv_occupancy_create(skv_occupancy *o, const skv_state *state, int more, float reach,
-                                skv_error *error)
+skv_result skv_occupancy_create(skv_occupancy *o, const skv_state *state, const skv_region *region,
+                                int more, float reach, skv_error *error)
 {
-    *o = (skv_occupancy){.reach = reach, .mask = 1023, .capacity = state->count + more};
+    int within = 0;
+    for (int i = 0; i < state->count; i++)
+        within += skv_region_holds(region, state->x[i], state->y[i]);
+    *o = (skv_occupancy){.reach = reach, .mask = 1023, .capacity = within + more};
     while (o->mask < (unsigned)o->capacity)
         o->mask = 2 * o->mask + 1;
     o->head = skv_calloc((size_t)o->mask + 1, sizeof *o->head);
@@ -37,7 +40,8 @@ skv_result skv_occupancy_create(skv_occupancy *o, const skv_state *state, int mo
                         o->capacity);
     }
     for (int i = 0; i < state->count; i++)
-        skv_occupy(o, state->x[i], state->y[i]);
+        if (skv_region_holds(region, state->x[i], state->y[i]))
+            skv_occupy(o, state->x[i], state->y[i]);
     return SKV_OK;
 }
 

@@ -2,6 +2,7 @@
 #ifndef SKV_WORLD_OCCUPANCY_H
 #define SKV_WORLD_OCCUPANCY_H
 
+#include "base/region.h"
 #include "terrain/boundary.h"
 #include "world/state.h"
 
@@ -15,9 +16,9 @@ typedef struct skv_occupancy {
                                      none are parted */
 } skv_occupancy;
 
-/* Takes the places of all particles, with room for `more`. */
-skv_result skv_occupancy_create(skv_occupancy *occupancy, const skv_state *state, int more,
-                                float reach, skv_error *error);
+/* Takes the places of the particles in a region, with room for `more`. */
+skv_result skv_occupancy_create(skv_occupancy *occupancy, const skv_state *state,
+                                const skv_region *region, int more, float reach, skv_error *error);
 void skv_occupancy_destroy(skv_occupancy *occupancy);
 
 bool skv_is_occupied(const skv_occupancy *occupancy, float x, float y);

@@ -41,6 +41,11 @@ NUMBER(GRAVITY_X, "gravity.x", gravity_x, "m/s^2", -1000, 1000, 0, true,
 NUMBER(GRAVITY_Y, "gravity.y", gravity_y, "m/s^2", -1000, 1000, -9.81, true,
        "gravity upwards")
 
+WHOLE(EMISSION_LIMIT, "emission.limit", emission_limit, "", 0, SKV_MAX_PARTICLES, 20000, true,
+      "emitters stop when the world holds so many particles")
+FLAG(EMISSION_REPLACES, "emission.replaces", emission_replaces, false, true,
+     "instead of stopping there the oldest particles go")
+
 CHOICE(FLUID_LAW, "fluid.law", fluid.law, "calibrated|clavet", calibrated,
        "pressure law: like a real liquid, or the thesis' own")
 PRESET(FLUID_MATERIAL, "fluid.material", "water|oil|honey|mercury", water, true,
@@ -85,7 +90,7 @@ HOST_WHOLE(CAPACITY, "capacity", capacity, "", 0, SKV_MAX_PARTICLES, 0, false,
 HOST_CHOICE(SOLVER, "solver", solver, "fast|reference", fast,
             "the production solver, or the one that is written for reading")
 HOST_CHOICE(INSTRUCTION_SET, "instruction_set", instruction_set,
-            "best|scalar|sse2|avx2|neon|wasm", best,
+            "best|scalar|sse2|avx2|avx512|neon|wasm", best,
             "instruction set to compute with; the results are the same")
 /* clang-format on */
 #undef NUMBER

@@ -272,6 +272,8 @@ skv_world_def skv_world_describe(const skv_world *world)
     def.substeps = world->substeps;
     def.depth = world->depth;
     def.sleep = world->sleep.allowed;
+    def.emission_limit = world->emission_limit;
+    def.emission_replaces = world->emission_replaces;
     def.threads = skv_pool_threads(world->pool);
     def.capacity = world->state.capacity;
     def.solver =
@@ -297,6 +299,8 @@ skv_result skv_world_set(skv_world *world, const char *path, const char *text, s
         return result;
     if (is_fluids(parameter) || parameter == SKV_P_FLUID_MATERIAL)
         skv_world_change_fluid(world, &def.fluid);
+    else if (parameter == SKV_P_EMISSION_LIMIT || parameter == SKV_P_EMISSION_REPLACES)
+        skv_world_put_emission(world, &def);
     else
         result = skv_world_set_gravity(world, def.gravity_x, def.gravity_y, error);
     return result;

@@ -61,14 +61,17 @@ skv_stats skv_world_stats(const skv_world *world)
     return stats;
 }
 
+static uint64_t hash_byte(uint64_t hash, unsigned byte)
+{
+    return (hash ^ byte) * 1099511628211u;
+}
+
 static uint64_t hash_float(uint64_t hash, float value)
 {
     uint32_t bits;
     memcpy(&bits, &value, sizeof bits);
-    for (int byte = 0; byte < 4; byte++) {
-        hash ^= (bits >> (8 * byte)) & 0xff;
-        hash *= 1099511628211u;
-    }
+    for (int byte = 0; byte < 4; byte++)
+        hash = hash_byte(hash, (bits >> (8 * byte)) & 0xff);
     return hash;
 }
 
@@ -82,6 +85,8 @@ uint64_t skv_world_hash(const skv_world *world)
         hash = hash_float(hash, s->y[i]);
         hash = hash_float(hash, s->vx[i]);
         hash = hash_float(hash, s->vy[i]);
+        if (s->dye[i])
+            hash = hash_byte(hash, s->dye[i]);
     }
     return hash;
 }
@@ -97,8 +102,7 @@ skv_memory skv_world_memory(const skv_world *world)
     SKV_ASSERT_OR(world, (skv_memory){0});
     skv_solver_memory solver = world->solver->type->memory(world->solver);
     return (skv_memory){
-        .particles = skv_state_bytes(&world->state) +
-                     (size_t)world->sleep.room * sizeof *world->sleep.members + solver.particles,
+        .particles = skv_state_bytes(&world->state) + solver.particles,
         .kept = solver.kept,
         .grid = solver.grid,
         .histograms = solver.histograms,

@@ -1,4 +1,5 @@
-/* Taking particles out: those that have left through an open side, and those that the host names.
+/* Taking particles out: those that have left through an open side or a drain, the oldest, and those
+ * that the host names.
  *
  * Invariant: the order of the rest is kept, so ids ascend; every particle taken out is one event;
  * and what lay beside it is awake.
@@ -23,9 +24,9 @@ static bool has_left(const skv_world *world, float x, float y)
 }
 
 /* Marks a particle that is to go; there is room for its event. */
-static void take_out(skv_world *world, int i, skv_event_kind kind)
+static void take_out(skv_world *world, int i, skv_event_kind kind, int source)
 {
-    skv_events_add(&world->events, kind, world->state.id[i]);
+    skv_events_add(&world->events, kind, world->state.id[i], source);
     skv_sleep_leave(world, i);
 }
 
@@ -51,16 +52,16 @@ void skv_world_remove_leavers(skv_world *world)
     int left = 0;
     for (int i = 0; i < s->count; i++) {
         if (has_left(world, s->x[i], s->y[i])) {
-            take_out(world, i, SKV_EVENT_LEFT);
+            take_out(world, i, SKV_EVENT_LEFT, -1);
             left++;
         }
     }
+    world->acting.flow.left += left;
     if (left)
         close_ranks(world);
 }
 
-/* Begins and ends a removal by the host; fluid that sleeps beside what goes begins to move. */
-static skv_result begin(skv_world *world, int most, skv_error *error)
+skv_result skv_world_begin_removal(skv_world *world, int most, skv_error *error)
 {
     int count = world->state.count;
     skv_result result = skv_events_reserve(&world->events, most < count ? most : count, error);
@@ -69,27 +70,30 @@ static skv_result begin(skv_world *world, int most, skv_error *error)
     return result;
 }
 
-static void remove_one(skv_world *world, int i)
+static void remove_one(skv_world *world, int i, skv_event_kind kind, int source)
 {
     skv_sleep_disturb(world, i);
-    take_out(world, i, SKV_EVENT_REMOVED);
+    take_out(world, i, kind, source);
 }
 
-static void end(skv_world *world, int count, int *removed)
+void skv_world_remove_one(skv_world *world, int i)
 {
-    if (count) {
-        close_ranks(world);
-        skv_sleep_end_disturbance(world);
-    }
-    if (removed)
-        *removed = count;
+    remove_one(world, i, SKV_EVENT_REMOVED, -1);
+}
+
+void skv_world_end_removal(skv_world *world, int count)
+{
+    if (count == 0)
+        return;
+    close_ranks(world);
+    skv_sleep_end_disturbance(world);
 }
 
 skv_result skv_world_remove(skv_world *world, const skv_particle_id *ids, int count, int *removed,
                             skv_error *error)
 {
     SKV_ASSERT_OR(world && count >= 0 && (ids || count == 0), SKV_ERROR_VALUE);
-    skv_result result = begin(world, count, error);
+    skv_result result = skv_world_begin_removal(world, count, error);
     if (result != SKV_OK)
         return result;
     int gone = 0;
@@ -97,10 +101,12 @@ skv_result skv_world_remove(skv_world *world, const skv_particle_id *ids, int co
         int i = skv_world_index(world, ids[k]);
         if (i < 0 || world->state.unrest[i] == SKV_LEAVING)
             continue;
-        remove_one(world, i);
+        skv_world_remove_one(world, i);
         gone++;
     }
-    end(world, gone, removed);
+    skv_world_end_removal(world, gone);
+    if (removed)
+        *removed = gone;
     return SKV_OK;
 }
 
@@ -108,18 +114,67 @@ skv_result skv_world_remove_area(skv_world *world, const skv_area *area, int *re
                                  skv_error *error)
 {
     SKV_ASSERT_OR(world && area, SKV_ERROR_VALUE);
-    skv_result result = begin(world, world->state.count, error);
+    skv_result result = skv_world_begin_removal(world, world->state.count, error);
     if (result != SKV_OK)
         return result;
     const skv_state *s = &world->state;
-    skv_bounds bounds = skv_area_bounds(area);
+    skv_region region = skv_area_region(area);
     int gone = 0;
-    for (int i = 0; i < s->count; i++) {
-        if (skv_is_within(&bounds, s->x[i], s->y[i])) {
-            remove_one(world, i);
-            gone++;
-        }
+    for (int i = skv_next_in_region(s, &region, 0); i < s->count;
+         i = skv_next_in_region(s, &region, i + 1)) {
+        skv_world_remove_one(world, i);
+        gone++;
     }
-    end(world, gone, removed);
+    skv_world_end_removal(world, gone);
+    if (removed)
+        *removed = gone;
     return SKV_OK;
+}
+
+/* Takes what a drain may have; returns how many. */
+static int drain(skv_world *world, int number, float dt)
+{
+    const skv_drain *d = &world->acting.drains[number];
+    const skv_state *s = &world->state;
+    skv_region region = skv_area_region(&d->area);
+    double *may = &world->acting.drainable[number];
+    double area = (double)world->fluid.spacing * (double)world->fluid.spacing;
+    /* What does not come in time is not made up for. */
+    *may = (*may < 1 ? *may : 1) + (double)d->rate * (double)dt / area;
+    int gone = 0;
+    int next = 0;
+    while (d->rate <= 0 || *may >= 1) {
+        int i = skv_next_in_region(s, &region, next);
+        if (i == s->count)
+            break;
+        next = i + 1;
+        if (s->unrest[i] == SKV_LEAVING)
+            continue;
+        remove_one(world, i, SKV_EVENT_DRAINED, number);
+        *may -= d->rate > 0;
+        gone++;
+    }
+    return gone;
+}
+
+void skv_world_remove_drained(skv_world *world, float dt)
+{
+    if (world->acting.drain_count == 0)
+        return;
+    skv_sleep_begin_disturbance(&world->sleep);
+    int gone = 0;
+    for (int k = 0; k < world->acting.drain_count; k++)
+        gone += drain(world, k, dt);
+    world->acting.flow.drained += gone;
+    skv_world_end_removal(world, gone);
+}
+
+int skv_world_remove_oldest(skv_world *world, int count, int emitter)
+{
+    int gone = count < world->state.count ? count : world->state.count;
+    skv_sleep_begin_disturbance(&world->sleep);
+    for (int i = 0; i < gone; i++)
+        remove_one(world, i, SKV_EVENT_REPLACED, emitter);
+    skv_world_end_removal(world, gone);
+    return gone;
 }

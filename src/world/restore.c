@@ -36,6 +36,7 @@ static void take_facts(skv_world *world, const skv_snapshot *s)
     world->gravity_x = s->def.gravity_x;
     world->gravity_y = s->def.gravity_y;
     world->depth = s->def.depth;
+    skv_world_put_emission(world, &s->def);
     world->substeps = s->def.substeps;
     world->substeps_fixed = s->substeps_fixed;
     world->filled = s->filled;
@@ -43,9 +44,7 @@ static void take_facts(skv_world *world, const skv_snapshot *s)
     world->time = s->time;
     world->steps = s->steps;
     world->next_id = s->next_id;
-    world->hand_count = s->hand_count;
-    for (int i = 0; i < s->hand_count; i++)
-        world->hands[i] = s->hands[i];
+    world->acting = s->acting;
     world->wall_impulse = (skv_wall_impulse){0};
     world->events.count = 0;
 }

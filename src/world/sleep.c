@@ -19,9 +19,9 @@
  */
 #include "world/sleep.h"
 
-#include "base/arrays.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/emitters.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -54,19 +54,6 @@ skv_result skv_sleep_create(skv_world *world, bool allowed, skv_error *error)
 void skv_sleep_destroy(skv_world *world)
 {
     skv_free(world->sleep.tiles);
-    skv_free(world->sleep.members_block);
-}
-
-skv_result skv_sleep_reserve(skv_sleep *s, int count, skv_error *error)
-{
-    if (!s->allowed || count <= s->room)
-        return SKV_OK;
-    int room = count > 2 * s->room ? count : 2 * s->room;
-    const skv_array members = SKV_ARRAY(s->members, (size_t)room, 0);
-    if (!skv_arrays_grow(&s->members_block, &members, 1))
-        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
-    s->room = room;
-    return SKV_OK;
 }
 
 static void set_unrest(skv_world *world, int particle, skv_unrest unrest)
@@ -112,12 +99,22 @@ void skv_sleep_leave(skv_world *world, int particle)
     set_unrest(world, particle, SKV_LEAVING);
 }
 
-/* Fingers wake whom they reach. */
-static void wake_for_hands(skv_world *world)
+/* Fingers and the mouths of emitters wake whom they reach. */
+static void wake_for_acting(skv_world *world)
 {
     const skv_state *p = &world->state;
-    for (int k = 0; k < world->hand_count; k++) {
-        const skv_hand *hand = &world->hands[k];
+    for (int k = 0; k < world->acting.emitter_count; k++) {
+        const skv_emitter *e = &world->acting.emitters[k];
+        float corners[8];
+        if (world->acting.streams[k].pauses)
+            continue;
+        skv_region mouth = skv_mouth(e, world->h, corners);
+        for (int i = 0; i < p->count; i++)
+            if (skv_region_holds(&mouth, p->x[i], p->y[i]))
+                skv_sleep_wake(world, i);
+    }
+    for (int k = 0; k < world->acting.hand_count; k++) {
+        const skv_hand *hand = &world->acting.hands[k];
         for (int i = 0; i < p->count; i++) {
             float x = p->x[i] - hand->x, y = p->y[i] - hand->y;
             if (x * x + y * y < hand->radius * hand->radius)
@@ -126,17 +123,18 @@ static void wake_for_hands(skv_world *world)
     }
 }
 
-/* Marks the tiles on a restless particle's way within `dt`. */
-static void mark_way(skv_world *world, int i, float dt)
+/* Marks the tiles on a restless particle's way within `dt`, on which forces may lead it `astray`.
+ */
+static void mark_way(skv_world *world, int i, float dt, float astray)
 {
     const skv_sleep *s = &world->sleep;
     const skv_state *p = &world->state;
     float way_x = (WAY_MARGIN * p->vx[i] + world->gravity_x * dt) * dt;
     float way_y = (WAY_MARGIN * p->vy[i] + world->gravity_y * dt) * dt;
-    int left = tile_at(p->x[i] + skv_minf(way_x, 0), s->per_metre, s->columns);
-    int right = tile_at(p->x[i] + skv_maxf(way_x, 0), s->per_metre, s->columns);
-    int bottom = tile_at(p->y[i] + skv_minf(way_y, 0), s->per_metre, s->rows);
-    int top = tile_at(p->y[i] + skv_maxf(way_y, 0), s->per_metre, s->rows);
+    int left = tile_at(p->x[i] + skv_minf(way_x, 0) - astray, s->per_metre, s->columns);
+    int right = tile_at(p->x[i] + skv_maxf(way_x, 0) + astray, s->per_metre, s->columns);
+    int bottom = tile_at(p->y[i] + skv_minf(way_y, 0) - astray, s->per_metre, s->rows);
+    int top = tile_at(p->y[i] + skv_maxf(way_y, 0) + astray, s->per_metre, s->rows);
     for (int row = bottom; row <= top; row++)
         for (int column = left; column <= right; column++)
             s->tiles[(size_t)row * (size_t)s->columns + (size_t)column].state = RESTLESS;
@@ -182,25 +180,19 @@ void skv_sleep_end_disturbance(skv_world *world)
             skv_sleep_wake(world, i);
 }
 
-/* Lists who takes part; the others, and those held, stop. */
-static int list_members(skv_world *world)
+/* Says what each particle does; those that do not move stop. */
+static void give_parts(skv_world *world)
 {
-    skv_sleep *s = &world->sleep;
     skv_state *p = &world->state;
-    int count = 0;
-    s->stepped = 0;
+    world->sleep.stepped = 0;
     for (int i = 0; i < p->count; i++) {
         int state = tile_of(world, i)->state;
-        if (state >= AWAKE) {
-            s->members[count++] = i;
-            s->stepped++;
-            continue;
-        }
-        p->vx[i] = p->vy[i] = 0;
-        if (state == HELD)
-            s->members[count++] = ~i;
+        p->part[i] = state >= AWAKE ? SKV_MOVES : state == HELD ? SKV_HELD : SKV_ABSENT;
+        if (state >= AWAKE)
+            world->sleep.stepped++;
+        else
+            p->vx[i] = p->vy[i] = 0;
     }
-    return count;
 }
 
 /* All are calm: the last motion ends. */
@@ -219,7 +211,7 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
     skv_sleep *s = &world->sleep;
     *partial = false;
     if (s->calm)
-        wake_for_hands(world);
+        wake_for_acting(world);
     if (s->calm == 0)
         return s->stepped = world->state.count;
     *partial = true;
@@ -229,12 +221,14 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
     }
     for (int t = 0; t < s->columns * s->rows; t++)
         s->tiles[t].state = ASLEEP;
+    float astray = skv_acting_strength(&world->acting) * dt * dt;
     for (int i = 0; i < world->state.count; i++)
         if (world->state.unrest[i] != SKV_CALM)
-            mark_way(world, i, dt);
+            mark_way(world, i, dt, astray);
     spread(s, RESTLESS, AWAKE);
     spread(s, AWAKE, HELD);
-    return list_members(world);
+    give_parts(world);
+    return s->stepped;
 }
 
 /* Adds up what the tiles' particles did. */

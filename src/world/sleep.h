@@ -29,9 +29,6 @@ typedef struct skv_sleep {
     int columns, rows;
     float per_metre; /* tiles */
     skv_tile *tiles;
-    int *members; /* scratch: what takes part in the next substeps: index, or ~index if held */
-    int room;     /* particles that `members` has room for */
-    void *members_block;
     int calm;       /* particles that are */
     int stepped;    /* particles that the last substeps moved, and those added since */
     double watched; /* s since the last look round */
@@ -40,9 +37,6 @@ typedef struct skv_sleep {
 /* Makes the tiles of a world whose size and smoothing radius are known. */
 skv_result skv_sleep_create(skv_world *world, bool allowed, skv_error *error);
 void skv_sleep_destroy(skv_world *world);
-
-/* Makes room for `count` particles in all; nothing changes on failure. */
-skv_result skv_sleep_reserve(skv_sleep *sleep, int count, skv_error *error);
 
 /* A particle has been added, or something has been done to it. */
 void skv_sleep_wake(skv_world *world, int particle);
@@ -57,8 +51,8 @@ void skv_sleep_begin_disturbance(skv_sleep *sleep);
 void skv_sleep_disturb(skv_world *world, int particle);
 void skv_sleep_end_disturbance(skv_world *world);
 
-/* Before substeps of `dt` seconds in all: chooses who takes part. Returns how many, and in
- * `partial` whether the list `members` has to be used, because not all particles are awake. */
+/* Before substeps of `dt` seconds in all: chooses who takes part. Returns how many move, and in
+ * `partial` whether the particles' `part` says who, because not all do. */
 int skv_sleep_plan(skv_world *world, float dt, bool *partial);
 
 /* After them: who has moved, and who has come to rest. */

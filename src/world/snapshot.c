@@ -6,15 +6,16 @@
 #include "world/snapshot.h"
 
 #include "base/assert.h"
+#include "base/envelope.h"
 #include "terrain/terrain.h"
 #include "world/parameters.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { VERSION = 1, CHECKSUM_AT = 24, WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2 };
+enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2 };
 
-static const uint8_t magic[8] = {0x89, 'S', 'K', 'V', '\r', '\n', 0x1a, '\n'};
+static const skv_envelope kind = {"snapshot", 'V', 1, WITH_TERRAIN | SUBSTEPS_FIXED};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -41,14 +42,6 @@ static void put_parameters(skv_writer *w, const skv_world *world)
     }
 }
 
-static void put_hand(skv_writer *w, const skv_hand *hand)
-{
-    const float values[] = {hand->x,      hand->y,          hand->vx,       hand->vy,
-                            hand->radius, hand->attraction, hand->friction, hand->follow};
-    for (int i = 0; i < 8; i++)
-        skv_put_float(w, values[i]);
-}
-
 static void put_facts(skv_writer *w, const skv_world *world)
 {
     skv_put_double(w, world->time);
@@ -58,9 +51,8 @@ static void put_facts(skv_writer *w, const skv_world *world)
     skv_put(w, world->next_id, 4);
     skv_put_double(w, world->sleep.watched);
     skv_put(w, (uint64_t)world->sleep.stepped, 4);
-    skv_put(w, (uint64_t)world->hand_count, 4);
-    for (int i = 0; i < world->hand_count; i++)
-        put_hand(w, &world->hands[i]);
+    skv_acting acting = world->acting;
+    skv_exchange_acting(&(skv_port){.to = w}, &acting, NULL);
 }
 
 /* The picture in runs of equal bytes, from the lower left corner on. */
@@ -122,40 +114,27 @@ static void put_particles(skv_writer *w, const skv_world *world)
             skv_put_float(w, memories[m][i]);
 }
 
-/* The checksum of all bytes but its own. */
-static uint64_t checksum(const uint8_t *bytes, size_t size)
-{
-    uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, bytes, CHECKSUM_AT);
-    return skv_hash_bytes(hash, bytes + CHECKSUM_AT + 8, size - CHECKSUM_AT - 8);
-}
-
-static size_t write_all(const skv_world *world, bool with_terrain, size_t size, uint8_t *bytes)
+static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *bytes)
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
-    for (size_t i = 0; i < sizeof magic; i++)
-        skv_put(w, magic[i], 1);
-    skv_put(w, VERSION, 4);
-    skv_put(w, (with_terrain ? WITH_TERRAIN : 0u) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u),
-            4);
-    skv_put(w, size, 8);
-    skv_put(w, 0, 8);
+    skv_envelope_put(w, &kind,
+                     (with_terrain ? WITH_TERRAIN : 0u) |
+                         (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
     put_facts(w, world);
     if (with_terrain)
         put_terrain(w, world->terrain);
     put_particles(w, world);
-    if (bytes) {
-        skv_writer sum = {bytes, CHECKSUM_AT};
-        skv_put(&sum, checksum(bytes, writer.used), 8);
-    }
+    if (bytes)
+        skv_envelope_seal(bytes, writer.used);
     return writer.used;
 }
 
 size_t skv_world_snapshot_size(const skv_world *world, bool with_terrain)
 {
     SKV_ASSERT_OR(world, 0);
-    return write_all(world, with_terrain, 0, NULL);
+    return write_all(world, with_terrain, NULL);
 }
 
 skv_result skv_world_save(const skv_world *world, bool with_terrain, void *data, size_t size,
@@ -169,7 +148,7 @@ skv_result skv_world_save(const skv_world *world, bool with_terrain, void *data,
     if (skv_world_stats(world).not_finite)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "snapshot: a particle is not finite; take more substeps");
-    write_all(world, with_terrain, needed, data);
+    write_all(world, with_terrain, data);
     return SKV_OK;
 }
 
@@ -182,22 +161,13 @@ static skv_result refuse(skv_error *error, const char *what)
 
 static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
 {
-    if (r->size < sizeof magic || memcmp(r->bytes, magic, sizeof magic) != 0)
+    unsigned flags;
+    if (!skv_envelope_is(&kind, r->bytes, r->size))
         return refuse(error, "these bytes are none; give what skv_world_save has written");
-    r->at = sizeof magic;
-    unsigned version = (unsigned)skv_get(r, 4), flags = (unsigned)skv_get(r, 4);
-    uint64_t size = skv_get(r, 8), sum = skv_get(r, 8);
-    if (!r->failed && version != VERSION)
-        return skv_fail(error, SKV_ERROR_FORMAT,
-                        "snapshot: its version is %u, this library reads %d; use the library that "
-                        "wrote it",
-                        version, VERSION);
+    skv_result result = skv_envelope_open(r, &kind, &flags, error);
+    if (result != SKV_OK)
+        return result;
     s->terrain_hash = skv_get(r, 8);
-    if (r->failed || size > r->size)
-        return refuse(error, "it is cut short; take the whole of it");
-    if (size < r->size || sum != checksum(r->bytes, r->size) ||
-        flags > (WITH_TERRAIN | SUBSTEPS_FIXED))
-        return refuse(error, "it is damaged; take another copy");
     s->with_terrain = flags & WITH_TERRAIN;
     s->substeps_fixed = flags & SUBSTEPS_FIXED;
     return SKV_OK;
@@ -232,15 +202,6 @@ static skv_result read_parameters(skv_reader *r, skv_snapshot *s, skv_error *err
     return skv_check_world_def(&s->def, error);
 }
 
-static skv_hand read_hand(skv_reader *r)
-{
-    float values[8];
-    for (int i = 0; i < 8; i++)
-        values[i] = skv_get_float(r);
-    return (skv_hand){values[0], values[1], values[2], values[3],
-                      values[4], values[5], values[6], values[7]};
-}
-
 static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
 {
     s->time = skv_get_double(r);
@@ -250,19 +211,14 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->filled = skv_get_float(r);
     s->next_id = (uint32_t)skv_get(r, 4);
     s->watched = skv_get_double(r);
-    uint64_t stepped = skv_get(r, 4), hands = skv_get(r, 4);
+    uint64_t stepped = skv_get(r, 4);
     /* More substeps than a frame may have are never owed. */
     if (!skv_within(s->time, 0, 1e12) || steps > INT64_MAX / 2 || !skv_within(s->due, 0, 1000) ||
         !skv_within((double)s->filled, 0, 1e6) || !skv_within(s->watched, 0, 1e3) ||
         stepped > SKV_MAX_PARTICLES || s->def.substeps < 1)
         return skv_fail(error, SKV_ERROR_VALUE, "snapshot: it holds values that no world has");
-    if (hands > SKV_MAX_HANDS)
-        return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: it has too many hands");
     s->stepped = (int)stepped;
-    s->hand_count = (int)hands;
-    for (int i = 0; i < s->hand_count; i++)
-        s->hands[i] = read_hand(r);
-    return skv_check_hands(s->hands, s->hand_count, error);
+    return skv_exchange_acting(&(skv_port){.from = r}, &s->acting, error);
 }
 
 static skv_result read_terrain(skv_reader *r, skv_snapshot *s, skv_error *error)
@@ -324,7 +280,7 @@ static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_befo
     return skv_within((double)*one->x, -100, 100) && skv_within((double)*one->y, -100, 100) &&
            isfinite(*one->vx) && isfinite(*one->vy) && isfinite(*one->pressure) &&
            isfinite(*one->anchor_x) && isfinite(*one->anchor_y) && *one->id > id_before &&
-           *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS &&
+           *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS && *one->dye <= SKV_DYES &&
            (s->def.sleep || *one->unrest != SKV_CALM);
 }
 

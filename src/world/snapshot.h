@@ -15,8 +15,7 @@ typedef struct skv_snapshot {
     int64_t steps;
     int stepped;
     uint32_t next_id;
-    skv_hand hands[SKV_MAX_HANDS];
-    int hand_count;
+    skv_acting acting;
 
     uint64_t terrain_hash;
     bool with_terrain;

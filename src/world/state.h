@@ -20,7 +20,9 @@
     X(float, anchor_x, true)   /* where it was at sleep's last look round, m */                    \
     X(float, anchor_y, true)                                                                       \
     X(uint32_t, id, true)    /* number at creation; ascending */                                   \
-    X(uint8_t, unrest, true) /* skv_unrest, of sleep.h */
+    X(uint8_t, unrest, true) /* skv_unrest, of sleep.h */                                          \
+    X(uint8_t, part, false)  /* skv_part, of solver.h; what sleep has planned */                   \
+    X(uint8_t, dye, true)    /* its colour; 0: none */
 
 typedef struct skv_state {
     int count, capacity;

@@ -1,6 +1,8 @@
 /* Time: a step in equal substeps, which the solver takes, and who sleeps or leaves between them.
  * How a substep moves the fluid is in src/solver/reference/reference.c. */
 #include "base/assert.h"
+#include "world/emitters.h"
+#include "world/flow.h"
 #include "world/remove.h"
 
 #include <math.h>
@@ -12,10 +14,8 @@
 #define DT_ROUNDING  1e-6 /* how far off, relatively, a sum of float dt may be */
 
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
-                                        skv_pull pulls[SKV_MAX_HANDS])
+                                        skv_pull pulls[SKV_SOLVER_MOST_PULLS])
 {
-    for (int i = 0; i < world->hand_count; i++)
-        pulls[i] = skv_make_pull(&world->hands[i], constants->dt);
     const skv_state *s = &world->state;
     return (skv_solver_step){
         .particles = {.count = s->count,
@@ -31,7 +31,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
         .gravity_x = world->gravity_x,
         .gravity_y = world->gravity_y,
         .pulls = pulls,
-        .pull_count = world->hand_count,
+        .pull_count = skv_make_pulls(&world->acting, world->h, constants->dt, pulls),
         .substeps = 1,
         .pool = world->pool,
     };
@@ -40,7 +40,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
 /* Takes some substeps, `time` seconds in all; what sleeps stays. */
 static skv_result take_substeps(skv_world *world, int substeps, float time, skv_error *error)
 {
-    skv_pull pulls[SKV_MAX_HANDS];
+    skv_pull pulls[SKV_SOLVER_MOST_PULLS];
     skv_solver_step step = skv_world_describe_step(world, &world->constants, pulls);
     const skv_solver_type *solver = world->solver->type;
     step.substeps = substeps;
@@ -48,13 +48,9 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, skv_
     if (result != SKV_OK)
         return result;
     bool partial;
-    int members = skv_sleep_plan(world, time, &partial);
-    if (members == 0)
+    if (skv_sleep_plan(world, time, &partial) == 0)
         return SKV_OK;
-    if (partial) {
-        step.particles.members = world->sleep.members;
-        step.particles.member_count = members;
-    }
+    step.particles.part = partial ? world->state.part : NULL;
     skv_impulse given = solver->advance(world->solver, &step);
     double s = (double)world->fluid.spacing, mass = (double)world->fluid.density * s * s;
     double scale = mass / (double)world->constants.dt;
@@ -79,19 +75,32 @@ static int take_due(skv_world *world, double dt)
     return (int)whole;
 }
 
+/* Whether particles may come or go between substeps: a closed emitter does nothing. */
+static bool has_flow(const skv_acting *acting)
+{
+    bool flows = acting->drain_count > 0;
+    for (int i = 0; i < acting->emitter_count; i++)
+        flows |= skv_emitter_speed(&acting->emitters[i]) > 0;
+    return flows;
+}
+
 /* Takes `count` substeps, with what happens between them; writes how many are done. Many at once,
  * unless somebody may come or go between them. */
 static skv_result advance(skv_world *world, int count, int *done, skv_error *error)
 {
     bool open = skv_terrain_open_sides(world->terrain) != 0;
-    bool one_by_one = open || world->before_substep || world->solver->type->most_substeps < count;
+    bool flows = has_flow(&world->acting);
+    bool one_by_one =
+        open || flows || world->before_substep || world->solver->type->most_substeps < count;
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
     for (; *done < count; *done += at_once) {
         if (world->before_substep)
             world->before_substep(world, world->constants_dt, world->before_substep_user);
         skv_result result = SKV_OK;
-        if (open)
+        if (flows)
+            result = skv_world_let_flow(world, world->constants_dt, error);
+        if (open && result == SKV_OK)
             result = skv_events_reserve(&world->events, world->state.count, error);
         if (result == SKV_OK)
             result = take_substeps(world, at_once, (float)time, error);

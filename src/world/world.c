@@ -3,18 +3,17 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "skvalp/frame.h"
 #include "world/parameters.h"
 #include "world/world_internal.h"
 
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
 {
     int before = world->state.capacity;
-    skv_result result = skv_sleep_reserve(&world->sleep, count, error);
-    if (result == SKV_OK)
-        result = skv_state_reserve(&world->state, count, error);
+    skv_result result = skv_state_reserve(&world->state, count, error);
     if (result == SKV_OK && world->state.capacity > before) {
         skv_world_regroup(world);
-        if (before)
+        if (before && !world->stepping) /* what emitters need is not for the host to know */
             skv_world_say(world,
                           "the room for %d particles had to grow to %d; a larger capacity in the "
                           "definition spares that",
@@ -29,7 +28,7 @@ void skv_world_regroup(skv_world *world)
         world->generation = 1;
 }
 
-void skv_world_append(skv_world *world, float x, float y, float vx, float vy)
+void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye)
 {
     skv_state *s = &world->state;
     int i = s->count++;
@@ -43,6 +42,7 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy)
     s->anchor_x[i] = x;
     s->anchor_y[i] = y;
     s->unrest[i] = SKV_NEWLY_RESTLESS;
+    s->dye[i] = (uint8_t)dye;
     world->sleep.stepped++;
     skv_world_regroup(world);
 }
@@ -126,6 +126,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->gravity_x = def->gravity_x;
         world->gravity_y = def->gravity_y;
         world->depth = def->depth;
+        skv_world_put_emission(world, def);
         world->h = def->fluid.spacing * def->fluid.radius_ratio;
         float extent = skv_extent_along_gravity(world);
         world->filled = def->depth > 0 ? def->depth / extent : 1;
@@ -239,5 +240,29 @@ skv_particles skv_world_particles(const skv_world *world)
 {
     SKV_ASSERT_OR(world, (skv_particles){0});
     const skv_state *s = &world->state;
-    return (skv_particles){s->count, s->x, s->y, s->vx, s->vy, s->pressure, s->clearance, s->id};
+    return (skv_particles){.count = s->count,
+                           .x = s->x,
+                           .y = s->y,
+                           .vx = s->vx,
+                           .vy = s->vy,
+                           .pressure = s->pressure,
+                           .clearance = s->clearance,
+                           .id = s->id,
+                           .dye = s->dye};
+}
+
+skv_frame skv_world_frame(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, (skv_frame){0});
+    return (skv_frame){
+        .time = skv_world_time(world),
+        .particles = skv_world_particles(world),
+        .awake = skv_world_awake_count(world),
+        .terrain = world->terrain,
+        .spacing = world->fluid.spacing,
+        .smoothing_radius = world->h,
+        .density = world->fluid.density,
+        .gravity_x = world->gravity_x,
+        .gravity_y = world->gravity_y,
+    };
 }

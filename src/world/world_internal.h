@@ -7,6 +7,7 @@
 #include "skvalp/world.h"
 #include "solver/solver.h"
 #include "terrain/wall_map.h"
+#include "world/acting.h"
 #include "world/events.h"
 #include "world/sleep.h"
 #include "world/state.h"
@@ -24,8 +25,9 @@ struct skv_world {
     bool substeps_fixed; /* the definition gave them */
     float filled;        /* expected depth over the free extent, both along gravity */
     double due;          /* time owed to the next step, in substeps: below 1 */
-    skv_hand hands[SKV_MAX_HANDS];
-    int hand_count;
+    skv_acting acting;
+    int emission_limit;
+    bool emission_replaces;
 
     skv_state state;
     uint32_t next_id;
@@ -50,40 +52,42 @@ struct skv_world {
     void *user;
 };
 
-/* constants.c: derives the constants of a substep. */
-int skv_substep_rule(const skv_fluid_def *fluid, float gravity, float depth);
+/* constants.c: derives the constants of a substep. For the rule, m/s^2 and m, and what forces add
+ * to their product. */
+int skv_substep_rule(const skv_fluid_def *fluid, float gravity, float depth, float head);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);
 
 /* |g| at a flat surface: n0 times the integral of F x/r over a half disc. */
 double skv_surface_gradient(const skv_fluid_def *fluid);
 
+/* m/s, with substeps of dt; 0 for a law that has none. */
+double skv_speed_of_sound(const skv_fluid_def *fluid, double dt);
+
 skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
 
 /* True if lo <= value <= hi; false for a NaN. */
 bool skv_within(double value, double lo, double hi);
 
-/* hands.c: every one of them may be a world's. */
-skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error);
-/* A hand as the passes see it. */
-skv_pull skv_make_pull(const skv_hand *hand, float dt);
-
 /* step.c: what a solver is to take one substep of: all particles, with what acts on them. */
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
-                                        skv_pull pulls[SKV_MAX_HANDS]);
+                                        skv_pull pulls[SKV_SOLVER_MOST_PULLS]);
 
 /* change.c: how far the free region goes along gravity, m; the substeps a 1/60 s frame that the
  * rule asks for; goes on with a fluid that differs only in what may change while a world runs. */
 float skv_extent_along_gravity(const skv_world *world);
 int skv_substeps_needed(const skv_world *world);
+void skv_world_adapt_substeps(skv_world *world); /* to what they are needed for, if not fixed */
 void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid);
 /* The same, and nothing follows from it: neither substeps nor sleep. */
 void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid);
+/* Takes over when emitters stop. */
+void skv_world_put_emission(skv_world *world, const skv_world_def *def);
 
 /* world.c: makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
 /* Appends a particle that has been checked; there is room for it. */
-void skv_world_append(skv_world *world, float x, float y, float vx, float vy);
+void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye);
 /* Notes that particles have come, gone or changed places. */
 void skv_world_regroup(skv_world *world);
 

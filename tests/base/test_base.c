@@ -142,7 +142,17 @@ static void exact_functions_agree_with_libm(void **unused)
             assert_true(fabs(skv_pow(b, e) / pow(b, e) - 1) < 1e-13);
     for (double angle = -3.1; angle <= 3.1; angle += 0.001)
         assert_true(fabs(skv_atan2(3 * sin(angle), 3 * cos(angle)) - angle) < 1e-14);
+    for (double x = -1000; x < 1000; x += 0.37) {
+        assert_true(fabs(skv_sin(x) - sin(x)) < 1e-13 && fabs(skv_cos(x) - cos(x)) < 1e-13);
+        if (fabs(x) < 20)
+            assert_true(fabs(skv_sin(x) - sin(x)) < 1e-14 && fabs(skv_cos(x) - cos(x)) < 1e-14);
+    }
+    assert_true(skv_sin(0) == 0 && skv_cos(0) == 1);
     assert_true(skv_atan2(0, 0) == 0 && skv_atan2(0, -2) == 3.14159265358979323846);
+    for (double x = 1.7e-9; x < 1e12; x *= 1.013)
+        assert_true(fabs(skv_decade(x) / pow(10, floor(log10(x))) - 1) < 1e-15);
+    assert_true(skv_decade(0.001) == 0.001 && skv_decade(1) == 1 && skv_decade(1e3) == 1e3);
+    assert_true(skv_decade(0) < 1e-299 && isfinite(skv_decade(INFINITY)));
     assert_true(skv_pow(0, 0) == 1 && skv_pow(0, 0.3) == 0 && skv_exp(0) == 1 && skv_log(1) == 0);
 }
 

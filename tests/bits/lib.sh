@@ -8,22 +8,17 @@ short_run=6
 
 golden=tests/bits/golden.txt
 golden_scenes=tests/bits/golden-scenes.txt
-compared=0
-bad=0
-
-complain() {
-    printf '%s\n' "$*"
-    bad=$((bad + 1))
-}
+# shellcheck source=tests/support/comparing.sh
+source tests/support/comparing.sh
 
 # core NAME CMAKE-OPTION...: builds the core and bits_hashes in a folder of their own, which is
-# printed. Ends the test if that fails.
+# printed. Ends the test if that fails. Configured afresh: a folder of before keeps old flags.
 core() {
     local folder=$build/bits/$1 log=$build/bits/$1.log status=0
     shift
     mkdir -p "$build/bits"
     {
-        cmake -S . -B "$folder" -G Ninja -DSKVALP_CORE_ONLY=ON "$@" &&
+        cmake --fresh -S . -B "$folder" -G Ninja -DSKVALP_CORE_ONLY=ON "$@" &&
             ninja -C "$folder" bits_hashes
     } >"$log" 2>&1 || status=$?
     if ((status)); then
@@ -32,18 +27,6 @@ core() {
         return 1
     fi
     printf '%s' "$folder"
-}
-
-# same WHAT EXPECTED COMMAND...: the command must print what the file EXPECTED holds.
-same() {
-    local what=$1 expected=$2 difference
-    shift 2
-    if difference=$(diff "$expected" <("$@" 2>&1)); then
-        compared=$((compared + 1))
-        return
-    fi
-    complain "$what: not the golden hashes (< golden, > here):"
-    printf '%s\n' "$difference" | grep '^[<>]' | sort -k2,2 -s | head -n 8
 }
 
 # same_worlds WHAT FRAMES COMMAND...: the command must print the golden hashes of so many frames.

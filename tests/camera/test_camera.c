@@ -53,11 +53,78 @@ static void pixels_lead_back_to_metres(void **state)
     assert_true(fabs(x - 1.6) < 1e-12 && fabs(y - 0.9) < 1e-12);
 }
 
+/* What lies under the pointer stays there, at any zoom that the bounds allow. */
+static void zooming_keeps_the_point_under_the_pointer(void **state)
+{
+    (void)state;
+    skv_camera camera = skv_camera_fit(1600, 900, 1.6, 0.9);
+    double x, y, px, py;
+    skv_camera_to_world(&camera, 400, 300, &x, &y);
+    for (int i = 0; i < 12; i++) {
+        skv_camera_zoom(&camera, i < 8 ? 1.5 : 0.8, 400, 300);
+        skv_camera_to_view(&camera, x, y, &px, &py);
+        assert_true(fabs(px - 400) < 1e-6 && fabs(py - 300) < 1e-6);
+    }
+    assert_true(camera.zoom > 9 && camera.zoom < 11);
+    /* Away from the pointer that zoomed in, the sides of the world stay out of the picture. */
+    skv_camera_zoom(&camera, 0.15, 1500, 800);
+    assert_true(camera.zoom > 1 && camera.origin_x < 1e-9 && camera.origin_y > 900 - 1e-9);
+}
+
+static void the_zoom_has_bounds(void **state)
+{
+    (void)state;
+    skv_camera camera = skv_camera_fit(1600, 900, 1.6, 0.9), whole = camera;
+    skv_camera_zoom(&camera, 1e9, 0, 900);
+    assert_true(camera.zoom == SKV_CAMERA_MAX_ZOOM);
+    assert_true(fabs(camera.scale - SKV_CAMERA_MAX_ZOOM * whole.scale) < 1e-9);
+    skv_camera_zoom(&camera, 1e-9, 1600, 0);
+    assert_true(camera.zoom == 1 && camera.origin_x == whole.origin_x &&
+                camera.origin_y == whole.origin_y && camera.scale == whole.scale);
+    camera = skv_camera_at(1600, 900, 1.6, 0.9, -7, 100, 4);
+    assert_true(fabs(camera.centre_x - 0.2) < 1e-12 && fabs(camera.centre_y - 0.7875) < 1e-12);
+}
+
+static void panning_stops_at_the_sides(void **state)
+{
+    (void)state;
+    skv_camera camera = skv_camera_at(800, 450, 1.6, 0.9, 0.8, 0.45, 2);
+    double x, y, px, py;
+    skv_camera_to_world(&camera, 400, 200, &x, &y);
+    skv_camera_pan(&camera, 50, -30);
+    skv_camera_to_view(&camera, x, y, &px, &py);
+    assert_true(fabs(px - 450) < 1e-9 && fabs(py - 170) < 1e-9);
+    skv_camera_pan(&camera, 1e6, 1e6);
+    assert_true(fabs(camera.origin_x) < 1e-9 && fabs(camera.origin_y - 900) < 1e-9);
+    /* A world that fits is not moved at all. */
+    camera = skv_camera_fit(800, 450, 1.6, 0.9);
+    skv_camera_pan(&camera, 100, 100);
+    assert_true(camera.origin_x == 0 && camera.origin_y == 450);
+}
+
+/* Upright, a wide world fills the view and can be panned along, without bars. */
+static void a_wide_world_fills_an_upright_view(void **state)
+{
+    (void)state;
+    skv_camera camera = skv_camera_fill(360, 640, 1.6, 0.9);
+    assert_true(fabs(camera.scale - 640 / 0.9) < 1e-9);
+    assert_true(fabs(camera.centre_x - 0.8) < 1e-12 && fabs(camera.origin_y - 640) < 1e-9);
+    skv_camera_pan(&camera, 1e6, 1e6);
+    assert_true(fabs(camera.origin_x) < 1e-9 && fabs(camera.origin_y - 640) < 1e-9);
+    /* Turned, the same part of the world stays in the middle. */
+    skv_camera turned = skv_camera_at(640, 360, 1.6, 0.9, camera.centre_x, camera.centre_y, 2);
+    assert_true(fabs(turned.centre_x - 0.4) < 1e-12 && turned.zoom == 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_world_is_shown_whole_and_centred),
         cmocka_unit_test(a_view_without_pixels_counts_as_one),
+        cmocka_unit_test(zooming_keeps_the_point_under_the_pointer),
+        cmocka_unit_test(the_zoom_has_bounds),
+        cmocka_unit_test(panning_stops_at_the_sides),
+        cmocka_unit_test(a_wide_world_fills_an_upright_view),
         cmocka_unit_test(pixels_lead_back_to_metres),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

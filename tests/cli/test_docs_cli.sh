@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Every example of docs/cli.md does what the page shows: the commands of its console blocks run in
-# one folder, in order; their output matches, "..." standing for anything.
+# Every example of docs/cli.md and docs/share.md does what the page shows: the commands of their
+# console blocks run in one folder, in order; their output matches, "..." standing for anything.
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_docs_cli.sh BUILD SOURCE}")
-page=$(realpath "${2:?usage: test_docs_cli.sh BUILD SOURCE}")/docs/cli.md
+docs=$(realpath "${2:?usage: test_docs_cli.sh BUILD SOURCE}")/docs
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -48,8 +48,13 @@ while IFS= read -r line; do
     elif [[ $line == '```console' ]]; then
         inside=1
     fi
-done <"$page"
+done < <(cat "$docs/cli.md" "$docs/share.md")
 
-((examples > 0)) || { printf '%s has no examples\n' "$page"; exit 1; }
+((examples > 0)) || { printf '%s has no examples\n' "$docs"; exit 1; }
+# The cards stand in the program; the page is what it prints.
+if ! diff "$docs/experiments.md" <(skvalp lab --cards); then
+    printf 'run: build/release/skvalp lab --cards >docs/experiments.md\n'
+    bad=$((bad + 1))
+fi
 ((bad == 0)) || exit 1
-printf 'docs: %d examples of cli.md do what they show\n' "$examples"
+printf 'docs: %d examples of cli.md and share.md do what they show\n' "$examples"

@@ -2,6 +2,7 @@
  * test_committed's business. */
 #include "experiments/experiment.h"
 #include "support/fixture.h"
+#include "support/kept.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -46,6 +47,11 @@ static void every_experiment_says_what_it_is(void **unused)
         const experiment *e = skv_experiment_at(count);
         assert_ptr_equal(skv_experiment_info(count), &e->info);
         assert_true(strlen(e->info.name) > 3 && strlen(e->info.description) > 20);
+        const char *const card[] = {e->info.question, e->info.predict, e->info.measure,
+                                    e->info.compare};
+        for (int i = 0; i < 4; i++)
+            assert_true(card[i] && strlen(card[i]) > 30 && !strchr(card[i], '\n'));
+        assert_true(e->info.x_label && e->info.y_label);
         assert_in_range(e->count, 1, MAX_QUANTITIES);
         for (int i = 0; i < e->count; i++)
             assert_true(strlen(e->quantities[i].name) > 3 && e->quantities[i].unit);
@@ -260,58 +266,42 @@ static void theory_follows_the_parameters(void **unused)
     skv_report_destroy(NULL);
 }
 
-typedef struct text {
-    char *bytes;
-    size_t length, limit;
-} text;
-
-static bool keep(const char *piece, size_t length, void *user)
-{
-    text *t = user;
-    if (t->length + length + 1 > t->limit)
-        return false;
-    memcpy(t->bytes + t->length, piece, length);
-    t->length += length;
-    t->bytes[t->length] = '\0';
-    return true;
-}
-
 static void reports_are_drawn_and_written(void **unused)
 {
     (void)unused;
     const skv_setting few = {"particles", "600"};
     skv_report *report = run("droplet", &few, 1);
-    text t = {malloc(200000), 0, 200000}, plain = {malloc(200000), 0, 200000};
-    assert_int_equal(skv_report_plot(report, keep, &plain, NULL), SKV_OK);
-    assert_int_equal(skv_report_csv(report, keep, &plain, NULL), SKV_OK);
+    kept t = {0}, plain = {0};
+    assert_int_equal(skv_report_plot(report, kept_add, &plain, NULL), SKV_OK);
+    assert_int_equal(skv_report_csv(report, kept_add, &plain, NULL), SKV_OK);
     set_comma_locale(); /* of a host such as GTK; files are the same in all of them */
     skv_lab_options options = skv_default_lab_options();
     options.settings = &(skv_setting){"rest.width", "1.5"};
     options.setting_count = 1;
     assert_int_equal(skv_lab_check(&options, NULL), SKV_OK);
-    assert_int_equal(skv_report_plot(report, keep, &t, NULL), SKV_OK);
-    assert_int_equal(skv_report_csv(report, keep, &t, NULL), SKV_OK);
+    assert_int_equal(skv_report_plot(report, kept_add, &t, NULL), SKV_OK);
+    assert_int_equal(skv_report_csv(report, kept_add, &t, NULL), SKV_OK);
     reset_locale();
     assert_string_equal(t.bytes, plain.bytes);
-    free(plain.bytes);
-    t.length = 0;
-    assert_int_equal(skv_report_plot(report, keep, &t, NULL), SKV_OK);
+    kept_clear(&plain);
+    kept_clear(&t);
+    assert_int_equal(skv_report_plot(report, kept_add, &t, NULL), SKV_OK);
     assert_true(strncmp(t.bytes, "<svg xmlns='http://www.w3.org/2000/svg'", 39) == 0);
-    assert_string_equal(t.bytes + t.length - 7, "</svg>\n");
+    assert_string_equal(t.bytes + t.size - 7, "</svg>\n");
     assert_non_null(strstr(t.bytes, "Droplet without gravity"));
     assert_non_null(strstr(t.bytes, "time (s)"));
     assert_non_null(strstr(t.bytes, "class='theory'"));
     assert_non_null(strstr(t.bytes, "class='line'"));
     assert_null(strstr(t.bytes, "nan"));
     assert_null(strstr(t.bytes, "inf"));
-    t.length = 0;
-    assert_int_equal(skv_report_csv(report, keep, &t, NULL), SKV_OK);
+    kept_clear(&t);
+    assert_int_equal(skv_report_csv(report, kept_add, &t, NULL), SKV_OK);
     assert_true(strncmp(t.bytes, "series,time (s),shorter / longer axis\nmeasured,0,0.", 50) == 0);
     assert_non_null(strstr(t.bytes, "\ntheory: a circle,0,1\n"));
     t.limit = 100;
-    t.length = 0;
-    assert_int_equal(skv_report_plot(report, keep, &t, NULL), SKV_ERROR_FILE);
-    free(t.bytes);
+    kept_clear(&t);
+    assert_int_equal(skv_report_plot(report, kept_add, &t, NULL), SKV_ERROR_FILE);
+    kept_clear(&t);
     assert_null(skv_report_row(report, 2));
     assert_null(skv_report_row(report, -1));
     skv_report_destroy(report);
@@ -321,29 +311,29 @@ static void odd_curves_are_drawn(void **unused)
 {
     (void)unused;
     skv_plot picture = {.title = "A & B < C", .x_label = "x", .y_label = "y"};
-    text t = {malloc(20000), 0, 20000};
-    assert_int_equal(skv_plot_write_svg(&picture, keep, &t, NULL), SKV_OK);
+    kept t = {0};
+    assert_int_equal(skv_plot_write_svg(&picture, kept_add, &t, NULL), SKV_OK);
     assert_non_null(strstr(t.bytes, "A &amp; B &lt; C"));
     skv_plot_point(&picture, 1, 1); /* belongs to no curve */
-    skv_plot_begin(&picture, "one point", CURVE_DOTS);
+    skv_plot_begin(&picture, "one point", SKV_CURVE_DOTS);
     skv_plot_point(&picture, 1, -3);
     skv_plot_point(&picture, (double)NAN, 2);
     skv_plot_point(&picture, 2, (double)INFINITY);
     assert_int_equal(picture.curves[0].count, 1);
-    t.length = 0;
-    assert_int_equal(skv_plot_write_svg(&picture, keep, &t, NULL), SKV_OK);
+    kept_clear(&t);
+    assert_int_equal(skv_plot_write_svg(&picture, kept_add, &t, NULL), SKV_OK);
     assert_null(strstr(t.bytes, "nan"));
     for (int i = 0; i < MAX_CURVES; i++)
-        skv_plot_begin(&picture, "more", CURVE_LINE);
+        skv_plot_begin(&picture, "more", SKV_CURVE_LINE);
     assert_true(picture.failed);
     skv_plot_free(&picture);
-    free(t.bytes);
+    kept_clear(&t);
 }
 
-static bool stop_at_half(double share, void *user)
+static bool stop_at_half(const skv_lab_moment *moment, void *user)
 {
-    *(double *)user = share;
-    return share < 0.5;
+    *(double *)user = moment->share;
+    return moment->share < 0.5;
 }
 
 static void an_experiment_can_be_stopped(void **unused)
@@ -354,12 +344,118 @@ static void an_experiment_can_be_stopped(void **unused)
     skv_lab_options options = skv_default_lab_options();
     options.settings = &few;
     options.setting_count = 1;
-    options.progress = stop_at_half;
+    options.observe = stop_at_half;
     options.user = &reached;
     skv_report *report;
     assert_int_equal(skv_experiment_run(number_of("rest"), &options, &report, NULL), SKV_STOPPED);
     assert_null(report);
     assert_near(reached, 0.5, 0.01);
+}
+
+/* What an observer saw: moments, the most points of a measured curve, whether theory stood beside
+ * it before the end, and that nothing ever shrank. */
+typedef struct seen {
+    int moments, points, theory;
+    double time;
+    bool grows;
+} seen;
+
+static bool look(const skv_lab_moment *moment, void *user)
+{
+    seen *s = user;
+    s->moments++;
+    assert_non_null(moment->frame->terrain);
+    assert_true(moment->frame->particles.count > 0);
+    for (int i = 0; i < moment->curve_count; i++) {
+        const skv_curve *c = &moment->curves[i];
+        assert_true(c->label && c->label[0]);
+        if (c->style == SKV_CURVE_THEORY) {
+            s->theory += moment->share < 0.98;
+        } else {
+            s->grows = s->grows && (i > 0 || c->count >= s->points);
+            s->points = i > 0 ? s->points : c->count;
+        }
+    }
+    return true;
+}
+
+/* Every experiment that can be watched with its theory; watching changes no figure. */
+static void an_experiment_can_be_watched(void **unused)
+{
+    (void)unused;
+    static const char *const names[] = {"hydrostatics", "dam-break"};
+    for (int e = 0; e < 2; e++) {
+        const skv_setting few = {"particles", "600"};
+        skv_lab_options options = skv_default_lab_options();
+        options.settings = &few;
+        options.setting_count = 1;
+        skv_report *alone, *watched;
+        assert_int_equal(skv_experiment_run(number_of(names[e]), &options, &alone, NULL), SKV_OK);
+        seen s = {.grows = true};
+        options.observe = look;
+        options.user = &s;
+        assert_int_equal(skv_experiment_run(number_of(names[e]), &options, &watched, NULL), SKV_OK);
+        assert_true(s.moments > 50 && s.points > 5 && s.theory > 5 && s.grows);
+        skv_curve a, b;
+        int curves = 0;
+        for (; skv_report_curve(alone, curves, &a); curves++) {
+            assert_true(skv_report_curve(watched, curves, &b));
+            assert_string_equal(a.label, b.label);
+            assert_int_equal(a.style, b.style);
+            assert_int_equal(a.count, b.count);
+            assert_memory_equal(a.x, b.x, (size_t)a.count * sizeof *a.x);
+            assert_memory_equal(a.y, b.y, (size_t)a.count * sizeof *a.y);
+        }
+        assert_true(curves >= 2 && !skv_report_curve(watched, curves, &b));
+        for (int i = 0; skv_report_row(alone, i); i++)
+            assert_true(skv_report_row(alone, i)->measured == skv_report_row(watched, i)->measured);
+        skv_report_destroy(alone);
+        skv_report_destroy(watched);
+    }
+}
+
+static skv_world *play_with(int i)
+{
+    kept text = {0};
+    skv_scene *scene = NULL;
+    skv_world *world;
+    skv_error error;
+    if (skv_experiment_scene(i, kept_add, &text, &error) != SKV_OK ||
+        skv_scene_load_memory(text.bytes, text.size, "json", "set-up", NULL, &scene, &error) !=
+            SKV_OK)
+        fail_msg("%s: %s", skv_experiment_info(i)->name, error.text);
+    assert_string_equal(skv_scene_name(scene), skv_experiment_info(i)->name);
+    assert_string_equal(skv_scene_title(scene), skv_experiment_info(i)->title);
+    assert_string_equal(skv_scene_description(scene), skv_experiment_info(i)->description);
+    assert_int_equal(skv_scene_create_world(scene, 1, &world, &error), SKV_OK);
+    skv_scene_destroy(scene);
+    kept_clear(&text);
+    return world;
+}
+
+/* Set-ups as scenes, with what the experiment itself decides; the plug of the orifice is out. */
+static void set_ups_can_be_played_with(void **unused)
+{
+    (void)unused;
+    skv_world *drops = play_with(number_of("ringing")), *flume = play_with(number_of("channel"));
+    float gx, gy;
+    skv_world_gravity(drops, &gx, &gy);
+    assert_true(gx == 0 && gy == 0);
+    assert_in_range(skv_world_particle_count(drops), 3000, 5000);
+    assert_true(skv_world_fluid(flume)->viscosity_linear !=
+                skv_default_fluid_def(SKV_LAW_CALIBRATED).viscosity_linear);
+    skv_world_destroy(drops);
+    skv_world_destroy(flume);
+    skv_world *tank = play_with(number_of("orifice"));
+    int before = skv_world_particle_count(tank);
+    fixture_run(tank, 40);
+    assert_true(skv_world_particle_count(tank) < before - 20);
+    skv_world_destroy(tank);
+    skv_error error;
+    kept full = {.limit = 20};
+    assert_int_equal(skv_experiment_scene(0, kept_add, &full, &error), SKV_ERROR_FILE);
+    assert_int_equal(skv_experiment_scene(-1, kept_add, &full, &error), SKV_ERROR_VALUE);
+    kept_clear(&full);
 }
 
 int main(void)
@@ -375,6 +471,8 @@ int main(void)
         cmocka_unit_test(reports_are_drawn_and_written),
         cmocka_unit_test(odd_curves_are_drawn),
         cmocka_unit_test(an_experiment_can_be_stopped),
+        cmocka_unit_test(an_experiment_can_be_watched),
+        cmocka_unit_test(set_ups_can_be_played_with),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,7 +10,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_PARTICLES = 400, MOST_CALLS = 60 };
+/* Small, so that a second of fuzzing is some ten inputs even under the sanitizers. */
+enum { MOST_PARTICLES = 150, MOST_CALLS = 40 };
 
 typedef struct host {
     fuzz_input in;
@@ -99,6 +100,15 @@ static void fill(host *h)
         fuzz_expect(skv_world_particle_count(h->world) == before, "all or nothing");
 }
 
+/* Particles come and go by what is counted alone. */
+static void account(const host *h, const skv_flow *flow, int before)
+{
+    skv_flow now = skv_world_flow(h->world);
+    int64_t change = now.emitted - flow->emitted - (now.drained - flow->drained) -
+                     (now.left - flow->left) - (now.replaced - flow->replaced);
+    fuzz_expect(skv_world_particle_count(h->world) - before == change, "the balance is even");
+}
+
 static void step(host *h)
 {
     static const float frames[] = {1.0f / 60, 1.0f / 60, 1.0f / 30, 1e-6f, 0.1f};
@@ -106,9 +116,12 @@ static void step(host *h)
     if (fuzz_byte(&h->in) % 8 == 7)
         dt = fuzz_any_float(&h->in);
     double before = skv_world_time(h->world);
+    skv_flow flow = skv_world_flow(h->world);
+    int there = skv_world_particle_count(h->world);
     skv_error error = {0};
     skv_result result = skv_world_step(h->world, dt, &error);
     fuzz_expect_answer(result, &error);
+    account(h, &flow, there);
     fuzz_expect(result == SKV_OK || skv_world_time(h->world) == before, "a refused step is none");
 }
 
@@ -127,6 +140,104 @@ static void hold(host *h)
     }
     skv_error error = {0};
     fuzz_expect_answer(skv_world_set_hands(h->world, hands, count, &error), &error);
+}
+
+static void blow(host *h)
+{
+    skv_force forces[2];
+    int count = fuzz_byte(&h->in) % 3;
+    for (int i = 0; i < count; i++) {
+        float x = fuzz_float(&h->in, 0, h->width), y = fuzz_float(&h->in, 0, h->height);
+        forces[i] = (skv_force){.area = fuzz_byte(&h->in) % 2 ? skv_box(0, 0, x, y)
+                                                              : skv_circle(x, y, 0.1f),
+                                .ax = fuzz_float(&h->in, -100, 100),
+                                .ay = fuzz_float(&h->in, -100, 1100),
+                                .toward_x = x,
+                                .toward_y = y,
+                                .attraction = fuzz_float(&h->in, -100, 100),
+                                .wind_x = fuzz_float(&h->in, -10, 10),
+                                .drag = fuzz_float(&h->in, -1, 100),
+                                .spin = fuzz_float(&h->in, -101, 100)};
+    }
+    skv_error error = {0};
+    fuzz_expect_answer(skv_world_set_forces(h->world, forces, count, &error), &error);
+}
+
+static skv_area any_area(host *h)
+{
+    float x = fuzz_float(&h->in, -0.05f, h->width), y = fuzz_float(&h->in, -0.05f, h->height);
+    float size = fuzz_float(&h->in, -0.05f, 0.3f);
+    const float corners[] = {x, y, x + size, y, x, y + size};
+    const skv_area areas[] = {skv_circle(x, y, size), skv_box(x, y, x + size, y - size),
+                              skv_polygon(corners, 3), skv_swept_circle(x, y, y, x, size)};
+    return areas[fuzz_below(&h->in, 4)];
+}
+
+static void emit(host *h)
+{
+    skv_emitter emitters[3];
+    int count = fuzz_byte(&h->in) % 4;
+    for (int i = 0; i < count; i++)
+        emitters[i] = (skv_emitter){.x = fuzz_float(&h->in, -0.1f, h->width + 0.1f),
+                                    .y = fuzz_float(&h->in, -0.1f, h->height + 0.1f),
+                                    .vx = fuzz_float(&h->in, -4, 4),
+                                    .vy = fuzz_byte(&h->in) % 4 ? fuzz_float(&h->in, -4, 4) : 0,
+                                    .width = fuzz_float(&h->in, 0, 0.4f),
+                                    .dye = fuzz_below(&h->in, SKV_DYES + 2)};
+    skv_error error = {0};
+    skv_result result = skv_world_set_emitters(h->world, emitters, count, &error);
+    fuzz_expect_answer(result, &error);
+    int now;
+    skv_world_emitters(h->world, &now);
+    bool replaces = fuzz_byte(&h->in) % 2;
+    fuzz_expect(skv_world_set(h->world, "emission.limit", "150", NULL) == SKV_OK &&
+                    skv_world_set(h->world, "emission.replaces", replaces ? "true" : "false",
+                                  NULL) == SKV_OK,
+                "what a full world does can be set");
+    fuzz_expect(result != SKV_OK || now == count, "the emitters are those that were set");
+}
+
+static void drain(host *h)
+{
+    skv_drain drains[2];
+    int count = fuzz_byte(&h->in) % 3;
+    for (int i = 0; i < count; i++) {
+        drains[i].area = any_area(h);
+        drains[i].rate = fuzz_byte(&h->in) % 2 ? 0 : fuzz_float(&h->in, -0.1f, 2);
+    }
+    skv_error error = {0};
+    fuzz_expect_answer(skv_world_set_drains(h->world, drains, count, &error), &error);
+}
+
+static void dye(host *h)
+{
+    skv_area area = any_area(h);
+    int color = fuzz_below(&h->in, SKV_DYES + 3) - 1, dyed = 0;
+    uint64_t before = skv_world_hash(h->world);
+    skv_error error = {0};
+    skv_result result = skv_world_dye_area(h->world, &area, color, &dyed, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(dyed <= skv_world_query(h->world, &area, NULL, 0), "who is dyed lies in the area");
+    fuzz_expect((skv_world_hash(h->world) != before) == (dyed > 0), "the hash knows colours");
+    uint8_t colors[2] = {fuzz_byte(&h->in) % 6, fuzz_byte(&h->in) % 6};
+    int first = fuzz_below(&h->in, MOST_PARTICLES) - 1;
+    fuzz_expect_answer(skv_world_set_dyes(h->world, first, 2, colors, &error), &error);
+}
+
+/* A copy goes the same way. */
+static void fork_world(host *h)
+{
+    skv_world *copy;
+    skv_error error = {0};
+    skv_result result = skv_world_copy(h->world, 1, &copy, &error);
+    fuzz_expect_answer(result, &error);
+    if (result != SKV_OK)
+        return;
+    fuzz_expect(skv_world_step(copy, 1.0f / 60, NULL) == SKV_OK &&
+                    skv_world_step(h->world, 1.0f / 60, NULL) == SKV_OK,
+                "both go on");
+    fuzz_expect(skv_world_hash(copy) == skv_world_hash(h->world), "a copy goes the same way");
+    skv_world_destroy(copy);
 }
 
 static void push(host *h)
@@ -195,6 +306,30 @@ static void take_away(host *h)
     fuzz_expect((skv_world_revision(h->world) != revision) == (removed > 0), "views go stale");
 }
 
+static void draw(host *h)
+{
+    skv_brush_stroke stroke = {
+        .x0 = fuzz_float(&h->in, -0.1f, h->width + 0.1f),
+        .y0 = fuzz_float(&h->in, -0.1f, h->height + 0.1f),
+        .x1 = fuzz_float(&h->in, -0.1f, h->width + 0.1f),
+        .y1 = fuzz_float(&h->in, -0.1f, h->height + 0.1f),
+        .radius = fuzz_float(&h->in, 0, 0.05f),
+        .erase = fuzz_byte(&h->in) % 2,
+    };
+    int before = skv_world_particle_count(h->world), removed = 0;
+    skv_terrain *painted = NULL;
+    skv_error error = {0};
+    skv_result result =
+        skv_terrain_paint(skv_world_terrain(h->world), &stroke, 1, &painted, &error);
+    fuzz_expect_answer(result, &error);
+    if (result != SKV_OK)
+        return;
+    result = skv_world_set_terrain(h->world, painted, &removed, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(result == SKV_OK, "a painted terrain fits its world");
+    fuzz_expect(skv_world_particle_count(h->world) == before - removed, "removed is counted");
+}
+
 static void aim(host *h)
 {
     float x0 = fuzz_any_float(&h->in), y0 = fuzz_float(&h->in, -1, h->height + 1);
@@ -210,8 +345,9 @@ static void judge(const host *h)
     skv_particles p = skv_world_particles(h->world);
     fuzz_expect(p.count == skv_world_particle_count(h->world), "one number of particles");
     fuzz_expect(skv_world_awake_count(h->world) <= p.count, "no more awake than there are");
-    for (int i = 1; i < p.count; i++)
-        fuzz_expect(p.id[i] > p.id[i - 1], "ids ascend");
+    for (int i = 0; i < p.count; i++)
+        fuzz_expect((i == 0 || p.id[i] > p.id[i - 1]) && p.dye[i] <= SKV_DYES,
+                    "ids ascend, and every colour is one");
     skv_stats stats = skv_world_stats(h->world);
     fuzz_expect(stats.not_finite == 0, "every position and velocity is finite");
     fuzz_expect(stats.escaped == 0, "no particle escapes");
@@ -219,9 +355,9 @@ static void judge(const host *h)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static void (*const calls[])(host *) = {step,         step,     step,      add_particle,
-                                            fill,         add_many, hold,      push,
-                                            turn_gravity, look,     take_away, aim};
+    static void (*const calls[])(host *) = {
+        step, step,      step, add_particle, fill, add_many, hold,  push, turn_gravity,
+        look, take_away, aim,  blow,         draw, emit,     drain, dye,  fork_world};
     host h = {.in = {data, size}};
     h.world = make_world(&h.in);
     if (h.world == NULL)

@@ -3,26 +3,12 @@
  * would ever be reached. */
 #include "fuzz.h"
 
-#include "base/bytes.h"
+#include "base/envelope.h"
 
 #include <skvalp/world.h>
 
 #include <stdlib.h>
 #include <string.h>
-
-enum { CHECKSUM_AT = 24, SIZE_AT = 16 };
-
-static void sign(uint8_t *bytes, size_t size)
-{
-    if (size < CHECKSUM_AT + 8)
-        return;
-    skv_writer length = {bytes, SIZE_AT};
-    skv_put(&length, size, 8);
-    uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, bytes, CHECKSUM_AT);
-    hash = skv_hash_bytes(hash, bytes + CHECKSUM_AT + 8, size - CHECKSUM_AT - 8);
-    skv_writer checksum = {bytes, CHECKSUM_AT};
-    skv_put(&checksum, hash, 8);
-}
 
 static void step(skv_world *world)
 {
@@ -74,7 +60,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     uint8_t *bytes = malloc(size > 0 ? size : 1);
     memcpy(bytes, data, size);
     if (size > 0 && data[size - 1] % 8 != 0)
-        sign(bytes, size);
+        skv_envelope_seal(bytes, size);
     try_load(bytes, size);
     try_restore(bytes, size);
     free(bytes);

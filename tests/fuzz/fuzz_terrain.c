@@ -22,6 +22,34 @@ static void ask(const skv_terrain *terrain, fuzz_input *in)
     fuzz_expect(share >= 0 && share <= 1, "a sweep goes a share of the way");
 }
 
+/* Paints any strokes; returns the terrain that is to be destroyed then. */
+static skv_terrain *paint(skv_terrain *terrain, fuzz_input *in)
+{
+    skv_brush_stroke strokes[3];
+    int count = fuzz_below(in, 4);
+    float width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
+    for (int i = 0; i < count; i++) {
+        bool odd = fuzz_byte(in) % 8 == 0;
+        strokes[i] = (skv_brush_stroke){
+            .x0 = odd ? fuzz_any_float(in) : fuzz_float(in, -width, 2 * width),
+            .y0 = fuzz_float(in, -height, 2 * height),
+            .x1 = fuzz_float(in, -width, 2 * width),
+            .y1 = odd ? fuzz_any_float(in) : fuzz_float(in, -height, 2 * height),
+            .radius = odd ? fuzz_any_float(in) : fuzz_float(in, 0, width),
+            .erase = fuzz_byte(in) % 2,
+        };
+    }
+    skv_terrain *painted = NULL;
+    skv_error error = {0};
+    skv_result result = skv_terrain_paint(terrain, strokes, count, &painted, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect((result == SKV_OK) == (painted != NULL), "a painted terrain exactly if SKV_OK");
+    if (painted == NULL)
+        return terrain;
+    skv_terrain_destroy(terrain);
+    return painted;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz_input in = {data, size};
@@ -49,7 +77,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     skv_terrain_free_range(terrain, &lowest, &highest);
     fuzz_expect(lowest <= highest, "the free region's lowest point is not above its highest");
     for (int i = 0; i < 32 && in.size > 0; i++)
-        ask(terrain, &in);
+        if (i % 8 == 7)
+            terrain = paint(terrain, &in);
+        else
+            ask(terrain, &in);
     skv_terrain_destroy(terrain);
     return 0;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The public interface: every function declared SKV_API is defined by the library and called by a
-# test, every public header compiles alone as C17 and C++17, and the library neither prints nor
-# exits. Reads the symbols of what was built, so that a mention in a comment does not count.
+# test, every public header compiles alone as C17 and C++17 and all of them together, and the
+# library neither prints nor exits. Reads the symbols of what was built, so that a mention in a comment does not count.
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_api.sh BUILD SOURCE}")
@@ -52,6 +52,9 @@ for header in include/skvalp/*.h; do
     clang-19 -x c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only \
         "$work/alone.cc" || complain "$header does not compile alone as C++17"
 done
+printf '#include <%s>\n' include/skvalp/*.h | sed 's,include/,,' >"$work/all.c"
+"${CC:-gcc}" -std=c17 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only "$work/all.c" ||
+    complain "the public headers do not compile together"
 
 declared=$(wc -l <"$work/declared")
 ((declared > 0)) || complain "no public function was found"

@@ -13,11 +13,8 @@ bad=0
 fresh_copy() {
     rm -rf "$work/copy"
     mkdir "$work/copy"
-    local part
-    for part in app bench cli docs examples include scenes src tests README.md CHANGELOG.md LICENSE \
-        CMakeLists.txt; do
-        [[ ! -e $source/$part ]] || cp -r "$source/$part" "$work/copy/"
-    done
+    tar -C "$source" --exclude=node_modules -c app bench cli cmake docs examples include po scenes \
+        src tests web README.md CHANGELOG.md LICENSE CMakeLists.txt | tar -C "$work/copy" -x
 }
 
 # bites RULE WHAT EXPECTED [BUILD]: the rule must fail on the copy and say EXPECTED.

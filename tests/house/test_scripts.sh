@@ -66,6 +66,26 @@ expect "the line says what, why and what to try" grep -q \
     '^try.sh: installing packages failed: E: Unable to fetch some archives; try: apt-get update' \
     "$work/err"
 
+# npm's last line names a log of its own: what went wrong stands above.
+cat >"$work/bin/npm" <<END
+#!/bin/sh
+echo "npm ERR! code ENOTFOUND"
+echo "npm ERR! request to https://registry.example/pako failed, reason: getaddrinfo ENOTFOUND"
+echo "npm ERR!     /root/.npm/_logs/debug-0.log"
+exit 1
+END
+chmod +x "$work/bin/npm"
+mkdir "$work/web"
+status=0
+(
+    cd "$work"
+    PATH=$work/bin:$PATH bash -c 'set -euo pipefail; program=try.sh; source "$0"; install_npm' \
+        "$OLDPWD/scripts/lib.sh" >"$work/out" 2>"$work/err"
+) || status=$?
+expect "a failing npm fails" test "$status" -eq 1
+expect "the line says what npm missed" grep -q \
+    '^try.sh: installing npm packages failed: .* failed, reason: getaddrinfo ENOTFOUND (' "$work/err"
+
 for script in run.sh test.sh scripts/lint.sh scripts/try-in-chroot.sh; do
     "./$script" --help >"$work/out" 2>"$work/err" || complain "$script --help fails"
     expect "$script --help explains" grep -q "^Usage: " "$work/out"

@@ -33,6 +33,14 @@ for file in "${files[@]}"; do
     fi
 done
 
+# What a newcomer includes names every public header that no other one includes.
+for header in include/skvalp/*.h; do
+    name=skvalp/${header##*/}
+    [[ $name == skvalp/skvalp.h ]] || grep -qF "$name" include/skvalp/skvalp.h ||
+        grep -qF "#include \"$name" include/skvalp/*.h ||
+        complain "$header" "is found nowhere: say in include/skvalp/skvalp.h what it is for"
+done
+
 # The patterns are written so that they do not find themselves.
 while IFS=: read -r file line _; do
     complain "$file:$line" "unfinished business: do it or file an issue"

@@ -89,10 +89,12 @@ needs() {
     readelf -d "$1" | grep -qE "NEEDED.*\[($2)"
 }
 
-# headers_declare FOLDER: the functions of the core's headers, sorted.
+# headers_declare FOLDER: the functions of the core's headers, those that skvalp.h reaches in this
+# include folder, sorted.
 headers_declare() {
-    find "$1" -name '*.h' | grep -vE '/(scene|experiments|session|render)\.h$' | xargs cat |
-        tr '\n' ' ' | sed 's/SKV_API/\n&/g' |
+    local headers
+    mapfile -t headers < <(cc -MM "-I$1" "$1/skvalp/skvalp.h" | grep -oE '[^ ]+\.h')
+    cat "${headers[@]}" | tr '\n' ' ' | sed 's/SKV_API/\n&/g' |
         sed -nE 's/^SKV_API [^;(]*\b(skv_[a-z0-9_]+)\(.*/\1/p' | sort -u
 }
 

@@ -32,6 +32,7 @@ program=$(made cc cc)
 sets=(scalar)
 [[ $(uname -m) != x86_64 ]] || sets+=(sse2)
 ! grep -qw avx2 /proc/cpuinfo || sets+=(avx2)
+! grep -qw avx512dq /proc/cpuinfo || sets+=(avx512)
 for set in "${sets[@]}"; do
     set_is "cc, $set" "$set" "$program" "$set"
     same_worlds "cc, $set" "$short_run" "$program" "$set" 2 "$short_run"

@@ -23,7 +23,7 @@ cat >"$work/whole/all_parts.c" <<'END'
 
 int main(void)
 {
-    return !skv_builtin_scene(0) || !skv_experiment_info(0) || !skv_default_render_style().dark;
+    return !skv_builtin_scene(0) || !skv_experiment_info(0) || !skv_style_choice_at(SKV_STYLE_VIEW, 0);
 }
 END
 for name in static shared whole; do
@@ -66,7 +66,7 @@ prints "pkg-config, static" "$work/by-pkg-config-static"
     complain "pkg-config names another version than the library"
 
 # What the shared library exports is what the core's headers declare.
-headers_declare "$prefix/include/skvalp" >"$work/declared"
+headers_declare "$prefix/include" >"$work/declared"
 nm -D --defined-only "$prefix/lib/libskvalp.so" | awk '{ print $3 }' | sort -u >"$work/exported"
 while read -r line; do
     complain "exported and declared (<: not exported, >: not declared): $line"

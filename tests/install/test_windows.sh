@@ -36,7 +36,7 @@ cp "$folder"/libskvalp-*.dll "$work/"
 "$gcc" -DSKVALP_DLL -Iinclude -Itests/bits tests/bits/hashes.c tests/bits/worlds.c \
     "$folder/src/libskvalp.dll.a" -lm -o "$work/with_dll.exe"
 same_worlds "Windows, DLL" "$short_run" windows "$work/with_dll.exe" best 2 "$short_run"
-headers_declare include/skvalp | sort >"$work/declared"
+headers_declare include | sort >"$work/declared"
 x86_64-w64-mingw32-objdump -p "$work"/libskvalp-*.dll |
     sed -nE 's/^\t\[ *[0-9]+\].* (skv_[a-z0-9_]+)$/\1/p' | sort -u >"$work/exported"
 diff "$work/declared" "$work/exported" >"$work/log" ||

@@ -1,4 +1,4 @@
-/* Gauges: what they take for a surface. */
+/* Gauges: what they take for a surface, and the depth below it. */
 #include "rest.h"
 #include "support/fixture.h"
 
@@ -189,6 +189,62 @@ static void a_running_wave_has_its_length(void **unused)
     skv_world_destroy(world);
 }
 
+static void pull(skv_world *world, double gx, double gy)
+{
+    assert_int_equal(skv_world_set_gravity(world, (float)gx, (float)gy, NULL), SKV_OK);
+}
+
+/* What theory says of a pressure is the weight of the water straight above, wherever up is. */
+static void pressure_has_its_theory(void **unused)
+{
+    (void)unused;
+    skv_world *world = rest_pool(0.02f, 0.5f);
+    skv_lab *lab = new_lab();
+    skv_instrument low = add(lab, SKV_INSTRUMENT_PRESSURE, 0.8, 0.1, 0, 0);
+    skv_instrument high = add(lab, SKV_INSTRUMENT_PRESSURE, 0.3, 0.4, 0, 0);
+    skv_instrument dry = add(lab, SKV_INSTRUMENT_PRESSURE, 0.3, 0.8, 0, 0);
+    pull(world, 0, -9.81);
+    sample(lab, world);
+    assert_near(skv_lab_reading(lab, low, 1), 9810 * 0.4, 9810 * 0.005);
+    assert_near(skv_lab_reading(lab, high, 1), 9810 * 0.1, 9810 * 0.005);
+    assert_true(isnan(skv_lab_reading(lab, dry, 1)));
+    pull(world, 3, -4);
+    sample(lab, world);
+    assert_near(skv_lab_reading(lab, low, 1), 5000 * 0.4 * 5 / 4, 5000 * 0.005);
+    /* Up is where the wall is, or the floor, or nowhere. */
+    pull(world, 9.81, 0);
+    sample(lab, world);
+    assert_true(isnan(skv_lab_reading(lab, low, 1)));
+    pull(world, 0, 9.81);
+    sample(lab, world);
+    assert_true(isnan(skv_lab_reading(lab, low, 1)));
+    pull(world, 0, 0);
+    sample(lab, world);
+    assert_true(isnan(skv_lab_reading(lab, low, 1)) && !isnan(skv_lab_reading(lab, low, 0)));
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
+/* A lid between, thinner than the particles are apart. */
+static void a_lid_carries_the_water_above_it(void **unused)
+{
+    (void)unused;
+    skv_world *world = rest_pool(0.02f, 0.5f);
+    skv_lab *lab = new_lab();
+    skv_terrain *terrain;
+    const skv_brush_stroke lid = {.x0 = 0.7f, .y0 = 0.3f, .x1 = 0.9f, .y1 = 0.3f, .radius = 0.008f};
+    skv_instrument below = add(lab, SKV_INSTRUMENT_PRESSURE, 0.8, 0.2, 0, 0);
+    skv_instrument above = add(lab, SKV_INSTRUMENT_PRESSURE, 0.8, 0.4, 0, 0);
+    pull(world, 0, -9.81);
+    assert_int_equal(skv_terrain_paint(skv_world_terrain(world), &lid, 1, &terrain, NULL), SKV_OK);
+    assert_int_equal(skv_world_set_terrain(world, terrain, NULL, NULL), SKV_OK);
+    sample(lab, world);
+    assert_true(isnan(skv_lab_reading(lab, below, 1)));
+    assert_near(skv_lab_reading(lab, above, 1), 9810 * 0.1, 9810 * 0.005);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -197,6 +253,8 @@ int main(void)
         cmocka_unit_test(a_wave_of_known_form_is_read),
         cmocka_unit_test(still_water_has_no_waves),
         cmocka_unit_test(a_running_wave_has_its_length),
+        cmocka_unit_test(pressure_has_its_theory),
+        cmocka_unit_test(a_lid_carries_the_water_above_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -78,7 +78,8 @@ static void next_mask(stage *s)
     mask *m = &s->mask;
     skv_render_style style = skv_default_render_style();
     assert_int_equal(skv_world_step(s->world, 1.0f / 60, NULL), SKV_OK);
-    assert_int_equal(skv_offscreen_render(s->offscreen, s->world, &style, s->rgb, NULL), SKV_OK);
+    skv_frame frame = skv_world_frame(s->world);
+    assert_int_equal(skv_offscreen_render(s->offscreen, &frame, &style, s->rgb, NULL), SKV_OK);
     for (int i = 0; i < m->width * m->height; i++) {
         const uint8_t *c = s->rgb + (size_t)i * 3;
         m->fluid[i] = !(c[0] < 60 && c[1] < 60 && c[2] < 80);

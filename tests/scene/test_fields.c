@@ -37,9 +37,9 @@ static void test_paths_are_unique_and_found(void **state)
     assert_int_equal(skv_field_find(fields, count, "fluid"), -1);
     assert_string_equal(fields[SKV_F_FLUID_SPACING].path, "fluid.spacing");
     assert_string_equal(fields[SKV_F_OPEN_TOP].path, "world.open.top");
-    assert_string_equal(fields[SKV_F_SOLID + SKV_SHAPE_CARVE].path, "solid[].carve");
+    assert_string_equal(fields[SKV_F_SOLID + SKV_SOLID_CARVE].path, "solid[].carve");
     assert_string_equal(fields[SKV_F_WATER + SKV_SHAPE_POINTS].path, "water[].points[][]");
-    assert_string_equal(fields[SKV_F_WATER + SKV_SHAPE_VY].path, "water[].vy");
+    assert_string_equal(fields[SKV_F_WATER + SKV_WATER_VY].path, "water[].vy");
 }
 
 static void test_defaults_lie_in_their_ranges(void **state)

@@ -47,7 +47,8 @@ static const mistake mistakes[] = {
      "a.json:1: gravity.zebra: unknown field; allowed are x, y"},
     {"{\"zebra\": 1}", SKV_ERROR_VALUE,
      "a.json:1: zebra: unknown field; allowed are name, title, description, seconds, world, "
-     "particles, substeps, sleep, depth, gravity, fluid, solid, water"},
+     "settle, particles, substeps, sleep, depth, gravity, emission, fluid, solid, water, forces, "
+     "emitters, drains"},
     {"{\"fluid.law\": \"clavet\"}", SKV_ERROR_VALUE,
      "a.json:1: \"fluid.law\": unknown field; a key is one word, a group is { ... }"},
     {"{\"water[0]\": {}}", SKV_ERROR_VALUE,
@@ -258,7 +259,7 @@ static void test_limits_of_lists(void **state)
     skv_scene *scene;
     skv_error error;
     assert_int_equal(load_text(text, NULL, &scene, &error), SKV_ERROR_LIMIT);
-    assert_string_equal(error.text, "a.json:258: solid[256]: too many shapes; allowed are 256");
+    assert_string_equal(error.text, "a.json:258: solid[256]: too many; allowed are 256");
 
     at = (size_t)sprintf(text, "{" WATER ", \"solid\": [{\"shape\": \"line\", \"points\": [");
     for (int i = 0; i < 1100; i++)
@@ -382,8 +383,13 @@ static void test_values_arrive(void **state)
         "\"world\": {\"width\": 1.2, \"height\": 0.6, \"pixel\": 0.004, \"open\": {\"left\": true,"
         "\"top\": true}}, \"gravity\": {\"x\": 1, \"y\": -2},"
         "\"fluid\": {\"law\": \"clavet\", \"density\": 800, \"iterations\": 3, \"cohesion\": 5},"
-        "\"water\": [{\"shape\": \"box\", \"y1\": 0.2}, {\"shape\": \"circle\", \"x\": 0.6, \"y\": "
-        "0.4, \"radius\": 0.1, \"vx\": 1.5, \"vy\": -0.5}]}";
+        "\"water\": [{\"shape\": \"box\", \"y1\": 0.2, \"dye\": \"violet\"}, {\"shape\": "
+        "\"circle\", "
+        "\"x\": 0.6, \"y\": 0.4, \"radius\": 0.1, \"vx\": 1.5, \"vy\": -0.5}],"
+        "\"emitters\": [{\"x\": 1, \"y\": 0.5, \"dye\": \"amber\"}],"
+        "\"forces\": [{\"ax\": 2}, {\"shape\": \"polygon\", \"points\": [[0, 0], [0.5, 0], [0, "
+        "0.7]], \"toward_x\": 0.3, \"toward_y\": 0.4, \"attraction\": -5, \"wind_x\": 6,"
+        "\"wind_y\": 7, \"drag\": 8, \"ay\": 9, \"spin\": 10}]}";
     skv_scene *scene;
     skv_world *world;
     skv_error error = {0};
@@ -394,7 +400,6 @@ static void test_values_arrive(void **state)
     assert_true(skv_scene_seconds(scene) == 4);
     assert_int_equal(skv_scene_particles(scene), 321);
     assert_null(skv_scene_notice(scene, 0));
-    assert_int_equal(skv_scene_marked_pixels(scene, true, NULL, 0), 0);
     assert_int_equal(skv_scene_create_world(scene, 1, &world, &error), SKV_OK);
     assert_int_equal(skv_world_substeps_per_frame(world), 7);
     assert_int_equal(skv_world_particle_count(world), 321);
@@ -417,9 +422,23 @@ static void test_values_arrive(void **state)
     for (int i = 0; i < p.count; i++) {
         bool high = p.y[i] > 0.25f;
         assert_true(p.vx[i] == (high ? 1.5f : 0.0f) && p.vy[i] == (high ? -0.5f : 0.0f));
+        assert_string_equal(skv_dye_name(p.dye[i]), high ? "none" : "violet");
         moving += high;
     }
     assert_in_range(moving, 34, 40); /* the circle's share: no surplus is cut off its top */
+
+    int emitters;
+    assert_string_equal(skv_dye_name(skv_world_emitters(world, &emitters)->dye), "amber");
+
+    int forces;
+    const skv_force *f = skv_world_forces(world, &forces);
+    assert_int_equal(forces, 2);
+    assert_int_equal(f[0].area.kind, SKV_AREA_BOX);
+    assert_true(f[0].area.x0 == 0 && f[0].area.x1 == 1.2f && f[0].area.y1 == 0.6f && f[0].ax == 2);
+    assert_true(f[1].area.count == 3 && f[1].area.corners[5] == 0.7f && f[1].toward_x == 0.3f);
+    assert_true(f[1].toward_y == 0.4f && f[1].attraction == -5 && f[1].wind_x == 6);
+    assert_true(f[1].wind_y == 7 && f[1].drag == 8 && f[1].ay == 9 && f[1].ax == 0);
+    assert_true(f[1].spin == 10 && f[0].spin == 0);
 
     /* In two halves it is the same world. */
     skv_world_def def = skv_scene_world_def(scene);

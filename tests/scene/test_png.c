@@ -2,6 +2,7 @@
  * in the world. */
 #include "support.h"
 
+#include <math.h>
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -297,20 +298,22 @@ static void test_a_basin(void **state)
     assert_string_equal(skv_scene_name(scene), "p");
     assert_string_equal(skv_scene_title(scene), "p");
     assert_int_equal(skv_scene_particles(scene), 3000);
-    assert_string_equal(skv_scene_notice(scene, 0),
-                        "3 emitter pixels (green) are kept but do nothing yet");
-    assert_string_equal(skv_scene_notice(scene, 1),
-                        "1 drain pixel (red) is kept but does nothing yet");
+    assert_string_equal(skv_scene_notice(scene, 0), "1 green area emits fluid at 1 m/s");
+    assert_string_equal(skv_scene_notice(scene, 1), "1 red area drains it");
     assert_null(skv_scene_notice(scene, 2));
-    float points[6];
-    assert_int_equal(skv_scene_marked_pixels(scene, true, points, 3), 1);
-    assert_float_equal(points[0], 0.805f, 1e-6f);
-    assert_float_equal(points[1], 0.015f, 1e-6f);
-    assert_int_equal(skv_scene_marked_pixels(scene, false, points, 3), 3);
-    assert_float_equal(points[0], 0.105f, 1e-6f);
-    assert_float_equal(points[1], 0.875f, 1e-6f);
-
     assert_int_equal(skv_scene_create_world(scene, 1, &world, &error), SKV_OK);
+    int count;
+    const skv_emitter *tap = skv_world_emitters(world, &count);
+    assert_int_equal(count, 1);
+    assert_float_equal(tap->x, 0.115f, 1e-6f);
+    assert_float_equal(tap->y, 0.875f, 1e-6f);
+    assert_float_equal(tap->width, 0.03f, 1e-6f);
+    assert_true(fabsf(tap->vx) < 1e-6f && tap->vy == -1);
+    const skv_drain *sink = skv_world_drains(world, &count);
+    assert_int_equal(count, 1);
+    assert_int_equal(sink->area.count, 4);
+    assert_float_equal(sink->area.corners[0], 0.81f, 1e-6f);
+    assert_float_equal(sink->area.corners[1], 0.01f, 1e-6f);
     assert_int_equal(skv_world_particle_count(world), 3000);
     assert_float_equal(skv_terrain_width(skv_world_terrain(world)), 1.6f, 1e-6f);
     skv_particles p = skv_world_particles(world);

@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include <skvalp/session.h>
+#include "session/support.h"
 
 static int granted; /* threads that the system still has */
 
@@ -26,21 +26,36 @@ int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*
     return granted-- > 0 ? create(thread, attributes, run, argument) : EAGAIN;
 }
 
+static void open_scene(skv_session *session, const char *name)
+{
+    skv_outcome report;
+    skv_session_open(session, name, NULL);
+    skv_session_wait(session);
+    assert_true(skv_session_next_outcome(session, &report));
+    assert_int_equal(report.error.code, SKV_OK);
+}
+
+static skv_session_def three_threads(bool own_thread)
+{
+    skv_session_def def = skv_default_session_def();
+    def.threads = 3;
+    def.own_thread = own_thread;
+    return def;
+}
+
 static void test_scenes_follow_each_other_on_the_same_threads(void **state)
 {
     (void)state;
     skv_session *session;
     skv_error error = {0};
-    granted = 2;
-    assert_int_equal(skv_session_create(3, &session, &error), SKV_OK);
+    skv_session_def def = three_threads(true);
+    granted = 3;
+    assert_int_equal(skv_session_create(&def, &session, &error), SKV_OK);
     assert_int_equal(granted, 0);
-    assert_int_equal(skv_session_open(session, "pool", NULL, &error), SKV_OK);
-    assert_int_equal(skv_session_open(session, "dam-break", NULL, &error), SKV_OK);
-    assert_int_equal(skv_session_reset(session, &error), SKV_OK);
-    assert_int_equal(skv_world_threads(skv_session_world(session)), 3);
-    int frames = 0;
-    assert_int_equal(skv_session_advance(session, 1.0 / 60, &frames, &error), SKV_OK);
-    assert_int_equal(frames, 1);
+    open_scene(session, "pool");
+    open_scene(session, "dam-break");
+    skv_session_reset(session);
+    assert_int_equal(session_advance(session, 1.0 / 60), 1);
     skv_session_destroy(session);
 }
 
@@ -49,10 +64,24 @@ static void test_too_few_threads_are_told(void **state)
     (void)state;
     skv_session *session;
     skv_error error = {0};
+    skv_session_def def = three_threads(false);
     granted = 1;
-    assert_int_equal(skv_session_create(3, &session, &error), SKV_ERROR_LIMIT);
+    assert_int_equal(skv_session_create(&def, &session, &error), SKV_ERROR_LIMIT);
     assert_null(session);
     assert_non_null(strstr(error.text, "thread 3 of 3"));
+}
+
+/* Without a thread of its own a session does all within its calls. */
+static void test_a_session_without_its_thread(void **state)
+{
+    (void)state;
+    skv_session *session;
+    skv_session_def def = three_threads(true);
+    granted = 2;
+    assert_int_equal(skv_session_create(&def, &session, NULL), SKV_OK);
+    open_scene(session, "pool");
+    assert_int_equal(session_advance(session, 1.0 / 60), 1);
+    skv_session_destroy(session);
 }
 
 /* Worlds of one pool give the bits that each gives alone, and outlive each other in any order. */
@@ -93,6 +122,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scenes_follow_each_other_on_the_same_threads),
         cmocka_unit_test(test_too_few_threads_are_told),
+        cmocka_unit_test(test_a_session_without_its_thread),
         cmocka_unit_test(test_worlds_of_one_pool),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

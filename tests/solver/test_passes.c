@@ -115,7 +115,7 @@ static twin *make_twin(skv_law law, uint32_t seed)
     f->viscosity_quadratic = (float)uniform(0, 3);
     f->wall_friction = (float)uniform(0, 0.5);
     f->wall_softness = (float)uniform(0.1, 0.9);
-    int substeps = skv_substep_rule(f, 9.81f, 0.5f);
+    int substeps = skv_substep_rule(f, 9.81f, 0.5f, 0);
     t->constants = skv_make_constants(f, 1.0f / 60 / (float)substeps);
     oracle *o = &t->o;
     o->n = N;
@@ -216,14 +216,14 @@ static void check_twin(twin *t)
     double spacing = (double)t->fluid.spacing;
 
     oracle_hand hand = {5 * spacing, 7 * spacing, 1.5, -0.5, 8 * spacing, 60, 6, 9};
-    skv_pull pull = {(float)hand.x,
-                     (float)hand.y,
-                     1.5f,
-                     -0.5f,
-                     (float)(1 / hand.radius),
-                     60,
-                     (float)fmin(0.5, 6 * o->dt),
-                     (float)fmin(0.5, 9 * o->dt)};
+    skv_pull pull = {.x = (float)hand.x,
+                     .y = (float)hand.y,
+                     .vx = 1.5f,
+                     .vy = -0.5f,
+                     .inv_radius = (float)(1 / hand.radius),
+                     .attraction = (float)(60 * o->dt),
+                     .friction = (float)fmin(0.5, 6 * o->dt),
+                     .follow = (float)fmin(0.5, 9 * o->dt)};
     o->g_y = -9.81;
     t->substep.gravity_y = -9.81f;
     t->substep.pulls = &pull;

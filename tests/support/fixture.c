@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -64,6 +65,30 @@ skv_world *fixture_dam_of(const skv_world_def *def)
     return world;
 }
 
+static skv_world *make_sleeping_pool(float spacing, int threads)
+{
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 2, spacing, threads);
+    def.sleep = true;
+    skv_world *world = make(&def);
+    fixture_fill(world, 0, 0, 1.6f, 0.3f);
+    for (int f = 0; f < 3600 && skv_world_awake_count(world) > 0; f++)
+        fixture_run(world, 1);
+    assert_int_equal(skv_world_awake_count(world), 0);
+    return world;
+}
+
+skv_world *fixture_sleeping_pool(float spacing, int threads)
+{
+    static skv_world *asleep; /* until another is wanted: it takes a second or two to fall asleep */
+    if (!asleep || skv_world_spacing(asleep) != spacing || skv_world_threads(asleep) != threads) {
+        skv_world_destroy(asleep);
+        asleep = make_sleeping_pool(spacing, threads);
+    }
+    skv_world *copy;
+    assert_int_equal(skv_world_copy(asleep, threads, &copy, NULL), SKV_OK);
+    return copy;
+}
+
 skv_world *fixture_dam(skv_law law, float spacing, int threads)
 {
     skv_world_def def = fixture_def(law, SKV_SOLVER_FAST, 0, spacing, threads);
@@ -117,6 +142,21 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
     }
     skv_world_destroy(fast);
     skv_world_destroy(slow);
+}
+
+/* FNV-1a. */
+uint64_t fixture_hash(const skv_particles *particles)
+{
+    const skv_particles *p = particles;
+    uint64_t hash = 14695981039346656037u;
+    for (int i = 0; i < p->count; i++) {
+        float values[] = {p->x[i], p->y[i], p->vx[i], p->vy[i]};
+        uint8_t bytes[sizeof values];
+        memcpy(bytes, values, sizeof values);
+        for (size_t k = 0; k < sizeof bytes; k++)
+            hash = (hash ^ bytes[k]) * 1099511628211u;
+    }
+    return hash;
 }
 
 skv_packing fixture_packing(const skv_world *world)

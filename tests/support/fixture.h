@@ -20,6 +20,9 @@ skv_world *fixture_tank_with(skv_law law, skv_solver_kind solver, float spacing)
 skv_world *fixture_dam(skv_law law, float spacing, int threads);
 skv_world *fixture_dam_of(const skv_world_def *def);
 
+/* Viscous calibrated water 0.3 m deep in the tank, stepped until all of it sleeps. */
+skv_world *fixture_sleeping_pool(float spacing, int threads);
+
 /* A blob of about 300 particles in the middle of a weightless tank, away from all walls; viscosity
  * in 1/s and 1/m. */
 skv_world *fixture_blob(skv_law law, skv_solver_kind solver, float viscosity);
@@ -31,6 +34,9 @@ double fixture_wall_layer(const skv_world *world, double level);
 /* Gives `slow`, which is empty, the particles of `fast`, lets both take one substep, and fails
  * unless they agree to rounding; frees both. */
 void fixture_expect_same_substep(skv_world *fast, skv_world *slow);
+
+/* What skv_world_hash gives for a world of clear fluid that has these particles. */
+uint64_t fixture_hash(const skv_particles *particles);
 
 skv_packing fixture_packing(const skv_world *world);
 

@@ -39,9 +39,9 @@ static double force(bool clavet, double x)
 static int lattice_distances(double eta, double *x)
 {
     double side = sqrt(2 / sqrt(3)) / eta;
-    int count = 0;
-    for (int a = -30; a <= 30; a++) {
-        for (int b = -30; b <= 30; b++) {
+    int count = 0, far = (int)(2 / side) + 1; /* more than what lies within h */
+    for (int a = -far; a <= far; a++) {
+        for (int b = -far; b <= far; b++) {
             double r = hypot(side * (a + 0.5 * b), side * b * sqrt(0.75));
             if ((a || b) && r < 1)
                 x[count++] = r;

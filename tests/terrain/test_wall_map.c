@@ -402,7 +402,7 @@ static void memory_failures_leave_nothing(void **state)
         assert_int_equal(memory.live, 0);
     }
     failing_memory_stop();
-    assert_int_equal(failures, 3);
+    assert_int_equal(failures, 4);
     skv_terrain_destroy(tank);
 }
 

@@ -56,9 +56,13 @@ static void paint_pixel(painted *p, int x, int y, float distance)
 /* A wall along a line, in pixels from the lower left corner. */
 static void paint_wall(painted *p, float x0, float y0, float x1, float y1, float half_width)
 {
-    float dx = x1 - x0, dy = y1 - y0, length2 = dx * dx + dy * dy;
-    for (int y = 0; y < p->height; y++) {
-        for (int x = 0; x < p->width; x++) {
+    float dx = x1 - x0, dy = y1 - y0, length2 = dx * dx + dy * dy, reach = half_width + 1;
+    /* Pixels that the wall can touch. */
+    int left = (int)fmaxf(fminf(x0, x1) - reach, 0), bottom = (int)fmaxf(fminf(y0, y1) - reach, 0);
+    float right = fminf(fmaxf(x0, x1) + reach, (float)p->width),
+          top = fminf(fmaxf(y0, y1) + reach, (float)p->height);
+    for (int y = bottom; (float)y < top; y++) {
+        for (int x = left; (float)x < right; x++) {
             float px = (float)x + 0.5f - x0, py = (float)y + 0.5f - y0;
             float t = length2 > 0.0f ? (px * dx + py * dy) / length2 : 0.0f;
             t = fminf(fmaxf(t, 0.0f), 1.0f);

@@ -14,8 +14,8 @@
 static void expect_fall(skv_law law, skv_solver_kind solver, bool high, float spacing, int count)
 {
     skv_terrain_def tank = skv_default_terrain_def();
-    tank.width = high ? 200 : 300;
-    tank.height = high ? 300 : 200;
+    tank.width = high ? 80 : 120;
+    tank.height = high ? 120 : 80;
     tank.pixel_size = 0.01f;
     skv_world_def def = fixture_def(law, solver, 0, spacing, 1);
     def.depth = 0.3f;
@@ -26,7 +26,7 @@ static void expect_fall(skv_law law, skv_solver_kind solver, bool high, float sp
     const int wide = (int)ceil(sqrt(count));
     for (int i = 0; i < count; i++) {
         int row = i / wide, column = i % wide;
-        float x = 1 + (1.07f * (float)column + 0.53f * (float)(row % 2)) * spacing;
+        float x = 0.2f + (1.07f * (float)column + 0.53f * (float)(row % 2)) * spacing;
         float y = ceiling - (0.3f + 0.93f * (float)row) * spacing;
         assert_int_equal(skv_world_add_particle(world, x, y, 0, 0, NULL), SKV_OK);
     }

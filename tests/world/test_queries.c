@@ -1,4 +1,4 @@
-/* Queries: circle, box, polygon and ray, on particles at known places. */
+/* Queries: circle, box, polygon and ray, on particles at known places; the frame. */
 #include "support/fixture.h"
 
 #include <math.h>
@@ -66,6 +66,12 @@ static void nonsense_contains_nothing(void **unused)
     assert_int_equal(count(world, skv_polygon(bad, 3)), 0);
     assert_int_equal(count(world, skv_polygon(bad, 2)), 0);
     assert_int_equal(count(world, skv_polygon(NULL, 5)), 0);
+    const float all[2 * SKV_MAX_CORNERS + 2] = {0, 0, 0, 2, 2, 2, 2, 0};
+    assert_int_not_equal(count(world, skv_polygon(all, SKV_MAX_CORNERS)), 0);
+    assert_int_equal(count(world, skv_polygon(all, SKV_MAX_CORNERS + 1)), 0);
+    skv_area many = skv_polygon(all, 4);
+    many.count = SKV_MAX_CORNERS + 1;
+    assert_int_equal(count(world, many), 0);
     assert_int_equal(count(world, (skv_area){.kind = (skv_area_kind)7, .radius = 1}), 0);
     skv_world_destroy(world);
 }
@@ -104,12 +110,33 @@ static void a_ray_meets_wall_and_fluid(void **unused)
     skv_world_destroy(world);
 }
 
+static void a_frame_shows_the_world_as_it_is(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.02f, 1);
+    fixture_fill(world, 0, 0, 1.6f, 0.2f);
+    assert_int_equal(skv_world_set_gravity(world, 1, -3, NULL), SKV_OK);
+    assert_int_equal(skv_world_step(world, 0.1f, NULL), SKV_OK);
+    skv_frame frame = skv_world_frame(world);
+    skv_particles p = skv_world_particles(world);
+    assert_true(frame.time == skv_world_time(world) && frame.time > 0);
+    assert_int_equal(frame.particles.count, p.count);
+    assert_true(frame.particles.x == p.x && frame.particles.pressure == p.pressure);
+    assert_int_equal(frame.awake, p.count);
+    assert_ptr_equal(frame.terrain, skv_world_terrain(world));
+    assert_true(frame.spacing == 0.02f && frame.density == skv_world_fluid(world)->density);
+    assert_true(frame.smoothing_radius == skv_world_smoothing_radius(world));
+    assert_true(frame.gravity_x == 1 && frame.gravity_y == -3);
+    skv_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(areas_hold_what_lies_in_them),
         cmocka_unit_test(nonsense_contains_nothing),
         cmocka_unit_test(a_ray_meets_wall_and_fluid),
+        cmocka_unit_test(a_frame_shows_the_world_as_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,8 +12,6 @@
 
 #include <cmocka.h>
 
-enum { PATIENCE = 60 * 60 }; /* frames until everything must sleep */
-
 static skv_world *make_world(float x1, float y1, bool sleep, int threads)
 {
     /* A little viscosity, to be at rest sooner. */
@@ -27,19 +25,10 @@ static skv_world *make_world(float x1, float y1, bool sleep, int threads)
     return world;
 }
 
-static skv_world *sleeping_pool(int threads)
-{
-    skv_world *world = make_world(1.6f, 0.3f, true, threads);
-    for (int f = 0; f < PATIENCE && skv_world_awake_count(world) > 0; f++)
-        fixture_run(world, 1);
-    assert_int_equal(skv_world_awake_count(world), 0);
-    return world;
-}
-
 static void a_pool_falls_asleep_and_stays_as_it_is(void **unused)
 {
     (void)unused;
-    skv_world *world = sleeping_pool(1);
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
     uint64_t hash = skv_world_hash(world);
     double time = skv_world_time(world);
     fixture_run(world, 600);
@@ -75,7 +64,7 @@ static void fluid_in_motion_is_never_left_out(void **unused)
 static void tilting_wakes_everything(void **unused)
 {
     (void)unused;
-    skv_world *world = sleeping_pool(1);
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
     double x = skv_world_stats(world).centre_x;
     assert_int_equal(skv_world_set_gravity(world, 0, -9.81f, NULL), SKV_OK);
     fixture_run(world, 1);
@@ -91,7 +80,7 @@ static void tilting_wakes_everything(void **unused)
 static void a_hand_wakes_what_it_reaches_and_waves_wake_the_rest(void **unused)
 {
     (void)unused;
-    skv_world *world = sleeping_pool(1);
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
     skv_hand hand = skv_default_hand();
     hand.x = 0.3f;
     hand.y = 0.25f;
@@ -114,7 +103,7 @@ static void a_hand_wakes_what_it_reaches_and_waves_wake_the_rest(void **unused)
 static void a_falling_drop_is_not_held_and_wakes_the_pool(void **unused)
 {
     (void)unused;
-    skv_world *world = sleeping_pool(1);
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
     int drop = skv_world_particle_count(world);
     const float height = 0.8f;
     fixture_fill(world, 0.75f, 0.72f, 0.85f, height);
@@ -136,7 +125,7 @@ static void a_falling_drop_is_not_held_and_wakes_the_pool(void **unused)
 static void a_fast_drop_does_not_pass_through_sleeping_fluid(void **unused)
 {
     (void)unused;
-    skv_world *world = sleeping_pool(1);
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
     int pool = skv_world_particle_count(world);
     skv_fill_def fill = skv_default_fill_def();
     fill.x0 = 0.75f;
@@ -159,7 +148,7 @@ static void a_fast_drop_does_not_pass_through_sleeping_fluid(void **unused)
 static void a_push_in_velocity_wakes(void **unused)
 {
     (void)unused;
-    skv_world *world = sleeping_pool(1);
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
     assert_int_equal(skv_world_add_velocity(world, 0, 50, 0.5f, 0, NULL), SKV_OK);
     fixture_run(world, 1);
     assert_true(skv_world_awake_count(world) >= 50);
@@ -175,7 +164,7 @@ static void a_partly_sleeping_world_does_not_depend_on_threads(void **unused)
     const int threads[] = {1, 2, 3, 7};
     uint64_t hash[4];
     for (int t = 0; t < 4; t++) {
-        skv_world *world = sleeping_pool(threads[t]);
+        skv_world *world = fixture_sleeping_pool(0.02f, threads[t]);
         skv_hand hand = skv_default_hand();
         hand.x = 0.1f;
         hand.y = 0.1f;

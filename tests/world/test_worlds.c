@@ -2,7 +2,7 @@
  * three g that turns every quarter to half second, and hands that jerk the fluid about. A particle
  * stays in the closed chamber in which it started, stays finite, and none is lost.
  *
- * Worlds are named by their seed. 40 of them by default (10 under the address sanitizer), 500 with
+ * Worlds are named by their seed. 25 of them by default (10 under the address sanitizer), 250 with
  * SKV_LONG_TESTS=1; SKV_WORLD=N runs world N alone and says more. */
 #include "skvalp/skvalp.h"
 #include "world/painted.h"
@@ -21,7 +21,7 @@
 #if defined(__SANITIZE_ADDRESS__)
 #define WORLDS 10
 #else
-#define WORLDS 40
+#define WORLDS 25
 #endif
 #define FRAMES         300
 #define MAX_PARTICLES  600
@@ -254,7 +254,7 @@ static void test_nothing_escapes(void **state)
     (void)state;
     const char *one = getenv("SKV_WORLD"), *all = getenv("SKV_LONG_TESTS");
     int first = one ? atoi(one) : 0;
-    int count = one ? 1 : all && strcmp(all, "1") == 0 ? 500 : WORLDS;
+    int count = one ? 1 : all && strcmp(all, "1") == 0 ? 250 : WORLDS;
     queue q = {.end = first + count, .talk = one != NULL};
     atomic_init(&q.next, first);
     atomic_init(&q.bad, 0);

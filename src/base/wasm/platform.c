@@ -1,12 +1,13 @@
-/* The platform in WebAssembly: no C library, no threads, no clock, no environment.
+/* The platform in WebAssembly: no C library, no clock, no environment.
  *
  * Memory lies from the end of the static data to the end of the linear memory, which grows. It is
  * cut into blocks, each with a header of one alignment before it; free ones are in a list by
- * address. Invariant: no two free blocks touch.
+ * address. Invariant: no two free blocks touch. Memory is asked for by one thread at a time.
  */
 #include "base/platform.h"
 
 #include "base/memory.h"
+#include "base/wasm/host.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -104,6 +105,20 @@ void skv_platform_release(void *memory)
         give((block *)(void *)((char *)memory - SKV_ALIGNMENT));
 }
 
+/* Memory for what the host has to hand over. */
+SKV_EXPORT(skv_wasm_allocate) void *skv_wasm_allocate(size_t bytes);
+SKV_EXPORT(skv_wasm_release) void skv_wasm_release(void *memory);
+
+void *skv_wasm_allocate(size_t bytes)
+{
+    return skv_platform_allocate(bytes);
+}
+
+void skv_wasm_release(void *memory)
+{
+    skv_platform_release(memory);
+}
+
 void skv_platform_abort(void)
 {
     __builtin_trap();
@@ -112,51 +127,6 @@ void skv_platform_abort(void)
 double skv_clock(void)
 {
     return 0;
-}
-
-int skv_platform_cores(void)
-{
-    return 1;
-}
-
-void skv_platform_yield(void)
-{
-}
-
-struct skv_threads {
-    int none;
-};
-
-/* There is one thread, so the group is empty and nobody sleeps. */
-skv_threads *skv_threads_create(void)
-{
-    static skv_threads nobody;
-    return &nobody;
-}
-
-bool skv_threads_start(skv_threads *threads, void (*work)(void *argument), void *argument)
-{
-    (void)threads;
-    (void)work;
-    (void)argument;
-    return false;
-}
-
-void skv_threads_join(skv_threads *threads)
-{
-    (void)threads;
-}
-
-void skv_threads_sleep(skv_threads *threads, atomic_uint *counter, unsigned old)
-{
-    (void)threads;
-    (void)counter;
-    (void)old;
-}
-
-void skv_threads_wake(skv_threads *threads)
-{
-    (void)threads;
 }
 
 /* <string.h>: the compiler calls the first four by itself. no_builtin, or it would turn the loops

@@ -1,18 +1,21 @@
-#version 300 es
-// Pass one: adds a soft round spot, 1 in the centre and 0 at the edge, and the pressure with it.
-precision highp float;
+// Pass one: adds a soft round spot, 1 in the centre and 0 at the edge, and what the particle shows
+// with it.
 
 uniform float u_gain; // below 1 where the buffer cannot hold sums above 1
+uniform vec2 u_code;  // factor and offset that bring values into what the buffer holds
 
-in vec2 v_pressure;
+in vec2 v_value;
+in vec4 v_dyes;
 
-out vec4 o_sums;
+layout(location = 0) out vec4 o_sums;
+layout(location = 1) out vec4 o_dyes;
 
 void main()
 {
     vec2 p = 2.0 * gl_PointCoord - 1.0;
     float rest = max(1.0 - dot(p, p), 0.0);
     float weight = rest * rest * rest;
-    float trusted = weight * v_pressure.y;
-    o_sums = vec4(trusted * v_pressure.x, trusted, weight * weight, weight) * u_gain;
+    o_sums = weight * u_gain *
+             vec4(v_value.x * u_code.x + v_value.y * u_code.y, v_value.y, weight, 1.0);
+    o_dyes = weight * u_gain * v_dyes;
 }

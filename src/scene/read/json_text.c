@@ -53,12 +53,15 @@ typedef struct level {
     int key_length;
 } level;
 
-/* Whether the string that ends at `at` is a key: a colon follows. */
-static bool is_key(const char *at, const char *end)
+/* Whether the cursor's token is a key: a string, closed, that a colon follows. */
+static bool is_key(const skv_json_cursor *cursor)
 {
-    while (at < end && is_space(*at))
+    const char *at = cursor->at;
+    if (*cursor->token != '"' || at - cursor->token < 2 || at[-1] != '"')
+        return false;
+    while (at < cursor->end && is_space(*at))
         at++;
-    return at < end && *at == ':';
+    return at < cursor->end && *at == ':';
 }
 
 static void write_path(const level *levels, int depth, char *path, size_t capacity)
@@ -82,9 +85,8 @@ void skv_json_path_at(const char *text, size_t size, size_t position, char *path
     const char *target = text + (position < size ? position : size);
     path[0] = '\0';
     for (char c = skv_json_next(&cursor); c != 0; c = skv_json_next(&cursor)) {
-        bool key = c == '"' && is_key(cursor.at, cursor.end);
         level *top = depth > 0 ? &levels[depth - 1] : NULL;
-        if (top != NULL && key && !top->list) {
+        if (top != NULL && !top->list && is_key(&cursor)) {
             top->key = cursor.token + 1;
             top->key_length = (int)(cursor.at - cursor.token) - 2;
         }

@@ -2,7 +2,6 @@
  *
  * Invariant: on failure nothing is left behind and the message has named the file.
  */
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -12,6 +11,7 @@
 #include "scene/read/file.h"
 #include "scene/read/json.h"
 #include "scene/read/png.h"
+#include "scene/recipe.h"
 #include "scene/scene_data.h"
 
 #define OPTIONS_COOKIE 0x5ce0e
@@ -43,19 +43,25 @@ static bool is_below(const char *path)
     return true;
 }
 
-/* Notes down a file that a scene was read from; without memory for that there is no scene. */
+/* The scene, or without memory for what it has to remember, none. */
+static skv_result finish(skv_scene **scene, bool remembered, const char *label, skv_error *error)
+{
+    if (remembered)
+        return SKV_OK;
+    skv_scene_destroy(*scene);
+    *scene = NULL;
+    return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+}
+
+/* Notes down a file that a scene was read from. */
 static skv_result remember_file(skv_scene **scene, const char *path, skv_error *error)
 {
     size_t size = strlen(path) + 1;
     char *copy = skv_calloc(size, 1);
-    if (copy == NULL) {
-        skv_scene_destroy(*scene);
-        *scene = NULL;
-        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", path);
-    }
-    memcpy(copy, path, size);
+    if (copy != NULL)
+        memcpy(copy, path, size);
     (*scene)->files[(*scene)->files[0] != NULL] = copy;
-    return SKV_OK;
+    return finish(scene, copy != NULL, path, error);
 }
 
 /* Builds a scene over the picture in a PNG's content. Where a scene file names the picture, the
@@ -79,10 +85,15 @@ static skv_result build_over_png(const skv_draft *draft, const void *data, size_
     return result;
 }
 
-/* Builds a scene whose values name a picture beside the file. */
-static skv_result build_with_picture(const skv_draft *draft, skv_scene **scene, skv_error *error)
+/* Builds a scene whose values name a picture beside the file, or one that the recipe brings: after
+ * that it has it. */
+static skv_result build_with_picture(const skv_draft *draft, skv_recipe *recipe, skv_scene **scene,
+                                     skv_error *error)
 {
     const skv_value *picture = &draft->values.value[SKV_F_WORLD_PICTURE];
+    if (recipe->picture != NULL)
+        return build_over_png(draft, recipe->picture, recipe->picture_size, picture->text, scene,
+                              error);
     const char *wrong = NULL;
     if (draft->folder == NULL)
         wrong = "needs a scene in a file; a picture is looked for in its folder";
@@ -97,56 +108,77 @@ static skv_result build_with_picture(const skv_draft *draft, skv_scene **scene, 
     size_t length = skv_format(path, sizeof path, "%s%s", draft->folder, picture->text);
     skv_error cause;
     uint8_t *data = NULL;
-    size_t size = 0;
     if (length >= sizeof path)
         return skv_fail(error, SKV_ERROR_FILE, "%s: the path is too long", draft->label);
-    skv_result result = skv_file_read(path, &data, &size, &cause);
+    skv_result result = skv_file_read(path, SKV_MAX_FILE, &data, &recipe->picture_size, &cause);
     if (result != SKV_OK)
         return skv_draft_fail(draft, picture->origin, "world.picture", error, result, "%s",
                               cause.text);
-    result = build_over_png(draft, data, size, path, scene, error);
-    skv_free(data);
-    return *scene != NULL ? remember_file(scene, path, error) : result;
+    recipe->picture = data;
+    result = build_over_png(draft, data, recipe->picture_size, path, scene, error);
+    return result == SKV_OK ? remember_file(scene, path, error) : result;
 }
 
 /* ---- Memory ---------------------------------------------------------------------------------- */
 
-/* `folder` is where a picture may be, or null. */
-static skv_result load_json(const void *data, size_t size, const char *label, const char *folder,
-                            const skv_scene_options *options, skv_scene **scene, skv_error *error)
+static skv_result build_json(const skv_draft *draft, skv_recipe *recipe, skv_scene **scene,
+                             skv_error *error)
+{
+    const char *picture = draft->values.value[SKV_F_WORLD_PICTURE].text;
+    return picture != NULL && picture[0] != '\0' ? build_with_picture(draft, recipe, scene, error)
+                                                 : skv_scene_build(draft, NULL, NULL, scene, error);
+}
+
+static skv_result build_png(const skv_draft *draft, const skv_recipe *recipe, skv_scene **scene,
+                            skv_error *error)
+{
+    const skv_value *picture = &draft->values.value[SKV_F_WORLD_PICTURE];
+    if (picture->text != NULL)
+        return skv_draft_fail(draft, picture->origin, "world.picture", error, SKV_ERROR_VALUE,
+                              "the scene is a picture itself");
+    return build_over_png(draft, recipe->data, recipe->size, draft->label, scene, error);
+}
+
+/* Makes the scene of a recipe, whose JSON or PNG is there, and notes the recipe in it. `folder` is
+ * where a picture may be, or null. */
+static skv_result load(skv_recipe *recipe, const char *label, const char *folder, skv_scene **scene,
+                       skv_error *error)
 {
     skv_draft draft;
+    bool png = recipe->kind == SKV_RECIPE_PNG;
+    const uint8_t *brought = recipe->picture;
     skv_result result = skv_draft_begin(&draft, label, folder, error);
     if (result != SKV_OK)
         return result;
-    result = skv_json_read(&draft, data, size, error);
+    if (!png)
+        result = skv_json_read(&draft, (const char *)recipe->data, recipe->size, error);
     if (result == SKV_OK)
-        result = skv_draft_options(&draft, options, error);
-    const char *picture = draft.values.value[SKV_F_WORLD_PICTURE].text;
-    if (result == SKV_OK && picture != NULL && picture[0] != '\0')
-        result = build_with_picture(&draft, scene, error);
-    else if (result == SKV_OK)
-        result = skv_scene_build(&draft, NULL, NULL, scene, error);
+        result = skv_draft_options(&draft, &recipe->options, error);
+    if (result == SKV_OK)
+        result = png ? build_png(&draft, recipe, scene, error)
+                     : build_json(&draft, recipe, scene, error);
     skv_draft_end(&draft);
+    if (result == SKV_OK)
+        result = finish(scene, skv_recipe_note(recipe, *scene), label, error);
+    if (recipe->picture != brought)
+        skv_free((uint8_t *)recipe->picture);
     return result;
 }
 
-static skv_result load_png(const void *data, size_t size, const char *label,
-                           const skv_scene_options *options, skv_scene **scene, skv_error *error)
+static const char *base_name(const char *path)
 {
-    skv_draft draft;
-    skv_result result = skv_draft_begin(&draft, label, NULL, error);
-    if (result != SKV_OK)
-        return result;
-    result = skv_draft_options(&draft, options, error);
-    const skv_value *picture = &draft.values.value[SKV_F_WORLD_PICTURE];
-    if (result == SKV_OK && picture->text != NULL)
-        result = skv_draft_fail(&draft, picture->origin, "world.picture", error, SKV_ERROR_VALUE,
-                                "the scene is a picture itself");
-    if (result == SKV_OK)
-        result = build_over_png(&draft, data, size, label, scene, error);
-    skv_draft_end(&draft);
-    return result;
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+static skv_recipe recipe_of(bool png, const char *label, const void *data, size_t size,
+                            const skv_scene_options *options)
+{
+    return (skv_recipe){.kind = png ? SKV_RECIPE_PNG : SKV_RECIPE_JSON,
+                        .name = base_name(label),
+                        .options = *options,
+                        .data = data,
+                        .size = size};
 }
 
 skv_result skv_scene_load_memory(const void *data, size_t size, const char *format,
@@ -164,12 +196,12 @@ skv_result skv_scene_load_memory(const void *data, size_t size, const char *form
     if (size > SKV_MAX_FILE)
         return skv_fail(error, SKV_ERROR_LIMIT, "%s: has %zu bytes; allowed are %d", label, size,
                         SKV_MAX_FILE);
-    if (strcmp(format, "json") == 0)
-        return load_json(data, size, label, NULL, options, scene, error);
-    if (strcmp(format, "png") == 0)
-        return load_png(data, size, label, options, scene, error);
-    return skv_fail(error, SKV_ERROR_FORMAT, "%s: the format is %s; allowed are json and png",
-                    label, format);
+    bool png = strcmp(format, "png") == 0;
+    if (!png && strcmp(format, "json") != 0)
+        return skv_fail(error, SKV_ERROR_FORMAT, "%s: the format is %s; allowed are json and png",
+                        label, format);
+    skv_recipe recipe = recipe_of(png, label, data, size, options);
+    return load(&recipe, label, NULL, scene, error);
 }
 
 /* ---- Names and paths ------------------------------------------------------------------------- */
@@ -186,8 +218,11 @@ static skv_result load_builtin(const char *name, const skv_scene_options *option
     size_t used = 0;
     for (int i = 0; i < skv_builtin_count; i++) {
         const skv_builtin *b = &skv_builtins[i];
-        if (strcmp(b->info.name, name) == 0)
-            return load_json(b->text, b->size, b->info.name, NULL, options, scene, error);
+        if (strcmp(b->info.name, name) == 0) {
+            skv_recipe recipe = recipe_of(false, b->info.name, b->text, b->size, options);
+            recipe.kind = SKV_RECIPE_BUILTIN;
+            return load(&recipe, b->info.name, NULL, scene, error);
+        }
         if (used < sizeof names)
             used += skv_format(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "",
                                b->info.name);
@@ -215,7 +250,7 @@ skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *opt
 
     uint8_t *data;
     size_t size;
-    skv_result result = skv_file_read(name_or_path, &data, &size, error);
+    skv_result result = skv_file_read(name_or_path, SKV_MAX_FILE, &data, &size, error);
     if (result != SKV_OK)
         return result;
     char folder[4096];
@@ -223,12 +258,53 @@ skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *opt
     int length = slash != NULL ? (int)(slash + 1 - name_or_path) : 0;
     if (length >= (int)sizeof folder)
         result = skv_fail(error, SKV_ERROR_FILE, "%s: the path is too long", name_or_path);
-    else if (json) {
+    else {
+        skv_recipe recipe = recipe_of(!json, name_or_path, data, size, options);
         skv_format(folder, sizeof folder, "%.*s", length, name_or_path);
-        result = load_json(data, size, name_or_path, folder, options, scene, error);
-    } else {
-        result = load_png(data, size, name_or_path, options, scene, error);
+        result = load(&recipe, name_or_path, json ? folder : NULL, scene, error);
     }
     skv_free(data);
     return *scene != NULL ? remember_file(scene, name_or_path, error) : result;
+}
+
+/* Options set over those of a recipe; the list is the caller's to free. Null if memory is out. */
+static skv_setting *change(skv_recipe *recipe, const skv_scene_options *changed)
+{
+    skv_scene_options *options = &recipe->options;
+    size_t own = (size_t)options->setting_count, more = (size_t)changed->setting_count;
+    skv_setting *settings = skv_calloc(own + more + 1, sizeof *settings);
+    if (settings == NULL)
+        return NULL;
+    for (size_t i = 0; i < own; i++)
+        settings[i] = options->settings[i];
+    for (size_t i = 0; i < more; i++)
+        settings[own + i] = changed->settings[i];
+    options->settings = settings;
+    options->setting_count += changed->setting_count;
+    if (changed->particles > 0)
+        options->particles = changed->particles;
+    return settings;
+}
+
+skv_result skv_recipe_load(const uint8_t *bytes, size_t size, const skv_scene_options *changed,
+                           skv_scene **scene, skv_error *error)
+{
+    skv_recipe recipe;
+    skv_setting *settings = NULL, *all = NULL;
+    skv_result result;
+    *scene = NULL;
+    bool readable = skv_recipe_read(bytes, size, &recipe, &settings);
+    if (readable && changed != NULL)
+        all = change(&recipe, changed);
+    if (!readable)
+        result = skv_fail(error, SKV_ERROR_FORMAT, "its scene is damaged; take another copy");
+    else if (changed != NULL && all == NULL)
+        result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a scene");
+    else if (recipe.kind == SKV_RECIPE_BUILTIN)
+        result = load_builtin(recipe.name, &recipe.options, scene, error);
+    else
+        result = load(&recipe, recipe.name, NULL, scene, error);
+    skv_free(all);
+    skv_free(settings);
+    return result;
 }

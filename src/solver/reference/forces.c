@@ -6,20 +6,6 @@
 
 #include <math.h>
 
-static void pull_towards(const skv_pass_data *s, float dt, const skv_pull *pull, int i)
-{
-    float rx = (pull->x - s->x[i]) * pull->inv_radius, ry = (pull->y - s->y[i]) * pull->inv_radius;
-    float share = 1 - (rx * rx + ry * ry);
-    if (!(share > 0))
-        return;
-    /* The pull grows from zero at the point, where a direction would be arbitrary, and fades out
-     * towards the radius; 32/9 makes it 1 at half the radius. */
-    float fade = share * share, pulled = dt * pull->attraction * fade * (32.0f / 9.0f);
-    float slow = pull->friction * fade, carry = pull->follow * fade;
-    s->vx[i] += pulled * rx - slow * s->vx[i] + carry * (pull->vx - s->vx[i]);
-    s->vy[i] += pulled * ry - slow * s->vy[i] + carry * (pull->vy - s->vy[i]);
-}
-
 void skv_pass_external_forces(const skv_substep *sub, int begin, int end)
 {
     const skv_pass_data *s = &sub->data;
@@ -29,7 +15,7 @@ void skv_pass_external_forces(const skv_substep *sub, int begin, int end)
         s->vx[i] += ax;
         s->vy[i] += ay;
         for (int p = 0; p < sub->pull_count; p++)
-            pull_towards(s, c->dt, &sub->pulls[p], i);
+            skv_pull_on(&sub->pulls[p], s->x[i], s->y[i], &s->vx[i], &s->vy[i]);
     }
 }
 

@@ -4,24 +4,38 @@
 
 #include <string.h>
 
-static const skv_row_kernels *best(void)
+enum { MOST = 4 };
+
+/* Writes the kernels that this machine can run, the best first, and returns their number. */
+static int list_kernels(const skv_row_kernels *list[MOST])
 {
+    int count = 0;
+#if defined(SKV_HAVE_AVX512)
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+        list[count++] = &skv_row_kernels_avx512;
+#endif
 #if defined(SKV_HAVE_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        return &skv_row_kernels_avx2;
+        list[count++] = &skv_row_kernels_avx2;
 #endif
-    return &skv_row_kernels_base;
+    list[count++] = &skv_row_kernels_base;
+#if defined(SKV_HAVE_SCALAR)
+    list[count++] = &skv_row_kernels_scalar;
+#endif
+    return count;
 }
 
 const skv_row_kernels *skv_row_kernels_for(skv_instruction_set set)
 {
-    static const char *const names[] = {"", "scalar", "sse2", "avx2", "neon", "wasm"};
-    const skv_row_kernels *const had[] = {best(), &skv_row_kernels_base, &skv_row_kernels_scalar};
+    static const char *const names[] = {"", "scalar", "sse2", "avx2", "avx512", "neon", "wasm"};
+    const skv_row_kernels *list[MOST];
+    int count = list_kernels(list);
     if (set == SKV_ISA_BEST)
-        return had[0];
-    for (size_t i = 0; i < sizeof had / sizeof *had; i++)
-        if (strcmp(had[i]->isa, names[set]) == 0)
-            return had[i];
+        return list[0];
+    for (int i = 0; i < count; i++)
+        if (strcmp(list[i]->isa, names[set]) == 0)
+            return list[i];
     return NULL;
 }
 

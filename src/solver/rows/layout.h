@@ -27,30 +27,36 @@
  * tile, in this order.
  *
  * Buffers. What they hold through a substep, whose passes over a row are A, density; L, pressure;
- * B, displacement; U, update. "read": what stands to the left is read for the last time.
+ * B, displacement; U, update. Whatever lies in a column to the left has been read for the last time
+ * when its place is written anew. "read": it is, here.
  *
- *   buffer             sort      A                  L            B             U          store
- *   -------------------------------------------------------------------------------------------
- *   set[current]       read      written by the sort, then turned over; U moves them      read
- *   set[!current]      written   the older set's memory, free until the next sort:
- *    .x                          tile density       read         tile move x   read
- *    .y                          tile near density  read         tile move y   read
- *    .u                          tile gradient x    read         tile virial   read
- *    .v                          tile gradient y    gradient y   read
- *    .clearance                                     P                          read
- *    .number                                        N                          read
- *   own_memory[0]      key       own density        read         own move x    read       place
- *    [1]                         own near density   read         own move y    read
- *    [2]                         own gradient x     read         own virial    read
- *    [3]                         own gradient y     gradient x   read
- *   next_memory[0]               next density       read         next move x   read
- *    [1]                         next near density  read         next move y   read
- *    [2]                         next gradient x    read         next virial   read
- *    [3]                         next gradient y    read                       pressure   read
- *   viscous_memory               viscous u, v                                  read
+ *   buffer            sort      A                    L to B          B to U         store
+ *   ----------------------------------------------------------------------------------------
+ *   set[current]      read      written by the sort, then turned over; U moves them  read
+ *   set[!current]     written   the older set's memory, free until the next sort:
+ *    .x                         tile density         P
+ *    .y                         tile near density    N
+ *    .u                         tile third           gradient x      gauge pressure  read
+ *    .v                         tile fourth          gradient y
+ *    .clearance                 next fourth                          tile move y
+ *    .number                                                         tile virial
+ *   spare[0]          key       own density                          own move x      place
+ *    [1]                        own near density                     own move y
+ *    [2]                        own third                            own virial
+ *    [3]                        own fourth                           tile move x
+ *    [4]                        next density                         next move x
+ *    [5]                        next near density                    next move y
+ *    [6]                        next third                           next virial
  *
- * The gradient and the viscosity belong to the first iteration, the virial and the pressure to the
- * last substep of a call. skv_rows_lend_buffers, in memory.c, is this table in code.
+ * Third and fourth are the two components of the gradient, which the calibrated law has; with
+ * Clavet's they are those of viscosity's impulse. The gradient and viscosity belong to the first
+ * iteration, virial and pressure to the last substep of a call.
+ *
+ * With both, there are six sums, and places for the own and the next ones only, viscosity's being
+ * where else the tile's are. The tile's lie with what a thread keeps of the row; a row too long for
+ * that has them computed again in L. What viscosity's amount to is noted in the frame's velocities,
+ * which nobody reads between load and store; held particles, whose velocities stay, need none.
+ * skv_rows_lend_buffers, in memory.c, is this table in code.
  */
 #ifndef SKV_ROWS_LAYOUT_H
 #define SKV_ROWS_LAYOUT_H
@@ -63,11 +69,12 @@ enum {
     ROW_LANES = 8,
     ROW_MARGIN = 2, /* empty rows, and empty radii of cells, around the world */
     ROW_MAX_THREADS = 64,
-    ROW_SLOTS = 3 /* rows of which a thread keeps something: two in turn, and one at its seam */
+    ROW_SUMS = 6,  /* that the density pass adds up, at most */
+    ROW_SPARE = 7, /* buffers beside the two sets */
+    ROW_SLOTS = 3  /* rows of which a thread keeps something: two in turn, and one at its seam */
 };
 
-/* Added to the number of a particle that is held. As a float's bits a number is finite with it,
- * too: numbers are left over where dummies' pressures are read. */
+/* Added to the number of a particle that is held. */
 #define ROW_HELD (1 << 30)
 
 /* Where a dummy lies: farther from everything than h, but not so far that its square overflows. */
@@ -90,9 +97,15 @@ typedef struct skv_row_particles {
 /* One part of what the density pass adds up. */
 typedef struct skv_row_sums {
     float *density, *near_density;
-    float *gradient_x, *gradient_y;
-    float *viscous_u, *viscous_v; /* null without viscosity */
+    float *gradient_x, *gradient_y; /* null with Clavet's law */
+    float *viscous_u, *viscous_v;   /* may be null without viscosity */
 } skv_row_sums;
+
+/* Sums of the tiles, from some place on. */
+typedef struct skv_row_tile_sums {
+    skv_row_sums sums;
+    int begin; /* the place of their first element */
+} skv_row_tile_sums;
 
 /* One part of what the displacement pass adds up. */
 typedef struct skv_row_moves {
@@ -102,9 +115,12 @@ typedef struct skv_row_moves {
 
 /* Where the pairs of one row are kept between density and displacement. */
 typedef struct skv_row_kept {
-    float *pairs; /* ROW_TILE * ROW_LANES floats a block: q */
-    int room;     /* blocks */
-    int used;     /* blocks of the row kept now; -1: it had no room and is computed again */
+    float *pairs;       /* ROW_TILE * ROW_LANES floats a block: q */
+    int room;           /* blocks */
+    int used;           /* blocks of the row kept now; -1: it had no room and is computed again */
+    float *tile_sums;   /* ROW_SUMS times `tile_room`, until the pressure */
+    int tile_room;      /* places; 0 where a buffer by place is lent */
+    bool has_tile_sums; /* false: the row had no room, and they are computed again */
 } skv_row_kept;
 
 /* A wall sample of a particle near a wall. */
@@ -145,7 +161,7 @@ struct skv_rows {
     /* Per place. */
     skv_row_particles set[2];
     int current;
-    float *own_memory[4], *next_memory[4], *viscous_memory[6];
+    float *spare[ROW_SPARE];
 
     /* Lent, as the table above says. */
     int *key;                                     /* the cell a particle moves to, by old place */
@@ -154,7 +170,8 @@ struct skv_rows {
     skv_row_moves own_move, next_move, tile_move; /* of the displacement */
     float *push, *near_push;                      /* P and N of the pressure law */
     float *gradient_x, *gradient_y;               /* that the tension evens out */
-    float *pressure;                              /* gauge */
+    float *impulse_u, *impulse_v; /* of viscosity; by number where tiles' sums are kept by row */
+    float *pressure;              /* gauge */
 
     /* Per tile: its ranges of partners. */
     int *own_end, *next_begin, *next_end;
@@ -170,12 +187,18 @@ struct skv_rows {
     const struct skv_row_kernels *kernels;
     skv_row_thread *thread;
     int thread_room, threads; /* threads to have memory for, and at work in this call */
-    bool viscous;             /* pair viscosity in the first iteration */
+    bool viscous, graded;     /* pair viscosity and tension, in the first iteration */
     bool held, gauged;        /* this substep computes the gauge pressure */
-    void *particle_block, *viscous_block, *grid_block, *histogram_block;
+    void *particle_block, *grid_block, *histogram_block;
     skv_solver_memory memory;
     double seconds[ROW_PHASES];
 };
+
+/* Whether the tiles' sums are kept by row, because there are too many for the places. */
+static inline bool skv_rows_keep_tile_sums(const skv_rows *rows)
+{
+    return rows->viscous && rows->graded;
+}
 
 /* A row's places, dummies included: its end rounded up so that a block of eight that begins before
  * the end stays inside. */

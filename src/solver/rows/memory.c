@@ -10,7 +10,9 @@
 #include <math.h>
 
 enum {
-    LINE = 16, /* integers in a cache line */
+    LINE = 16, /* floats or integers in a cache line */
+    LINES_A_PAGE = 64,
+    ARRAYS = 12 + ROW_SPARE, /* of an element for each place */
     FLOATS_A_BLOCK = ROW_TILE * ROW_LANES,
     ROW_NUMBERS = 7, /* integers kept for each row */
     MAX_CELLS = 1 << 26
@@ -85,7 +87,6 @@ void skv_rows_destroy(skv_rows *rows)
         return;
     free_threads(rows);
     skv_free(rows->particle_block);
-    skv_free(rows->viscous_block);
     skv_free(rows->grid_block);
     skv_free(rows);
 }
@@ -104,7 +105,8 @@ static skv_result reserve_threads(skv_rows *rows, int threads, skv_error *error)
         skv_free(histograms);
         skv_free(rows->thread);
         rows->thread = NULL;
-        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d threads", threads);
+        skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d threads", threads);
+        return SKV_ERROR_MEMORY;
     }
     rows->histogram_block = histograms;
     rows->memory.histograms = numbers * (size_t)threads * sizeof *histograms;
@@ -123,26 +125,31 @@ static int fullest_row(const skv_rows *rows)
     return most < rows->capacity ? (int)most : rows->capacity;
 }
 
-/* Room for kept pairs and wall samples; less than wished for costs time, not correctness. */
+/* Room for kept pairs, wall samples and tiles' sums; less than wished for costs time, not
+ * correctness. */
 static skv_result reserve_kept(skv_rows *rows, skv_error *error)
 {
     size_t a_block = FLOATS_A_BLOCK * sizeof(float);
     int fullest = fullest_row(rows), most = (int)(MOST_KEPT / ROW_SLOTS / a_block);
     int blocks = (fullest / ROW_TILE + 1) * BLOCKS_A_TILE + 2 * FLOATS_A_BLOCK;
+    int places = skv_rows_keep_tile_sums(rows) ? skv_row_padded_end(fullest) : 0;
     blocks = blocks < most ? blocks : most;
     for (int t = 0; t < rows->thread_room; t++) {
         skv_row_thread *own = &rows->thread[t];
-        if (blocks <= own->kept[0].room && fullest <= own->samples[0].room)
+        if (blocks <= own->kept[0].room && fullest <= own->samples[0].room &&
+            places <= own->kept[0].tile_room)
             continue;
-        size_t pairs = (size_t)blocks * a_block;
-        size_t bytes = ROW_SLOTS * (pairs + (size_t)fullest * sizeof(skv_near_wall));
-        char *memory = skv_calloc(bytes, 1);
+        size_t floats = (size_t)blocks * FLOATS_A_BLOCK, sums = ROW_SUMS * (size_t)places;
+        size_t bytes =
+            ROW_SLOTS * ((floats + sums) * sizeof(float) + (size_t)fullest * sizeof(skv_near_wall));
+        float *memory = skv_calloc(bytes, 1);
         if (!memory)
             return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for kept pairs");
         skv_free(own->kept_memory);
         own->kept_memory = memory;
-        for (int slot = 0; slot < ROW_SLOTS; slot++, memory += pairs)
-            own->kept[slot] = (skv_row_kept){(float *)(void *)memory, blocks, 0};
+        for (int slot = 0; slot < ROW_SLOTS; slot++, memory += floats + sums)
+            own->kept[slot] = (skv_row_kept){
+                .pairs = memory, .room = blocks, .tile_sums = memory + floats, .tile_room = places};
         skv_near_wall *samples = (skv_near_wall *)(void *)memory;
         for (int slot = 0; slot < ROW_SLOTS; slot++, samples += fullest)
             own->samples[slot] = (skv_row_samples){samples, fullest, 0};
@@ -151,13 +158,20 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
     return SKV_OK;
 }
 
-/* Distance between arrays in one block, in floats: 5 cache lines more than a number of pages. The
- * same place in two arrays must not have the same place in its page: a load would wait for a store
- * to the other, and both would fight for the same cache sets. */
+/* Distance between arrays in one block, in floats. The same place in two arrays must not have the
+ * same place in its page, nor nearly: a load would wait for a store to the other, and both would
+ * fight for the same cache sets. */
 static size_t array_stride(size_t elements)
 {
-    size_t pages = (elements + 1023) / 1024;
-    return pages * 1024 + 5 * 16;
+    size_t lines = (elements + LINE - 1) / LINE;
+    for (size_t apart = 1; apart < ARRAYS; apart++) {
+        size_t past = apart * lines % LINES_A_PAGE;
+        if (past < 2 || past > LINES_A_PAGE - 2) {
+            lines++;
+            apart = 0;
+        }
+    }
+    return lines * LINE;
 }
 
 static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
@@ -169,24 +183,10 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     size_t slots = (size_t)capacity + (size_t)rows->row_count * 2 * ROW_LANES + 4 * ROW_LANES;
     skv_row_particles *a = &rows->set[0], *b = &rows->set[1];
     float **floats[] = {
-        &a->x,
-        &a->y,
-        &a->u,
-        &a->v,
-        &a->clearance,
-        &b->x,
-        &b->y,
-        &b->u,
-        &b->v,
-        &rows->own_memory[0],
-        &rows->own_memory[1],
-        &rows->own_memory[2],
-        &rows->own_memory[3],
-        &rows->next_memory[0],
-        &rows->next_memory[1],
-        &rows->next_memory[2],
-        &rows->next_memory[3],
-        &b->clearance,
+        &a->x,           &a->y,           &a->u,           &a->v,           &a->clearance,
+        &b->x,           &b->y,           &b->u,           &b->v,           &b->clearance,
+        &rows->spare[0], &rows->spare[1], &rows->spare[2], &rows->spare[3], &rows->spare[4],
+        &rows->spare[5], &rows->spare[6],
     };
     int **ints[] = {&a->number, &b->number};
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
@@ -197,9 +197,7 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     if (!block)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
     skv_free(rows->particle_block);
-    skv_free(rows->viscous_block);
     rows->particle_block = block;
-    rows->viscous_block = NULL;
     for (int f = 0; f < FLOATS; f++, block += stride)
         *floats[f] = block;
     for (int i = 0; i < INTS; i++, block += stride)
@@ -212,30 +210,14 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     return SKV_OK;
 }
 
-static skv_result reserve_viscous(skv_rows *rows, bool viscous, skv_error *error)
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, bool graded,
+                            skv_error *error)
 {
     rows->viscous = viscous;
-    if (!viscous || rows->viscous_block)
-        return SKV_OK;
-    enum { ARRAYS = sizeof rows->viscous_memory / sizeof *rows->viscous_memory };
-    size_t stride = array_stride((size_t)rows->slots);
-    float *block = skv_calloc(ARRAYS * stride, sizeof *block);
-    if (!block)
-        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for viscosity");
-    rows->viscous_block = block;
-    for (int a = 0; a < ARRAYS; a++, block += stride)
-        rows->viscous_memory[a] = block;
-    rows->memory.particles += ARRAYS * stride * sizeof *block;
-    return SKV_OK;
-}
-
-skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, skv_error *error)
-{
+    rows->graded = graded;
     skv_result result = reserve_threads(rows, threads, error);
     if (result == SKV_OK)
         result = reserve_particles(rows, count, error);
-    if (result == SKV_OK)
-        result = reserve_viscous(rows, viscous, error);
     if (result == SKV_OK)
         result = reserve_kept(rows, error);
     if (result == SKV_OK)
@@ -243,26 +225,50 @@ skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous
     return result;
 }
 
+/* Sums in four buffers: with the gradient, or with viscosity instead. */
+static skv_row_sums sums_in(const skv_rows *rows, float *const buffer[4])
+{
+    skv_row_sums sums = {.density = buffer[0], .near_density = buffer[1]};
+    if (rows->graded) {
+        sums.gradient_x = buffer[2];
+        sums.gradient_y = buffer[3];
+    } else {
+        sums.viscous_u = buffer[2];
+        sums.viscous_v = buffer[3];
+    }
+    return sums;
+}
+
 void skv_rows_lend_buffers(skv_rows *rows)
 {
     const skv_row_particles *older = &rows->set[!rows->current];
-    float **own = rows->own_memory, **next = rows->next_memory, **viscous = rows->viscous_memory;
-    rows->own = (skv_row_sums){own[0], own[1], own[2], own[3], viscous[0], viscous[1]};
-    rows->next = (skv_row_sums){next[0], next[1], next[2], next[3], viscous[2], viscous[3]};
-    rows->tile = (skv_row_sums){older->x, older->y, older->u, older->v, viscous[4], viscous[5]};
-    /* The pressure has consumed the densities, ... */
-    rows->own_move = (skv_row_moves){own[0], own[1], own[2]};
-    rows->next_move = (skv_row_moves){next[0], next[1], next[2]};
-    rows->tile_move = (skv_row_moves){older->x, older->y, older->u};
-    /* ... and turns the gradient's sums into the gradient, place by place. */
-    rows->gradient_x = own[3];
+    float *number = (float *)(void *)older->number, **spare = rows->spare;
+    rows->own = sums_in(rows, &spare[0]);
+    rows->next = sums_in(rows, (float *[4]){spare[4], spare[5], spare[6], older->clearance});
+    rows->tile = sums_in(rows, (float *[4]){older->x, older->y, older->u, older->v});
+    if (skv_rows_keep_tile_sums(rows)) {
+        rows->own.viscous_u = older->x;
+        rows->own.viscous_v = older->y;
+        rows->next.viscous_u = older->u;
+        rows->next.viscous_v = older->v;
+    }
+    /* What the pressure turns the sums into, place by place, ... */
+    rows->push = older->x;
+    rows->near_push = older->y;
+    rows->gradient_x = older->u;
     rows->gradient_y = older->v;
-    rows->push = older->clearance;
-    rows->near_push = (float *)(void *)older->number;
-    rows->pressure = next[3];
+    if (!rows->graded) {
+        rows->impulse_u = older->u;
+        rows->impulse_v = older->v;
+    }
+    /* ... so that the others are free for the displacement. */
+    rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};
+    rows->next_move = (skv_row_moves){spare[4], spare[5], spare[6]};
+    rows->tile_move = (skv_row_moves){spare[3], older->clearance, number};
+    rows->pressure = older->u;
     /* There are no sums while the particles are sorted, and none when they are stored. */
-    rows->key = (int *)(void *)own[0];
-    rows->place = (int *)(void *)own[0];
+    rows->key = (int *)(void *)spare[0];
+    rows->place = (int *)(void *)spare[0];
 }
 
 skv_solver_memory skv_rows_memory(const skv_rows *rows)

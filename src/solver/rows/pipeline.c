@@ -49,8 +49,9 @@ static void clear_lowest(skv_rows *rows)
     const skv_row_sums *next = &rows->next;
     float *sums[] = {next->density,    next->near_density, next->gradient_x,
                      next->gradient_y, next->viscous_u,    next->viscous_v};
-    for (int a = 0; a < (rows->viscous ? 6 : 4); a++)
-        memset(sums[a] + begin, 0, bytes);
+    for (int a = 0; a < ROW_SUMS; a++)
+        if (sums[a])
+            memset(sums[a] + begin, 0, bytes);
 }
 
 void skv_row_begin(skv_row_worker *w)
@@ -100,10 +101,14 @@ void skv_row_pressure(const skv_row_worker *w, int row)
         return;
     const skv_row_run *shared = w->shared;
     skv_row_samples *samples = samples_of(w, row);
+    const skv_row_kept *kept = kept_of(w, row);
     if (row == w->first)
         await(w, w->lower, LAST_SUMMED);
+    /* Tiles' sums that are computed again read how far the next row's particles are from walls. */
+    if (row == w->last && !kept->has_tile_sums)
+        await(w, w->upper, FIRST_PRESSED);
     shared->kernels->pressure(shared->rows, row, w->iteration > 0, shared->constants,
-                              shared->boundary, samples);
+                              shared->boundary, kept, samples);
     shared->rows->row_walls[row] = samples->used;
     if (row == w->first)
         reach(w, FIRST_PRESSED);

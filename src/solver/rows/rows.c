@@ -101,7 +101,11 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
 {
     if (frame->count == 0)
         return (skv_impulse){0};
-    rows->held = frame->members != NULL;
+    rows->held = frame->part != NULL;
+    if (skv_rows_keep_tile_sums(rows)) {
+        rows->impulse_u = frame->vx;
+        rows->impulse_v = frame->vy;
+    }
     skv_row_run shared = {.rows = rows,
                           .kernels = rows->kernels,
                           .constants = constants,

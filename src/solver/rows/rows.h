@@ -23,11 +23,6 @@
 
 #include "solver/solver.h"
 
-/* One finger, in h and substeps. */
-typedef struct skv_row_pull {
-    float x, y, vx, vy, inv_radius, attraction, friction, follow;
-} skv_row_pull;
-
 /* Constants of a substep, in h and substeps. */
 typedef struct skv_row_constants {
     float gravity_x, gravity_y;
@@ -42,7 +37,7 @@ typedef struct skv_row_constants {
     float wall_clearance; /* how close a move may come to a wall */
     int iterations;
     bool clavet;
-    const skv_row_pull *pulls;
+    const skv_pull *pulls;
     int pull_count;
 } skv_row_constants;
 
@@ -55,15 +50,15 @@ skv_result skv_rows_create(float width, float height, float per_square, skv_inst
                            skv_rows **rows, skv_error *error);
 void skv_rows_destroy(skv_rows *rows);
 
-/* Makes room for `count` particles and for `threads` threads; allocates only when it has to. */
-skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, skv_error *error);
+/* Makes room for `count` particles and for `threads` threads; allocates only when it has to.
+ * `viscous`: with pair viscosity; `graded`: with a gradient, which the calibrated law has. */
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, bool graded,
+                            skv_error *error);
 
 /* The particles outside, in units of the caller's. */
 typedef struct skv_row_frame {
-    int count; /* of particles that take part */
-    const int
-        *members; /* their indices, ascending; null: all, 0..count-1. ~index for one that is
-                     held: it takes part in the sums, but stays, and nothing of it is written */
+    int count;
+    const uint8_t *part; /* skv_part; null: all move */
     float *x, *y, *vx, *vy;
     float *clearance;    /* lower bound of the distance to the nearest wall */
     float *pressure;     /* written only */

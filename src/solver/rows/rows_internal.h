@@ -17,7 +17,8 @@ typedef struct skv_row_kernels {
                     const skv_boundary *boundary, skv_row_kept *kept);
     /* L: samples the walls, and the pressure law. */
     void (*pressure)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
-                     const skv_boundary *boundary, skv_row_samples *samples);
+                     const skv_boundary *boundary, const skv_row_kept *kept,
+                     skv_row_samples *samples);
     /* B; with the tension unless it is `later`. */
     void (*displacement)(const skv_rows *rows, int row, bool later,
                          const skv_row_constants *constants, const skv_boundary *boundary,
@@ -34,6 +35,7 @@ const skv_row_kernels *skv_row_kernels_for(skv_instruction_set set);
 extern const skv_row_kernels skv_row_kernels_scalar;
 extern const skv_row_kernels skv_row_kernels_base; /* SSE2, NEON or WebAssembly */
 extern const skv_row_kernels skv_row_kernels_avx2;
+extern const skv_row_kernels skv_row_kernels_avx512;
 
 /* memory.c: who borrows which buffer, now that the other set's particles are not needed any more;
  * after each sort. */

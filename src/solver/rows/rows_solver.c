@@ -15,13 +15,6 @@ typedef struct rows_solver {
     bool swapped; /* the rows' x is the world's y */
 } rows_solver;
 
-static void swap(float *a, float *b)
-{
-    float kept = *a;
-    *a = *b;
-    *b = kept;
-}
-
 static skv_row_constants row_constants(const skv_solver_step *step, const skv_boundary *boundary)
 {
     const skv_constants *c = step->constants;
@@ -58,30 +51,8 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .pull_count = step->pull_count,
     };
     if (boundary->swapped)
-        swap(&r.gravity_x, &r.gravity_y);
+        skv_swap(&r.gravity_x, &r.gravity_y);
     return r;
-}
-
-static void make_pulls(const skv_solver_step *step, bool swapped, skv_row_pull *pulls)
-{
-    const skv_constants *c = step->constants;
-    for (int i = 0; i < step->pull_count; i++) {
-        const skv_pull *pull = &step->pulls[i];
-        pulls[i] = (skv_row_pull){
-            .x = pull->x * c->inv_h,
-            .y = pull->y * c->inv_h,
-            .vx = pull->vx * c->dt * c->inv_h,
-            .vy = pull->vy * c->dt * c->inv_h,
-            .inv_radius = pull->inv_radius * c->h,
-            .attraction = pull->attraction * c->dt * c->dt * c->inv_h,
-            .friction = pull->friction,
-            .follow = pull->follow,
-        };
-        if (swapped) {
-            swap(&pulls[i].x, &pulls[i].y);
-            swap(&pulls[i].vx, &pulls[i].vy);
-        }
-    }
 }
 
 static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
@@ -90,13 +61,14 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
     const skv_constants *c = step->constants;
     const skv_solver_particles *p = &step->particles;
     const skv_boundary boundary = skv_boundary_seen(r->boundary, c->h, c->inv_h, r->swapped);
-    skv_row_pull pulls[SKV_SOLVER_MOST_PULLS];
-    make_pulls(step, r->swapped, pulls);
+    skv_pull pulls[SKV_SOLVER_MOST_PULLS];
+    for (int i = 0; i < step->pull_count; i++)
+        pulls[i] = skv_pull_seen(&step->pulls[i], c->h, c->inv_h, c->dt, r->swapped);
     skv_row_constants constants = row_constants(step, &boundary);
     constants.pulls = pulls;
     skv_row_frame frame = {
-        .count = p->members ? p->member_count : p->count,
-        .members = p->members,
+        .count = p->count,
+        .part = p->part,
         .x = r->swapped ? p->y : p->x,
         .y = r->swapped ? p->x : p->y,
         .vx = r->swapped ? p->vy : p->vx,
@@ -115,7 +87,8 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_error *error)
 {
     return skv_rows_reserve(((rows_solver *)solver)->rows, step->particles.count,
-                            skv_pool_threads(step->pool), skv_is_viscous(step->constants), error);
+                            skv_pool_threads(step->pool), skv_is_viscous(step->constants),
+                            !step->constants->clavet, error);
 }
 
 static void destroy(skv_solver *solver)

@@ -12,11 +12,16 @@ static int provisional_rows(const skv_rows *rows)
     return rows->threads < rows->row_count / 2 ? rows->threads : rows->row_count / 2;
 }
 
-/* The first of the frame's members that a thread loads; the threads after the last load none. */
+/* The first of the frame's particles that a thread loads; the threads after the last load none. */
 static int share_begin(const skv_rows *rows, const skv_row_frame *frame, int thread)
 {
     int shares = provisional_rows(rows);
     return thread < shares ? (int)((int64_t)frame->count * thread / shares) : frame->count;
+}
+
+static int part_of(const skv_row_frame *frame, int i)
+{
+    return frame->part ? frame->part[i] : SKV_MOVES;
 }
 
 /* The share is one provisional row, in the order of the particles' numbers; the sort of the first
@@ -32,14 +37,17 @@ void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame)
     /* A multiple of eight, and dummies enough behind each share. */
     int place = (from & ~(ROW_LANES - 1)) + ROW_LANES * (3 * thread + 1);
     rows->row_start[thread] = place;
-    for (int k = from; k < to; k++, place++) {
-        int member = frame->members ? frame->members[k] : k, i = member < 0 ? ~member : member;
+    for (int i = from; i < to; i++) {
+        int part = part_of(frame, i);
+        if (part == SKV_ABSENT)
+            continue;
         p->x[place] = frame->x[i] * frame->length;
         p->y[place] = frame->y[i] * frame->length;
         p->u[place] = frame->vx[i] * frame->speed;
         p->v[place] = frame->vy[i] * frame->speed;
         p->clearance[place] = frame->clearance[i] * frame->length;
-        p->number[place] = member < 0 ? i | ROW_HELD : i;
+        p->number[place] = part == SKV_HELD ? i | ROW_HELD : i;
+        place++;
     }
     rows->row_end[thread] = place;
     for (int k = place; k < skv_row_padded_end(place); k++) {
@@ -67,9 +75,8 @@ void skv_rows_store(const skv_rows *rows, int thread, const skv_row_frame *frame
 {
     const skv_row_particles *p = &rows->set[rows->current];
     int end = share_begin(rows, frame, thread + 1);
-    for (int m = share_begin(rows, frame, thread); m < end; m++) {
-        int i = frame->members ? frame->members[m] : m;
-        if (i < 0)
+    for (int i = share_begin(rows, frame, thread); i < end; i++) {
+        if (part_of(frame, i) != SKV_MOVES)
             continue;
         int k = rows->place[i];
         frame->x[i] = p->x[k] / frame->length;

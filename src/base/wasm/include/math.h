@@ -8,11 +8,13 @@ double fabs(double x);
 float fabsf(float x);
 double ceil(double x);
 double floor(double x);
+float floorf(float x);
 
 #define isfinite(x) __builtin_isfinite(x)
 #define isnan(x)    __builtin_isnan(x)
 
 #define NAN      __builtin_nanf("")
 #define HUGE_VAL __builtin_huge_val()
+#define INFINITY __builtin_inff()
 
 #endif

@@ -1,0 +1,25 @@
+/* Choices: what a world can be compared with. */
+#ifndef SKVALP_PLAY_CHOICES_H
+#define SKVALP_PLAY_CHOICES_H
+
+#include <gio/gio.h>
+
+/* What the second world differs in. */
+typedef struct PlayChoice {
+    const char *name, *label, *path, *value;
+    double particles; /* times as many; 0: as many */
+} PlayChoice;
+
+/* Null if there is none of that name. */
+const PlayChoice *play_choice_named(const char *name);
+
+/* All of them, as a menu of "win.compare"; with a scene that is opened first, or null: with the one
+ * that is open. */
+GMenuModel *play_choices_menu(const char *scene);
+
+/* What shows an experiment as a scene: a built-in one if it is about the same, else its own set-up,
+ * PLAY_SET_UP and its name. To be freed. */
+#define PLAY_SET_UP "lab:"
+char *play_choices_scene_of(const char *experiment);
+
+#endif

@@ -1,0 +1,362 @@
+/* Comparing. Invariant: there are two views exactly while their sessions are a pair; what ends one,
+ * another scene or a closed window, ends the other before. */
+#include "compare.h"
+
+#include "asking.h"
+#include "ball.h"
+#include "choices.h"
+#include "input.h"
+#include "lab_run.h"
+#include "legend.h"
+#include "probes.h"
+#include "properties.h"
+#include "settings.h"
+#include "words.h"
+
+typedef struct compare {
+    PlayWindow *window;
+    PlayView *view, *other;          /* null: one world */
+    bool shown;                      /* the second one is */
+    const PlayChoice *choice, *next; /* next: once a scene has been opened */
+    skv_pair *pair;
+    guint32 opened; /* in the first world */
+    gulong waiting; /* for what it shares */
+    GtkWidget *stage, *badges[2], *amount, *ball, *sides[2], *bar;
+} compare;
+
+static void set_label(GtkWidget *widget, const char *label)
+{
+    gtk_accessible_update_property(GTK_ACCESSIBLE(widget), GTK_ACCESSIBLE_PROPERTY_LABEL, label,
+                                   -1);
+}
+
+static GSimpleAction *action_of(compare *c, const char *name)
+{
+    return G_SIMPLE_ACTION(g_action_map_lookup_action(G_ACTION_MAP(c->window), name));
+}
+
+/* The two worlds' names. */
+
+static GtkWidget *make_badge(const char *letter, const char *style, const char *text)
+{
+    GtkWidget *badge = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6);
+    GtkWidget *name = gtk_label_new(letter), *what = gtk_label_new(text);
+    gtk_widget_add_css_class(name, "letter");
+    gtk_widget_add_css_class(name, style);
+    gtk_label_set_ellipsize(GTK_LABEL(what), PANGO_ELLIPSIZE_END);
+    gtk_box_append(GTK_BOX(badge), name);
+    gtk_box_append(GTK_BOX(badge), what);
+    gtk_widget_add_css_class(badge, "status");
+    gtk_widget_add_css_class(badge, "badge");
+    gtk_widget_set_halign(badge, GTK_ALIGN_CENTER);
+    gtk_widget_set_valign(badge, GTK_ALIGN_END);
+    gtk_widget_set_can_target(badge, FALSE);
+    return badge;
+}
+
+static GtkWidget *make_button(GtkWidget *button, const char *icon, const char *name,
+                              const char *action)
+{
+    gtk_button_set_icon_name(GTK_BUTTON(button), icon);
+    gtk_widget_set_tooltip_text(button, name);
+    set_label(button, name);
+    gtk_actionable_set_action_name(GTK_ACTIONABLE(button), action);
+    gtk_widget_set_focus_on_click(button, FALSE);
+    gtk_widget_add_css_class(button, "osd");
+    gtk_widget_add_css_class(button, "circular");
+    gtk_widget_add_css_class(button, "both");
+    return button;
+}
+
+/* Lays something over a stage, at a corner. */
+static void lay(GtkWidget *stage, GtkWidget *over, GtkAlign x, GtkAlign y)
+{
+    gtk_widget_set_halign(over, x);
+    gtk_widget_set_valign(over, y);
+    gtk_overlay_add_overlay(GTK_OVERLAY(stage), over);
+}
+
+/* The second world's own: names, amount, link and a way to close it; a legend and a gravity ball,
+ * which show where they differ from the first's. */
+static GtkWidget *make_stage(compare *c)
+{
+    GtkWidget *stage = gtk_overlay_new(), *buttons = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6);
+    GtkWidget *corner = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
+    PlayProbes *probes = g_object_new(PLAY_TYPE_PROBES, NULL);
+    PlayLegend *legend = g_object_new(PLAY_TYPE_LEGEND, NULL);
+    c->ball = g_object_new(PLAY_TYPE_BALL, NULL);
+    c->amount = gtk_label_new("");
+    gtk_widget_add_css_class(c->amount, "status");
+    gtk_widget_add_css_class(c->amount, "numeric");
+    gtk_widget_set_can_target(c->amount, FALSE);
+    gtk_box_append(GTK_BOX(buttons),
+                   make_button(gtk_toggle_button_new(), "skvalp-both-symbolic",
+                               _("Hands and gravity in both worlds"), "win.compare-linked"));
+    gtk_box_append(GTK_BOX(buttons), make_button(gtk_button_new(), "window-close-symbolic",
+                                                 _("Close world B (C)"), "win.close-compare"));
+    gtk_widget_add_css_class(buttons, "leave");
+    gtk_widget_set_halign(buttons, GTK_ALIGN_END);
+    gtk_widget_set_halign(GTK_WIDGET(legend), GTK_ALIGN_END);
+    gtk_box_append(GTK_BOX(corner), buttons);
+    gtk_box_append(GTK_BOX(corner), GTK_WIDGET(legend));
+    c->badges[0] = make_badge("A", "world-a", _("As it is"));
+    c->badges[1] = make_badge("B", "world-b", _(c->choice->label));
+    gtk_overlay_set_child(GTK_OVERLAY(stage), GTK_WIDGET(c->other));
+    gtk_overlay_add_overlay(GTK_OVERLAY(stage), GTK_WIDGET(probes));
+    lay(stage, c->amount, GTK_ALIGN_START, GTK_ALIGN_START);
+    gtk_overlay_add_overlay(GTK_OVERLAY(stage), c->badges[1]);
+    lay(stage, corner, GTK_ALIGN_END, GTK_ALIGN_START);
+    lay(stage, c->ball, GTK_ALIGN_END, GTK_ALIGN_END);
+    gtk_overlay_add_overlay(GTK_OVERLAY(play_window_stage(c->window)), c->badges[0]);
+    play_probes_attach(probes, c->other, NULL);
+    play_legend_attach(legend, c->other);
+    play_ball_attach(PLAY_BALL(c->ball), c->other);
+    return stage;
+}
+
+/* Which world the properties are of. */
+static void on_side(GtkToggleButton *side, compare *c)
+{
+    PlayView *view = side == GTK_TOGGLE_BUTTON(c->sides[1]) ? c->other : c->view;
+    if (view && gtk_toggle_button_get_active(side))
+        play_properties_show(play_window_properties(c->window), view);
+}
+
+static void show_sides(compare *c, bool shown)
+{
+    gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(c->sides[shown]), TRUE);
+    gtk_widget_set_visible(c->bar, shown);
+    g_simple_action_set_enabled(action_of(c, "close-compare"), shown);
+    g_simple_action_set_enabled(action_of(c, "compare-linked"), shown);
+}
+
+/* Ending. */
+
+static void end(compare *c)
+{
+    if (!c->other)
+        return;
+    PlayView *other = c->other;
+    if (c->shown) {
+        show_sides(c, false);
+        play_properties_show(play_window_properties(c->window), c->view);
+        play_view_join(c->view, NULL, NULL);
+        skv_pair_destroy(c->pair);
+        gtk_overlay_remove_overlay(GTK_OVERLAY(play_window_stage(c->window)), c->badges[0]);
+        gtk_box_remove(play_window_worlds(c->window), c->stage);
+        set_label(GTK_WIDGET(c->view), _("Water"));
+        gtk_widget_grab_focus(GTK_WIDGET(c->view));
+    }
+    c->other = NULL;
+    c->pair = NULL;
+    c->shown = false;
+    g_signal_handlers_disconnect_by_data(other, c);
+    g_object_unref(other);
+}
+
+/* Beginning: what the first world shares, opened by the second. */
+
+/* A ball of its own: for who asks each world alone, and where gravity is another one. */
+static void show_ball(compare *c)
+{
+    const skv_picture *a = play_view_picture(c->view), *b = play_view_picture(c->other);
+    bool own = !play_view_is_linked(c->view) || a->tilt_x != b->tilt_x || a->tilt_y != b->tilt_y;
+    gtk_widget_set_visible(c->ball, own && gtk_widget_get_visible(play_window_ball(c->window)));
+}
+
+static void on_other_changed(PlayView *other, compare *c)
+{
+    if (c->shown)
+        show_ball(c);
+    char *amount = play_words_of_amount(play_view_picture(other));
+    char *text = play_words_of_picture(play_view_picture(other));
+    if (c->shown && g_strcmp0(gtk_label_get_text(GTK_LABEL(c->amount)), amount) != 0) {
+        gtk_label_set_text(GTK_LABEL(c->amount), amount);
+        gtk_accessible_update_property(GTK_ACCESSIBLE(other), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                       text, -1);
+    }
+    g_free(amount);
+    g_free(text);
+}
+
+static void on_other_failed(G_GNUC_UNUSED PlayView *other, const char *error, compare *c)
+{
+    play_window_complain(c->window, error);
+    if (!c->shown)
+        end(c);
+}
+
+static void on_other_opened(PlayView *other, compare *c)
+{
+    if (c->shown ||
+        skv_pair_create(play_view_session(c->view), play_view_session(other), &c->pair, NULL))
+        return;
+    c->shown = true;
+    c->stage = make_stage(c);
+    gtk_box_append(play_window_worlds(c->window), c->stage);
+    play_input_attach(other);
+    skv_session_set_tool(play_view_session(other), skv_session_tool(play_view_session(c->view)));
+    play_view_join(c->view, other, c->pair);
+    play_window_hide_description(c->window);
+    set_label(GTK_WIDGET(c->view), _("World A"));
+    set_label(GTK_WIDGET(other), _("World B"));
+    show_sides(c, true);
+    play_ask_pause(c->view, false);
+    on_other_changed(other, c);
+}
+
+static bool open_other(const char *bytes, size_t size, void *user)
+{
+    compare *c = user;
+    const skv_picture *picture = play_view_picture(c->view);
+    const skv_setting setting = {c->choice->path, c->choice->value};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = &setting;
+    options.setting_count = c->choice->path ? 1 : 0;
+    if (c->choice->particles > 0 && picture->scene)
+        options.particles = (int)(skv_scene_particles(picture->scene) * c->choice->particles);
+    skv_session_open_memory(play_view_session(c->other), bytes, size, "skvr", picture->name,
+                            &options);
+    return true;
+}
+
+static void on_shared(PlayView *view, const char *error, compare *c)
+{
+    g_clear_signal_handler(&c->waiting, view);
+    if (error) {
+        play_window_complain(c->window, error);
+        return;
+    }
+    end(c);
+    c->opened = play_view_picture(view)->opened;
+    c->other = g_object_ref_sink(g_object_new(PLAY_TYPE_VIEW, NULL));
+    g_signal_connect(c->other, "opened", G_CALLBACK(on_other_opened), c);
+    g_signal_connect(c->other, "failed", G_CALLBACK(on_other_failed), c);
+    g_signal_connect(c->other, "changed", G_CALLBACK(on_other_changed), c);
+    skv_session_read_shared(play_view_session(view), open_other, c);
+}
+
+static void begin(compare *c, const PlayChoice *choice)
+{
+    c->choice = choice;
+    play_settings_set_text("compare", choice->name);
+    play_window_show_page(c->window, "play");
+    g_clear_signal_handler(&c->waiting, c->view);
+    c->waiting = g_signal_connect(c->view, "shared", G_CALLBACK(on_shared), c);
+    skv_session_share(play_view_session(c->view));
+}
+
+/* Something else is open: nothing to compare with. */
+static void on_opened(PlayView *view, compare *c)
+{
+    const PlayChoice *next = c->next;
+    if (play_view_picture(view)->opened != c->opened)
+        end(c);
+    c->next = NULL;
+    if (next)
+        begin(c, next);
+}
+
+/* What was to be compared did not open: what is opened next is not meant. */
+static void on_failed(G_GNUC_UNUSED PlayView *view, G_GNUC_UNUSED const char *error, compare *c)
+{
+    c->next = NULL;
+}
+
+/* Actions. */
+
+/* The name of a choice, and after a space what shows an experiment. */
+static void on_compare(G_GNUC_UNUSED GSimpleAction *action, GVariant *value, gpointer data)
+{
+    compare *c = data;
+    char **words = g_strsplit(g_variant_get_string(value, NULL), " ", 2);
+    const PlayChoice *choice = play_choice_named(words[0]);
+    if (choice && words[1] && *words[1]) {
+        c->next = choice;
+        if (g_str_has_prefix(words[1], PLAY_SET_UP))
+            play_lab_open(words[1] + strlen(PLAY_SET_UP), c->view);
+        else
+            play_window_open(c->window, words[1]);
+    } else if (choice) {
+        begin(c, choice);
+    }
+    g_strfreev(words);
+}
+
+static void on_close(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                     gpointer data)
+{
+    end(data);
+}
+
+static void on_toggle(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                      gpointer data)
+{
+    compare *c = data;
+    if (c->other) {
+        end(c);
+        return;
+    }
+    char *name = play_settings_text("compare", "honey");
+    const PlayChoice *last = play_choice_named(name);
+    begin(c, last ? last : play_choice_named("honey"));
+    g_free(name);
+}
+
+static void on_linked(GSimpleAction *action, GVariant *state, gpointer data)
+{
+    compare *c = data;
+    g_simple_action_set_state(action, state);
+    play_view_set_linked(c->view, g_variant_get_boolean(state));
+    if (c->shown)
+        show_ball(c);
+}
+
+static gboolean on_window_closed(G_GNUC_UNUSED GtkWindow *window, compare *c)
+{
+    end(c);
+    return FALSE;
+}
+
+/* In the panel of properties: what to compare with, and whose properties they are. */
+static void add_to_panel(compare *c)
+{
+    GtkBox *panel = play_window_properties(c->window);
+    GtkWidget *button = gtk_menu_button_new();
+    GMenuModel *menu = play_choices_menu(NULL);
+    gtk_menu_button_set_label(GTK_MENU_BUTTON(button), _("Compare with"));
+    set_label(button, _("Compare with"));
+    gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(button), menu);
+    g_object_unref(menu);
+    c->bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 0);
+    gtk_widget_add_css_class(c->bar, "linked");
+    for (int i = 0; i < 2; i++) {
+        c->sides[i] = gtk_toggle_button_new_with_label(i == 0 ? _("World A") : _("World B"));
+        gtk_widget_set_hexpand(c->sides[i], TRUE);
+        gtk_box_append(GTK_BOX(c->bar), c->sides[i]);
+        g_signal_connect(c->sides[i], "toggled", G_CALLBACK(on_side), c);
+    }
+    gtk_toggle_button_set_group(GTK_TOGGLE_BUTTON(c->sides[1]), GTK_TOGGLE_BUTTON(c->sides[0]));
+    gtk_box_prepend(panel, c->bar);
+    gtk_box_prepend(panel, button);
+}
+
+void play_compare_add(PlayWindow *window)
+{
+    static const GActionEntry entries[] = {
+        {.name = "compare", .parameter_type = "s", .activate = on_compare},
+        {.name = "toggle-compare", .activate = on_toggle},
+        {.name = "close-compare", .activate = on_close},
+        {.name = "compare-linked", .state = "true", .change_state = on_linked},
+    };
+    compare *c = g_new0(compare, 1);
+    c->window = window;
+    c->view = play_window_view(window);
+    g_object_set_data_full(G_OBJECT(window), "compare", c, g_free);
+    g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), c);
+    add_to_panel(c);
+    show_sides(c, false);
+    g_signal_connect(c->view, "opened", G_CALLBACK(on_opened), c);
+    g_signal_connect(c->view, "failed", G_CALLBACK(on_failed), c);
+    g_signal_connect(window, "close-request", G_CALLBACK(on_window_closed), c);
+}

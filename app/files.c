@@ -1,0 +1,338 @@
+/* Files: what is opened and written. Invariant: a dialog that is closed, and a file that cannot be
+ * written, change nothing; whatever failed is said in the window. */
+#include "files.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+#include "dialogs.h"
+#include "recorder.h"
+#include "settings.h"
+#include "words.h"
+
+#define VIDEO_SECONDS 10.0
+#define MOST_RECENT   6
+
+static skv_session *session_of(PlayWindow *window)
+{
+    return play_view_session(play_window_view(window));
+}
+
+/* Dialogs. */
+
+typedef void use_path(PlayWindow *window, const char *path);
+
+typedef struct question {
+    PlayWindow *window;
+    use_path *use;
+} question;
+
+static void on_answer(GtkNativeDialog *dialog, int response, question *asked)
+{
+    if (response == GTK_RESPONSE_ACCEPT) {
+        char *path = play_chosen_path(dialog);
+        if (path)
+            asked->use(asked->window, path);
+        else
+            play_window_complain(asked->window,
+                                 _("This place is not on this computer: choose another one."));
+        g_free(path);
+    }
+    g_free(asked);
+    g_object_unref(dialog);
+}
+
+static GtkFileChooser *ask(PlayWindow *window, const char *title, const char *name, use_path *use)
+{
+    GtkFileChooserNative *dialog = gtk_file_chooser_native_new(
+        title, GTK_WINDOW(window),
+        name ? GTK_FILE_CHOOSER_ACTION_SAVE : GTK_FILE_CHOOSER_ACTION_OPEN,
+        name ? _("_Save") : _("_Open"), _("_Cancel"));
+    question *asked = g_new(question, 1);
+    *asked = (question){window, use};
+    gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), TRUE);
+    if (name)
+        gtk_file_chooser_set_current_name(GTK_FILE_CHOOSER(dialog), name);
+    g_signal_connect(dialog, "response", G_CALLBACK(on_answer), asked);
+    gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
+    return GTK_FILE_CHOOSER(dialog);
+}
+
+static void add_filter(GtkFileChooser *chooser, const char *name, const char *const *suffixes)
+{
+    GtkFileFilter *filter = gtk_file_filter_new();
+    gtk_file_filter_set_name(filter, name);
+    for (int i = 0; suffixes[i]; i++)
+        gtk_file_filter_add_suffix(filter, suffixes[i]);
+    gtk_file_chooser_add_filter(chooser, filter);
+    g_object_unref(filter);
+}
+
+/* "dam-break.png" of what is open. To be freed. */
+static char *name_with(PlayWindow *window, const char *suffix)
+{
+    const skv_picture *picture = play_view_picture(play_window_view(window));
+    char *base = g_path_get_basename(*picture->name ? picture->name : "skvalp");
+    char *dot = strrchr(base, '.');
+    if (dot)
+        *dot = '\0';
+    char *name = g_strconcat(base, suffix, NULL);
+    g_free(base);
+    return name;
+}
+
+/* Opening. */
+
+static void on_open(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                    gpointer window)
+{
+    GtkFileChooser *chooser = ask(window, _("Open a Scene or a Picture"), NULL, play_window_open);
+    add_filter(chooser, _("All that can be opened"),
+               (const char *const[]){"json", "png", "skv", "skvr", NULL});
+    add_filter(chooser, _("Scenes (JSON)"), (const char *const[]){"json", NULL});
+    add_filter(chooser, _("Pictures (PNG)"), (const char *const[]){"png", NULL});
+    add_filter(chooser, _("Saved states and replays"), (const char *const[]){"skv", "skvr", NULL});
+}
+
+static void on_open_scene(G_GNUC_UNUSED GSimpleAction *action, GVariant *name, gpointer window)
+{
+    play_window_open(window, g_variant_get_string(name, NULL));
+}
+
+static void on_open_uri(G_GNUC_UNUSED GSimpleAction *action, GVariant *uri, gpointer window)
+{
+    GFile *file = g_file_new_for_uri(g_variant_get_string(uri, NULL));
+    play_window_open_file(window, file);
+    g_object_unref(file);
+}
+
+/* What was opened lately: the settings hold their URIs, the last first, a line each. */
+
+static void fill_recent(GMenu *section)
+{
+    char *kept = play_settings_text("recent", ""), **uris = g_strsplit(kept, "\n", -1);
+    g_menu_remove_all(section);
+    for (int i = 0; uris[i] && *uris[i]; i++) {
+        GFile *file = g_file_new_for_uri(uris[i]);
+        char *name = g_file_get_basename(file), *label = g_strdelimit(g_strdup(name), "_", ' ');
+        GMenuItem *item = g_menu_item_new(label, NULL);
+        g_menu_item_set_action_and_target(item, "win.open-uri", "s", uris[i]);
+        g_menu_append_item(section, item);
+        g_object_unref(item);
+        g_free(label);
+        g_free(name);
+        g_object_unref(file);
+    }
+    g_strfreev(uris);
+    g_free(kept);
+}
+
+static void remember(const char *uri)
+{
+    char *kept = play_settings_text("recent", ""), **uris = g_strsplit(kept, "\n", -1);
+    GString *list = g_string_new(uri);
+    int count = 1;
+    for (int i = 0; uris[i] && count < MOST_RECENT; i++)
+        if (*uris[i] && !g_str_equal(uris[i], uri)) {
+            g_string_append_printf(list, "\n%s", uris[i]);
+            count++;
+        }
+    play_settings_set_text("recent", list->str);
+    g_string_free(list, TRUE);
+    g_strfreev(uris);
+    g_free(kept);
+}
+
+/* A scene that is a file has one; a built-in one has none. */
+static void on_opened(PlayView *view, GMenu *section)
+{
+    const skv_picture *picture = play_view_picture(view);
+    const char *path = picture->scene ? skv_scene_file(picture->scene, 0) : picture->name;
+    if (path && g_file_test(path, G_FILE_TEST_IS_REGULAR)) {
+        GFile *file = g_file_new_for_path(path);
+        char *uri = g_file_get_uri(file);
+        remember(uri);
+        g_free(uri);
+        g_object_unref(file);
+    }
+    fill_recent(section);
+}
+
+void play_files_show_recent(PlayWindow *window, GMenu *section)
+{
+    fill_recent(section);
+    g_signal_connect_object(play_window_view(window), "opened", G_CALLBACK(on_opened), section, 0);
+}
+
+/* Saving. */
+
+static void save(PlayWindow *window, const char *path)
+{
+    bool known = g_str_has_suffix(path, ".skv") || g_str_has_suffix(path, ".skvr");
+    char *whole = known ? g_strdup(path) : g_strconcat(path, ".skvr", NULL);
+    skv_session_save(session_of(window), whole);
+    g_free(whole);
+}
+
+static void on_save(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                    gpointer window)
+{
+    char *name = name_with(window, ".skvr");
+    GtkFileChooser *chooser = ask(window, _("Save What Happened"), name, save);
+    add_filter(chooser, _("Replays: all from the start"), (const char *const[]){"skvr", NULL});
+    add_filter(chooser, _("States: this moment alone"), (const char *const[]){"skv", NULL});
+    g_free(name);
+}
+
+/* The picture as it is shown, with all that lies over it. */
+static void save_picture(PlayWindow *window, const char *path)
+{
+    GtkWidget *stage = GTK_WIDGET(play_window_worlds(window)); /* both, of two */
+    int width = gtk_widget_get_width(stage), height = gtk_widget_get_height(stage);
+    GdkPaintable *paintable = gtk_widget_paintable_new(stage);
+    GtkSnapshot *snapshot = gtk_snapshot_new();
+    gdk_paintable_snapshot(paintable, snapshot, width, height);
+    GskRenderNode *node = gtk_snapshot_free_to_node(snapshot);
+    GskRenderer *renderer = gtk_native_get_renderer(gtk_widget_get_native(stage));
+    GdkTexture *texture = node ? gsk_renderer_render_texture(renderer, node, NULL) : NULL;
+    if (texture && gdk_texture_save_to_png(texture, path)) {
+        play_window_toast(window, _("The picture was saved"));
+    } else {
+        char *text = g_strdup_printf(_("%s cannot be written; choose another folder."), path);
+        play_window_complain(window, text);
+        g_free(text);
+    }
+    g_clear_object(&texture);
+    g_clear_pointer(&node, gsk_render_node_unref);
+    g_object_unref(paintable);
+}
+
+static void on_screenshot(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                          gpointer window)
+{
+    char *name = name_with(window, ".png");
+    add_filter(ask(window, _("Save a Picture"), name, save_picture), _("Pictures (PNG)"),
+               (const char *const[]){"png", NULL});
+    g_free(name);
+}
+
+/* Videos: first the log as a file in a folder of its own, then its last seconds are rendered. A
+ * window that is closed meanwhile goes once that has been stopped, so that nothing is left behind.
+ */
+
+typedef struct video {
+    PlayWindow *window;
+    char *folder, *replay, *path;
+    gint64 moment;
+    gulong waiting; /* for the log */
+    gulong closing; /* for the window */
+    bool closed;
+    GCancellable *stop;
+} video;
+
+static void end_video(video *v)
+{
+    play_window_set_progress(v->window, -1);
+    g_object_set_data(G_OBJECT(v->window), "video", NULL);
+    g_signal_handler_disconnect(v->window, v->closing);
+    if (v->closed)
+        gtk_window_destroy(GTK_WINDOW(v->window));
+    g_remove(v->replay);
+    g_rmdir(v->folder);
+    g_free(v->folder);
+    g_free(v->replay);
+    g_free(v->path);
+    g_object_unref(v->stop);
+    g_object_unref(v->window);
+    g_free(v);
+}
+
+static gboolean on_close(GtkWindow *window, video *v)
+{
+    v->closed = true;
+    g_cancellable_cancel(v->stop);
+    gtk_widget_set_visible(GTK_WIDGET(window), FALSE);
+    return GDK_EVENT_STOP;
+}
+
+static void on_recorded(double share, bool ended, const char *error, gpointer data)
+{
+    video *v = data;
+    if (!ended) {
+        play_window_set_progress(v->window, share);
+        return;
+    }
+    if (error)
+        play_window_complain(v->window, error);
+    else
+        play_window_toast(v->window, _("The video was saved"));
+    end_video(v);
+}
+
+static void on_log_saved(G_GNUC_UNUSED PlayView *view, const char *error, video *v)
+{
+    g_signal_handler_disconnect(play_window_view(v->window), v->waiting);
+    if (error) {
+        play_window_complain(v->window, error);
+        end_video(v);
+        return;
+    }
+    play_record(v->replay, v->path, v->moment, VIDEO_SECONDS,
+                play_view_style(play_window_view(v->window)), v->stop, on_recorded, v);
+}
+
+static void record(PlayWindow *window, const char *path)
+{
+    if (g_object_get_data(G_OBJECT(window), "video")) {
+        play_window_complain(window, _("A video is being made already."));
+        return;
+    }
+    char *folder = g_dir_make_tmp("skvalp-XXXXXX", NULL);
+    if (!folder) {
+        play_window_complain(window, _("There is no room for temporary files."));
+        return;
+    }
+    video *v = g_new0(video, 1);
+    *v = (video){.window = g_object_ref(window),
+                 .folder = folder,
+                 .replay = g_build_filename(folder, "log.skvr", NULL),
+                 .path = g_strdup(path),
+                 .moment = play_view_picture(play_window_view(window))->moment,
+                 .stop = g_cancellable_new()};
+    g_object_set_data(G_OBJECT(window), "video", v);
+    v->closing = g_signal_connect(window, "close-request", G_CALLBACK(on_close), v);
+    v->waiting = g_signal_connect(play_window_view(window), "saved", G_CALLBACK(on_log_saved), v);
+    play_window_set_progress(window, 0);
+    skv_session_save(session_of(window), v->replay);
+}
+
+static void on_record(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                      gpointer window)
+{
+    char *name = name_with(window, ".mp4");
+    add_filter(ask(window, _("Save the Last 10 Seconds"), name, record), _("Videos (MP4)"),
+               (const char *const[]){"mp4", NULL});
+    g_free(name);
+}
+
+static void on_stop_recording(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                              gpointer window)
+{
+    video *v = g_object_get_data(G_OBJECT(window), "video");
+    if (v)
+        g_cancellable_cancel(v->stop);
+}
+
+void play_files_add(PlayWindow *window)
+{
+    static const GActionEntry entries[] = {
+        {.name = "open", .activate = on_open},
+        {.name = "open-scene", .parameter_type = "s", .activate = on_open_scene},
+        {.name = "open-uri", .parameter_type = "s", .activate = on_open_uri},
+        {.name = "save", .activate = on_save},
+        {.name = "screenshot", .activate = on_screenshot},
+        {.name = "record", .activate = on_record},
+        {.name = "stop-recording", .activate = on_stop_recording},
+    };
+    g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
+}

@@ -1,0 +1,281 @@
+/* Probes: what lies over the picture. Invariant: where an instrument is, is the session's; while it
+ * is dragged the session is told, and what is drawn is what the picture says. Only the points of
+ * instruments take the pointer; all else is the view's below. */
+#include "probes.h"
+
+#include <string.h>
+
+#include "asking.h"
+#include "chips.h"
+#include "words.h"
+
+#define GRIP 22.0 /* pixels around a point that take the pointer: a finger's width */
+
+struct _PlayProbes {
+    GtkWidget parent;
+    PlayView *view;
+    PlayChips *chips;
+    guint32 dragged; /* id */
+    int end;         /* of it: 0 or 1 */
+    double grab_x, grab_y;
+};
+
+G_DEFINE_FINAL_TYPE(PlayProbes, play_probes, GTK_TYPE_WIDGET)
+
+/* What can be chosen, by its points: two, if it is a line. */
+static const struct kind {
+    const char *title;
+    skv_instrument_kind kind;
+    bool line;
+} kinds[] = {
+    {N_("Pressure"), SKV_INSTRUMENT_PRESSURE, false},
+    {N_("Speed"), SKV_INSTRUMENT_VELOCITY, false},
+    {N_("Water level"), SKV_INSTRUMENT_LEVEL, true},
+    {N_("Ruler"), SKV_INSTRUMENT_RULER, true},
+    {N_("Flow through a gate"), SKV_INSTRUMENT_GATE, true},
+    {N_("Force on walls"), SKV_INSTRUMENT_FORCE, true},
+};
+
+static const struct kind *kind_of(skv_instrument_kind kind)
+{
+    for (size_t i = 0; i < G_N_ELEMENTS(kinds); i++)
+        if (kinds[i].kind == kind)
+            return &kinds[i];
+    return NULL;
+}
+
+GMenuModel *play_probes_menu(void)
+{
+    GMenu *menu = g_menu_new();
+    for (size_t i = 0; i < G_N_ELEMENTS(kinds); i++) {
+        GMenuItem *item = g_menu_item_new(_(kinds[i].title), NULL);
+        g_menu_item_set_action_and_target(item, "win.measure", "i", kinds[i].kind);
+        g_menu_append_item(menu, item);
+        g_object_unref(item);
+    }
+    return G_MENU_MODEL(menu);
+}
+
+/* Places. */
+
+static void to_widget(PlayProbes *probes, double x, double y, double *px, double *py)
+{
+    skv_camera camera = play_view_camera(probes->view);
+    int scale = gtk_widget_get_scale_factor(GTK_WIDGET(probes));
+    skv_camera_to_view(&camera, x, y, px, py);
+    *px /= scale;
+    *py /= scale;
+}
+
+static void to_world(PlayProbes *probes, double px, double py, double *x, double *y)
+{
+    skv_camera camera = play_view_camera(probes->view);
+    int scale = gtk_widget_get_scale_factor(GTK_WIDGET(probes));
+    skv_camera_to_world(&camera, px * scale, py * scale, x, y);
+    *x = CLAMP(*x, 0, camera.world_width);
+    *y = CLAMP(*y, 0, camera.world_height);
+}
+
+static bool is_near(PlayProbes *probes, double x, double y, double px, double py)
+{
+    double at_x, at_y;
+    to_widget(probes, x, y, &at_x, &at_y);
+    return hypot(at_x - px, at_y - py) < GRIP;
+}
+
+/* The instrument under a place, the last first, and which of its ends; null if there is none. */
+static const skv_probe *find(PlayProbes *probes, double px, double py, int *end)
+{
+    const skv_picture *picture = play_view_picture(probes->view);
+    for (int i = picture->probe_count - 1; i >= 0; i--) {
+        const skv_probe *probe = &picture->probes[i];
+        const struct kind *kind = kind_of(probe->def.kind);
+        *end = kind && kind->line && is_near(probes, probe->def.x1, probe->def.y1, px, py);
+        if (*end || is_near(probes, probe->def.x0, probe->def.y0, px, py))
+            return probe;
+    }
+    return NULL;
+}
+
+static gboolean contains(GtkWidget *widget, double x, double y)
+{
+    int end;
+    return PLAY_PROBES(widget)->view && find(PLAY_PROBES(widget), x, y, &end) != NULL;
+}
+
+void play_probes_add(PlayProbes *probes, int number)
+{
+    skv_instrument_kind wanted = (skv_instrument_kind)number;
+    const struct kind *kind = kind_of(wanted);
+    const skv_picture *picture = play_view_picture(probes->view);
+    if (!kind || picture->opened == 0)
+        return;
+    skv_camera camera = play_view_camera(probes->view);
+    skv_instrument_def def = skv_default_instrument_def(kind->kind);
+    double reach = 0.15 * MIN(camera.world_width, camera.world_height) / camera.zoom;
+    /* Beside the one before, so that two do not hide each other; low, where water is. */
+    double shift = 0.05 * camera.world_width * (picture->probe_count % 8 - 3);
+    def.x0 = def.x1 = camera.centre_x + shift;
+    def.y0 = def.y1 = camera.centre_y - 0.2 * camera.world_height / camera.zoom;
+    if (wanted == SKV_INSTRUMENT_LEVEL)
+        def.y1 = camera.centre_y + 0.4 * camera.world_height / camera.zoom;
+    else if (wanted == SKV_INSTRUMENT_GATE)
+        def.y1 += 2 * reach;
+    else if (kind->line)
+        def.x1 += 2 * reach, def.y1 += wanted == SKV_INSTRUMENT_FORCE ? reach : 0;
+    g_strlcpy(def.name, skv_instrument_kind_name(kind->kind), sizeof def.name);
+    play_ask_probe(probes->view, &def);
+}
+
+/* Dragging. */
+
+static void on_drag_begin(GtkGestureDrag *drag, double px, double py, PlayProbes *probes)
+{
+    const skv_probe *probe = find(probes, px, py, &probes->end);
+    if (!probe) {
+        gtk_gesture_set_state(GTK_GESTURE(drag), GTK_EVENT_SEQUENCE_DENIED);
+        return;
+    }
+    gtk_gesture_set_state(GTK_GESTURE(drag), GTK_EVENT_SEQUENCE_CLAIMED);
+    probes->dragged = probe->id;
+    to_widget(probes, probes->end ? probe->def.x1 : probe->def.x0,
+              probes->end ? probe->def.y1 : probe->def.y0, &probes->grab_x, &probes->grab_y);
+}
+
+static void on_drag_update(G_GNUC_UNUSED GtkGestureDrag *drag, double dx, double dy,
+                           PlayProbes *probes)
+{
+    const skv_picture *picture = play_view_picture(probes->view);
+    for (int i = 0; i < picture->probe_count; i++) {
+        const skv_instrument_def *def = &picture->probes[i].def;
+        if (picture->probes[i].id != probes->dragged)
+            continue;
+        double x, y;
+        to_world(probes, probes->grab_x + dx, probes->grab_y + dy, &x, &y);
+        /* The first point of a line takes the second with it. */
+        double follow_x = probes->end ? 0 : x - def->x0, follow_y = probes->end ? 0 : y - def->y0;
+        if (probes->end)
+            play_ask_move(probes->view, probes->dragged, def->x0, def->y0, x, y);
+        else
+            play_ask_move(probes->view, probes->dragged, x, y, def->x1 + follow_x,
+                          def->y1 + follow_y);
+    }
+}
+
+static bool is_outside(PlayProbes *probes, double px, double py)
+{
+    return px < 0 || py < 0 || px > gtk_widget_get_width(GTK_WIDGET(probes)) ||
+           py > gtk_widget_get_height(GTK_WIDGET(probes));
+}
+
+static void on_drag_end(G_GNUC_UNUSED GtkGestureDrag *drag, double dx, double dy,
+                        PlayProbes *probes)
+{
+    if (probes->dragged && is_outside(probes, probes->grab_x + dx, probes->grab_y + dy))
+        play_ask_remove(probes->view, probes->dragged);
+    probes->dragged = 0;
+}
+
+/* Drawing. */
+
+static void draw_grip(cairo_t *cairo, double x, double y, const char *letter)
+{
+    cairo_set_source_rgba(cairo, 0, 0, 0, 0.75);
+    cairo_arc(cairo, x, y, 11, 0, 2 * G_PI);
+    cairo_fill(cairo);
+    cairo_set_source_rgb(cairo, 1, 0.85, 0.25);
+    cairo_set_line_width(cairo, 2);
+    cairo_arc(cairo, x, y, 10, 0, 2 * G_PI);
+    cairo_stroke(cairo);
+    cairo_text_extents_t size;
+    cairo_set_font_size(cairo, 13);
+    cairo_text_extents(cairo, letter, &size);
+    cairo_move_to(cairo, x - size.width / 2 - size.x_bearing, y - size.height / 2 - size.y_bearing);
+    cairo_show_text(cairo, letter);
+}
+
+static void draw_line(cairo_t *cairo, double x0, double y0, double x1, double y1, bool box)
+{
+    for (int pass = 0; pass < 2; pass++) {
+        if (pass == 0)
+            cairo_set_source_rgba(cairo, 0, 0, 0, 0.6);
+        else
+            cairo_set_source_rgb(cairo, 1, 0.85, 0.25);
+        cairo_set_line_width(cairo, pass == 0 ? 4 : 2);
+        if (box)
+            cairo_rectangle(cairo, MIN(x0, x1), MIN(y0, y1), fabs(x1 - x0), fabs(y1 - y0));
+        cairo_move_to(cairo, x0, y0);
+        if (!box)
+            cairo_line_to(cairo, x1, y1);
+        cairo_stroke(cairo);
+    }
+}
+
+static void snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
+{
+    PlayProbes *probes = PLAY_PROBES(widget);
+    const skv_picture *picture = probes->view ? play_view_picture(probes->view) : NULL;
+    if (!picture || picture->probe_count == 0)
+        return;
+    cairo_t *cairo = gtk_snapshot_append_cairo(
+        snapshot, &GRAPHENE_RECT_INIT(0, 0, (float)gtk_widget_get_width(widget),
+                                      (float)gtk_widget_get_height(widget)));
+    for (int i = 0; i < picture->probe_count; i++) {
+        const skv_probe *probe = &picture->probes[i];
+        const struct kind *kind = kind_of(probe->def.kind);
+        double x0, y0, x1, y1;
+        to_widget(probes, probe->def.x0, probe->def.y0, &x0, &y0);
+        to_widget(probes, probe->def.x1, probe->def.y1, &x1, &y1);
+        if (kind && kind->line) {
+            draw_line(cairo, x0, y0, x1, y1, kind->kind == SKV_INSTRUMENT_FORCE);
+            draw_grip(cairo, x1, y1, "");
+        }
+        draw_grip(cairo, x0, y0, play_chip_number(probe->id));
+    }
+    cairo_destroy(cairo);
+}
+
+static void on_changed(PlayProbes *probes)
+{
+    if (play_view_picture(probes->view)->probe_count > 0)
+        gtk_widget_queue_draw(GTK_WIDGET(probes));
+    if (probes->chips)
+        play_chips_show(probes->chips);
+}
+
+static const char *title_of(skv_instrument_kind number)
+{
+    const struct kind *kind = kind_of(number);
+    return kind ? _(kind->title) : play_word(skv_instrument_kind_name(number));
+}
+
+void play_probes_attach(PlayProbes *probes, PlayView *view, GtkBox *tray)
+{
+    probes->view = view;
+    probes->chips = tray ? play_chips_new(view, tray, title_of) : NULL;
+    g_signal_connect_object(view, "changed", G_CALLBACK(on_changed), probes, G_CONNECT_SWAPPED);
+}
+
+static void finalize(GObject *object)
+{
+    g_clear_pointer(&PLAY_PROBES(object)->chips, play_chips_free);
+    G_OBJECT_CLASS(play_probes_parent_class)->finalize(object);
+}
+
+static void play_probes_class_init(PlayProbesClass *class)
+{
+    G_OBJECT_CLASS(class)->finalize = finalize;
+    GTK_WIDGET_CLASS(class)->snapshot = snapshot;
+    GTK_WIDGET_CLASS(class)->contains = contains;
+    gtk_widget_class_set_accessible_role(GTK_WIDGET_CLASS(class), GTK_ACCESSIBLE_ROLE_GROUP);
+    gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "probes");
+}
+
+static void play_probes_init(PlayProbes *probes)
+{
+    GtkGesture *drag = gtk_gesture_drag_new();
+    g_signal_connect(drag, "drag-begin", G_CALLBACK(on_drag_begin), probes);
+    g_signal_connect(drag, "drag-update", G_CALLBACK(on_drag_update), probes);
+    g_signal_connect(drag, "drag-end", G_CALLBACK(on_drag_end), probes);
+    gtk_widget_add_controller(GTK_WIDGET(probes), GTK_EVENT_CONTROLLER(drag));
+}

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Measures what the solver costs in WebAssembly, in node, beside what it costs natively on this machine;
+# and what a first visit to the page costs.
+set -euo pipefail
+
+program=bench-web.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/lib.sh
+source scripts/lib.sh
+
+usage() {
+    cat <<END
+Usage: scripts/bench-web.sh [BUILD] [--frames N] [--against MODULES]
+
+Takes N frames (default: 150) of the dam break in turn: with SSE2, with AVX2, in WebAssembly, and there
+on two threads. Prints a Markdown table of ns a particle and substep, the least and in brackets the
+median: processor time, for two threads time passed. BUILD (default: build/release) has web_reference,
+which comes with the tests; the modules are those of build/web. --against: modules to compare with, too.
+
+If web/dist is built and there is a Chromium, a first visit follows: seconds until the simulation is there
+and until water is, how far the first second keeps up with real time, and the bytes of each file.
+       scripts/bench-web.sh --visit   measures the visit alone.
+END
+}
+
+measure_visit() {
+    node tests/web/browser/visit.js web/dist
+}
+
+if [[ ${1-} == --visit ]]; then
+    measure_visit
+    exit
+fi
+choose_build "$@"
+shift "$chosen"
+[[ -x $build/web_reference && -e build/web/skvalp.wasm ]] ||
+    die "$build/web_reference or build/web is missing; build them with: ninja -C $build web_reference; ./run.sh web build"
+node web/tools/bench.js "$build" build/web "$@"
+if [[ -e web/dist/index.html ]] && command -v "${SKV_CHROMIUM:-chromium}" >/dev/null; then
+    echo
+    measure_visit
+fi

@@ -1,0 +1,213 @@
+/* Vertices: from particles to what they show. Invariant: everything follows from the frame alone,
+ * so that a moment looks the same however one came to it. */
+#include "render/vertices.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "render/look.h"
+
+/* Beside a wall particles lie in layers, and the pressure goes up and down from one to the next:
+ * the first, this close in spacings, has a quarter more than the fluid behind it, the second less.
+ * With this trust in the first they make up for each other. */
+#define FIRST_LAYER 0.85f
+#define FIRST_TRUST 0.4f
+
+/* Light goes that share of the depth that the fluid may have. */
+#define CLARITY 0.28
+
+/* Foam begins, and covers everything, where particles differ so much from the fluid around them;
+ * shares of the speed of a fall through that depth. */
+#define FOAM_BEGINS 0.04f
+#define FOAM_COVERS 0.20f
+
+/* How much of a particle's own colour shows; the rest is its surroundings'. */
+#define OWN_COLOR 0.35f
+
+void skv_vertices_destroy(skv_vertices *vertices)
+{
+    skv_free(vertices->list);
+    skv_free(vertices->trusts);
+    skv_mesh_destroy(&vertices->mesh);
+    *vertices = (skv_vertices){0};
+}
+
+static skv_result grow(skv_vertices *vertices, int count, skv_error *error)
+{
+    if (count <= vertices->capacity)
+        return SKV_OK;
+    size_t capacity = (size_t)count + (size_t)count / 2;
+    skv_vertex *list = skv_calloc(capacity, sizeof *list);
+    float *trusts = skv_calloc(capacity, sizeof *trusts);
+    if (!list || !trusts) {
+        skv_free(list);
+        skv_free(trusts);
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the picture of %d particles",
+                        count);
+    }
+    skv_free(vertices->list);
+    skv_free(vertices->trusts);
+    vertices->list = list;
+    vertices->trusts = trusts;
+    vertices->capacity = (int)capacity;
+    return SKV_OK;
+}
+
+static bool touches_wall(const skv_frame *frame, int i)
+{
+    float first_layer = FIRST_LAYER * frame->spacing;
+    return skv_terrain_distance(frame->terrain, frame->particles.x[i], frame->particles.y[i]) <
+           first_layer;
+}
+
+/* Pressure, averaged with the neighbours'. What is averaged is its difference from the pressure of
+ * fluid at rest, p - rho g x: beside a wall the neighbours are all on one side, and the average of
+ * p itself would be that of a place further in. */
+static void fill_pressure(skv_vertices *vertices, const skv_frame *frame, double range)
+{
+    const skv_particles particles = frame->particles;
+    skv_mesh *mesh = &vertices->mesh;
+    double slope_x = (double)frame->density * (double)frame->gravity_x / range;
+    double slope_y = (double)frame->density * (double)frame->gravity_y / range;
+    double sum = 0, trusted = 0;
+    skv_mesh_begin_values(mesh);
+    for (int i = 0; i < particles.count; i++) {
+        bool touches = touches_wall(frame, i);
+        double pressure = (double)particles.pressure[i] / range;
+        double rest = slope_x * (double)particles.x[i] + slope_y * (double)particles.y[i];
+        vertices->trusts[i] = touches ? FIRST_TRUST : 1;
+        vertices->list[i].value = (float)(pressure - rest);
+        sum += (double)vertices->trusts[i] * (pressure - rest);
+        trusted += (double)vertices->trusts[i];
+    }
+    /* The mean is taken out too: small numbers are summed up more exactly. */
+    double mean = trusted > 0 ? sum / trusted : 0;
+    for (int i = 0; i < particles.count; i++)
+        skv_mesh_add_value(mesh, particles.x[i], particles.y[i],
+                           vertices->list[i].value - (float)mean, vertices->trusts[i]);
+    for (int i = 0; i < particles.count; i++) {
+        float value = skv_mesh_value(mesh, particles.x[i], particles.y[i], 0);
+        vertices->list[i].value = vertices->trusts[i] * value;
+        vertices->list[i].second = vertices->trusts[i];
+    }
+    vertices->slope[0] = slope_x;
+    vertices->slope[1] = slope_y;
+    vertices->slope[2] = mean;
+}
+
+static void fill_speed(skv_vertices *vertices, const skv_frame *frame, double range)
+{
+    const skv_particles particles = frame->particles;
+    for (int i = 0; i < particles.count; i++) {
+        float speed = hypotf(particles.vx[i], particles.vy[i]);
+        vertices->list[i].value = fminf(speed / (float)range, 4);
+        vertices->list[i].second = 1;
+    }
+}
+
+/* Particles per area where there is room for them, as a share of the legend's scale. */
+static void fill_density(skv_vertices *vertices, const skv_frame *frame, const skv_legend *legend)
+{
+    const skv_particles particles = frame->particles;
+    float low = (float)legend->low, width = (float)(legend->high - legend->low);
+    for (int i = 0; i < particles.count; i++) {
+        float density = skv_mesh_density(&vertices->mesh, particles.x[i], particles.y[i]);
+        vertices->list[i].value = fminf(fmaxf((density - low) / width, -1), 2);
+        vertices->list[i].second = 1;
+    }
+}
+
+static void fill_depth(skv_vertices *vertices, const skv_frame *frame)
+{
+    const skv_particles particles = frame->particles;
+    skv_mesh_find_depth(&vertices->mesh);
+    float per_metre = (float)(1 / (CLARITY * skv_look_depth(frame)));
+    for (int i = 0; i < particles.count; i++) {
+        float depth = skv_mesh_depth(&vertices->mesh, particles.x[i], particles.y[i]);
+        vertices->list[i].value = depth < FLT_MAX ? fminf(per_metre * depth, 4) : 4;
+        vertices->list[i].second = 1;
+    }
+}
+
+/* Foam is where particles do not move as the fluid around them does, on average over them. */
+static void fill_foam(skv_vertices *vertices, const skv_frame *frame)
+{
+    const skv_particles particles = frame->particles;
+    skv_mesh *mesh = &vertices->mesh;
+    float to_share = (float)(1 / skv_look_speed(frame));
+    skv_mesh_begin_values(mesh);
+    for (int i = 0; i < particles.count; i++) {
+        float vx, vy;
+        skv_mesh_velocity(mesh, particles.x[i], particles.y[i], &vx, &vy);
+        float apart = hypotf(particles.vx[i] - vx, particles.vy[i] - vy) * to_share;
+        skv_mesh_add_value(mesh, particles.x[i], particles.y[i], fminf(apart, 1), 1);
+    }
+    for (int i = 0; i < particles.count; i++) {
+        float apart = skv_mesh_value(mesh, particles.x[i], particles.y[i], 0);
+        float foam = (apart - FOAM_BEGINS) / (FOAM_COVERS - FOAM_BEGINS);
+        vertices->list[i].second = fminf(fmaxf(foam, 0), 1);
+    }
+}
+
+static bool has_dye(const skv_particles *particles, int dye)
+{
+    return particles->count > 0 && particles->dye &&
+           memchr(particles->dye, dye, (size_t)particles->count) != NULL;
+}
+
+/* Particles show their own colour and that of the fluid around them: where fluids mix it becomes
+ * cloudy as ink does, not speckled. */
+static void fill_dyes(skv_vertices *vertices, const skv_frame *frame)
+{
+    const skv_particles particles = frame->particles;
+    skv_mesh *mesh = &vertices->mesh;
+    for (int dye = 1; dye <= SKV_DYES; dye++) {
+        if (!has_dye(&particles, dye))
+            continue;
+        vertices->dyed = true;
+        skv_mesh_begin_values(mesh);
+        for (int i = 0; i < particles.count; i++)
+            skv_mesh_add_value(mesh, particles.x[i], particles.y[i], particles.dye[i] == dye, 1);
+        for (int i = 0; i < particles.count; i++) {
+            float around = skv_mesh_value(mesh, particles.x[i], particles.y[i], 0);
+            float own = particles.dye[i] == dye;
+            vertices->list[i].dyes[dye - 1] =
+                (uint8_t)(255 * (around + OWN_COLOR * (own - around)) + 0.5f);
+        }
+    }
+}
+
+skv_result skv_vertices_fill(skv_vertices *vertices, const skv_frame *frame, skv_view view,
+                             const skv_legend *legend, bool foam, uint64_t walls_key,
+                             skv_error *error)
+{
+    const skv_particles particles = frame->particles;
+    skv_result result = grow(vertices, particles.count, error);
+    if (result == SKV_OK)
+        result = skv_mesh_begin(&vertices->mesh, frame, walls_key, error);
+    if (result != SKV_OK)
+        return result;
+    vertices->count = particles.count;
+    vertices->foamy = foam;
+    vertices->dyed = false;
+    for (int k = 0; k < 3; k++)
+        vertices->slope[k] = 0;
+    for (int i = 0; i < particles.count; i++)
+        vertices->list[i] = (skv_vertex){.x = particles.x[i], .y = particles.y[i]};
+    skv_mesh_add_motion(&vertices->mesh);
+    if (view == SKV_VIEW_PRESSURE)
+        fill_pressure(vertices, frame, legend->high);
+    else if (view == SKV_VIEW_SPEED)
+        fill_speed(vertices, frame, legend->high);
+    else if (view == SKV_VIEW_DENSITY)
+        fill_density(vertices, frame, legend);
+    if (view == SKV_VIEW_WATER || view == SKV_VIEW_FLUID) {
+        fill_depth(vertices, frame);
+        fill_dyes(vertices, frame);
+    }
+    if (foam)
+        fill_foam(vertices, frame);
+    return SKV_OK;
+}

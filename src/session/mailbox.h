@@ -1,0 +1,91 @@
+/* The mailbox: what the face's thread asks of the session's, in order. One writes, one reads, and
+ * neither waits for the other. */
+#ifndef SKV_SESSION_MAILBOX_H
+#define SKV_SESSION_MAILBOX_H
+
+#include <stdatomic.h>
+
+#include "skvalp/session.h"
+
+typedef enum skv_message_kind {
+    SKV_MESSAGE_OPEN, /* request */
+    SKV_MESSAGE_SAVE, /* request */
+    SKV_MESSAGE_EDIT, /* request: a command */
+    SKV_MESSAGE_SHARE,
+    SKV_MESSAGE_LOOK, /* at what has changed */
+    SKV_MESSAGE_STEP,
+    SKV_MESSAGE_SPEED, /* x */
+    SKV_MESSAGE_SEEK,  /* frame */
+    SKV_MESSAGE_UNDO,
+    SKV_MESSAGE_REDO,
+    SKV_MESSAGE_GO_BACK, /* frame */
+    SKV_MESSAGE_REPLAY,  /* number: only what was shared */
+    SKV_MESSAGE_LED,     /* number */
+    SKV_MESSAGE_PLAY,    /* play */
+    SKV_MESSAGE_GRAVITY, /* x, y */
+    SKV_MESSAGE_PUSH,    /* x, y */
+    SKV_MESSAGE_TOOL,    /* number */
+    SKV_MESSAGE_BRUSH,   /* x */
+    SKV_MESSAGE_DYE,     /* number */
+    SKV_MESSAGE_POINTER, /* pointer */
+    SKV_MESSAGE_CANCEL,
+    SKV_MESSAGE_PROBE_ADD,   /* probe */
+    SKV_MESSAGE_PROBE_MOVE,  /* probe: number and points */
+    SKV_MESSAGE_PROBE_WATCH, /* probe: number and watched */
+    SKV_MESSAGE_PROBE_REMOVE /* probe: number */
+} skv_message_kind;
+
+/* What does not fit into a message; one block of memory that goes to the reader. */
+typedef struct skv_request {
+    const char *name; /* a path, a label */
+    const char *text; /* a format, a value; may be null */
+    const void *data; /* may be null */
+    size_t size;
+    skv_scene_options options;
+} skv_request;
+
+/* request.c: with all that it points at; null if memory is out. To be freed. */
+skv_request *skv_request_copy(const skv_request *from);
+
+typedef struct skv_message {
+    skv_message_kind kind;
+    union {
+        skv_request *request;
+        int64_t frame;
+        int number;
+        struct {
+            double x, y;
+        };
+        struct {
+            int frames;
+            double factor;
+        } play;
+        skv_pointer_event pointer; /* px, py in metres, y up */
+        struct {
+            uint32_t id;
+            bool watched;
+            skv_instrument_def def;
+        } probe;
+    };
+} skv_message;
+
+enum {
+    SKV_MAILBOX_SIZE = 512,
+    /* Moves of pointers leave so much room for what must not be lost. */
+    SKV_MAILBOX_RESERVE = 256
+};
+
+typedef struct skv_mailbox {
+    _Alignas(64) atomic_uint written;
+    _Alignas(64) atomic_uint taken;
+    skv_message list[SKV_MAILBOX_SIZE];
+} skv_mailbox;
+
+/* False if there is no room. */
+bool skv_mailbox_put(skv_mailbox *box, const skv_message *message);
+
+/* The next message, null if there is none; it is there until it is dropped. */
+const skv_message *skv_mailbox_next(skv_mailbox *box);
+void skv_mailbox_drop(skv_mailbox *box);
+
+#endif

@@ -1,0 +1,29 @@
+/* Probes: a session's instruments, read by the worker and shown in pictures. */
+#ifndef SKV_SESSION_PROBES_H
+#define SKV_SESSION_PROBES_H
+
+#include "session/gallery.h"
+#include "session/mailbox.h"
+
+typedef struct skv_probes {
+    skv_lab *lab; /* made with the first probe */
+    struct {
+        uint32_t id; /* the session's */
+        skv_instrument instrument;
+        bool watched;
+    } list[SKV_MOST_PROBES];
+    int count;
+} skv_probes;
+
+void skv_probes_destroy(skv_probes *probes);
+
+/* Reads them; nothing without a probe. */
+skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, skv_error *error);
+
+/* Does what a message of theirs says. */
+skv_result skv_probes_handle(skv_probes *probes, const skv_message *message, skv_error *error);
+
+/* Paints them. */
+void skv_probes_paint(const skv_probes *probes, skv_canvas *canvas);
+
+#endif

@@ -1,0 +1,285 @@
+/* Replays (docs/session.md): writing them, and reading them whoever wrote them. A saved one holds
+ * the state that it began with; one to be shared only the scene, from which that is made again.
+ *
+ * Invariant: a log that skv_player_load has let through consists of whole records in order; what
+ * they ask of the world the world checks when they are played.
+ */
+#include "base/assert.h"
+#include "base/envelope.h"
+#include "base/memory.h"
+#include "scene/recipe.h"
+#include "session/packed_log.h"
+#include "session/player.h"
+
+#include <string.h>
+
+static const skv_envelope kind = {"replay", 'R', 2, 0};
+
+/* ---- Writing --------------------------------------------------------------------------------- */
+
+/* What a replay consists of, beside the recipe. */
+typedef struct parts {
+    const skv_player *player;
+    int64_t end;
+    uint8_t *start; /* a snapshot with terrain; null: none */
+    size_t start_size;
+    uint8_t *log; /* packed */
+    size_t log_size;
+} parts;
+
+static void put_part(skv_writer *w, const uint8_t *bytes, size_t size)
+{
+    skv_put(w, size, 8);
+    if (w->bytes && size)
+        memcpy(w->bytes + w->used, bytes, size);
+    w->used += size;
+}
+
+static size_t put_all(const parts *p, uint8_t *bytes)
+{
+    skv_writer writer = {bytes, 0}, *w = &writer;
+    skv_envelope_put(w, &kind, 0);
+    skv_put_text(w, skv_version());
+    skv_put(w, (uint64_t)p->end, 4);
+    put_part(w, p->player->recipe, p->player->recipe_size);
+    put_part(w, p->start, p->start_size);
+    put_part(w, p->log, p->log_size);
+    if (bytes)
+        skv_envelope_seal(bytes, writer.used);
+    return writer.used;
+}
+
+static skv_result write_all(const parts *p, skv_write *write, void *user, skv_error *error)
+{
+    size_t size = put_all(p, NULL);
+    uint8_t *bytes = skv_calloc(size, 1);
+    if (!bytes)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a replay");
+    put_all(p, bytes);
+    bool written = write((const char *)bytes, size, user);
+    skv_free(bytes);
+    return written ? SKV_OK : skv_fail(error, SKV_ERROR_FILE, "the replay could not be written");
+}
+
+static skv_result save_start(parts *p, const skv_world *start, skv_error *error)
+{
+    p->start_size = skv_world_snapshot_size(start, true);
+    p->start = skv_calloc(p->start_size, 1);
+    return p->start ? skv_world_save(start, true, p->start, p->start_size, error)
+                    : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a replay");
+}
+
+/* Copies the log up to a position, with or without its checks, and ends it with one if the world is
+ * there. */
+static skv_result copy_log(const skv_player *player, skv_position until, bool checks, skv_log *log,
+                           skv_error *error)
+{
+    skv_result result = SKV_OK;
+    for (size_t at = 0; at < until.at && result == SKV_OK;) {
+        skv_command command;
+        size_t next = skv_log_read(&player->log, at, &command);
+        if (checks || command.kind != SKV_COMMAND_CHECK)
+            result = skv_log_append_bytes(log, player->log.bytes + at, next - at, error);
+        at = next;
+    }
+    if (result == SKV_OK && player->now.frame == until.frame && player->now.at == until.at) {
+        skv_command check = {.kind = SKV_COMMAND_CHECK, .hash = skv_world_hash(player->world)};
+        result = skv_log_append(log, until.frame, &check, error);
+    }
+    return result;
+}
+
+static skv_result pack_log(parts *p, skv_position until, bool checks, const skv_world *start,
+                           skv_error *error)
+{
+    skv_log log = {0};
+    skv_steps steps = skv_steps_of(start);
+    skv_result result = copy_log(p->player, until, checks, &log, error);
+    if (result == SKV_OK) {
+        p->log = skv_log_pack(&log, &steps, &p->log_size);
+        if (!p->log)
+            result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a replay");
+    }
+    skv_free(log.bytes);
+    return result;
+}
+
+static skv_result write_replay(const skv_player *player, skv_position until, bool shared,
+                               skv_write *write, void *user, skv_error *error)
+{
+    /* The start is the first key frame, whose terrain need not be the present one. */
+    skv_world *start = NULL;
+    parts p = {.player = player, .end = until.frame};
+    skv_result result = skv_player_make_start(player, &start, error);
+    if (result != SKV_OK)
+        return result;
+    if (!shared)
+        result = save_start(&p, start, error);
+    if (result == SKV_OK)
+        result = pack_log(&p, until, !shared, start, error);
+    if (result == SKV_OK)
+        result = write_all(&p, write, user, error);
+    skv_world_destroy(start);
+    skv_free(p.start);
+    skv_free(p.log);
+    return result;
+}
+
+skv_result skv_player_save(const skv_player *player, skv_write *write, void *user, skv_error *error)
+{
+    SKV_ASSERT_OR(player && write && !player->seeking, SKV_ERROR_VALUE);
+    skv_position end = {player->end, player->log.size};
+    return write_replay(player, end, false, write, user, error);
+}
+
+/* Whether this library makes the start of a saved replay from its scene. */
+static bool makes_start(const skv_player *player)
+{
+    skv_scene *scene = NULL;
+    skv_world *made = NULL, *start = NULL;
+    bool same =
+        skv_recipe_load(player->recipe, player->recipe_size, NULL, &scene, NULL) == SKV_OK &&
+        skv_scene_create_world(scene, 1, &made, NULL) == SKV_OK &&
+        skv_player_make_start(player, &start, NULL) == SKV_OK &&
+        skv_world_hash(made) == skv_world_hash(start);
+    skv_world_destroy(made);
+    skv_world_destroy(start);
+    skv_scene_destroy(scene);
+    return same;
+}
+
+skv_result skv_player_share(const skv_player *player, skv_write *write, void *user,
+                            skv_error *error)
+{
+    SKV_ASSERT_OR(player && write && !player->seeking, SKV_ERROR_VALUE);
+    if (!player->recipe)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "it began with a state, or with too large a picture, which no link can "
+                        "hold; save it as a file");
+    if (player->saved_start && !makes_start(player))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "this version of skvalp makes another start of its scene; share the file");
+    return write_replay(player, player->now, true, write, user, error);
+}
+
+/* ---- Reading --------------------------------------------------------------------------------- */
+
+/* A part of the file, null if it is longer than what is left. */
+static const uint8_t *get_part(skv_reader *r, size_t *size)
+{
+    uint64_t length = skv_get(r, 8);
+    if (r->failed || length > r->size - r->at)
+        return NULL;
+    const uint8_t *bytes = r->bytes + r->at;
+    r->at += (size_t)length;
+    *size = (size_t)length;
+    return bytes;
+}
+
+/* Makes a player from a snapshot. The world is made twice if threads are shared: whoever loads a
+ * world gives it threads of its own. */
+static skv_result begin(const uint8_t *data, size_t size, const skv_player_def *def,
+                        skv_player **player, skv_error *error)
+{
+    skv_world *world = NULL;
+    skv_result result = skv_world_load(data, size, def->pool ? 1 : def->threads, &world, error);
+    if (result != SKV_OK)
+        return result;
+    result = skv_player_begin(world, NULL, def, player, error);
+    if (result != SKV_OK) {
+        skv_world_destroy(world);
+        return result;
+    }
+    (*player)->saved_start = true;
+    if (!def->pool)
+        return SKV_OK;
+    skv_world *shared = NULL;
+    result = skv_player_make_start(*player, &shared, error);
+    if (result == SKV_OK) {
+        skv_world_destroy(world);
+        (*player)->world = shared;
+    }
+    return result;
+}
+
+/* Makes a player at a replay's start: from the state, if it is there, and else from the scene. A
+ * scene that this library does not have is missed only for its title. */
+static skv_result begin_replay(const uint8_t *recipe, size_t recipe_size, const uint8_t *start,
+                               size_t start_size, const skv_player_def *def, skv_player **player,
+                               skv_error *error)
+{
+    skv_scene *scene = NULL;
+    skv_result result = SKV_OK;
+    bool saved = start_size && !def->changed, taken = false;
+    if (recipe_size)
+        result = skv_recipe_load(recipe, recipe_size, def->changed, &scene, error);
+    if (saved) {
+        result = begin(start, start_size, def, player, error);
+        if (result == SKV_OK && scene)
+            result = skv_player_take_scene(*player, scene, error);
+        taken = result == SKV_OK;
+    } else if (result == SKV_OK && scene) {
+        result = skv_player_create(scene, def, player, error);
+        taken = result == SKV_OK;
+    } else if (result == SKV_OK) {
+        result = SKV_ERROR_FORMAT;
+        skv_fail(error, result, "it is missing; take another copy");
+    }
+    if (!taken)
+        skv_scene_destroy(scene);
+    return result;
+}
+
+static skv_result take_log(skv_player *player, const uint8_t *log, size_t size, int64_t end,
+                           bool checks, skv_error *error)
+{
+    skv_error cause;
+    skv_result result = skv_log_unpack(&player->log, log, size, end, checks, &cause);
+    if (result != SKV_OK)
+        return skv_fail(error, result, "replay: %s", cause.text);
+    player->end = end;
+    return skv_player_find_marks(player, 0, error);
+}
+
+static skv_result read_replay(skv_reader *r, const skv_player_def *def, skv_player **player,
+                              skv_error *error)
+{
+    char version[256];
+    unsigned flags;
+    size_t recipe_size = 0, start_size = 0, log_size = 0;
+    skv_result result = skv_envelope_open(r, &kind, &flags, error);
+    if (result != SKV_OK)
+        return result;
+    skv_get_text(r, version);
+    int64_t end = (int64_t)skv_get(r, 4);
+    const uint8_t *recipe = get_part(r, &recipe_size);
+    const uint8_t *start = recipe ? get_part(r, &start_size) : NULL;
+    const uint8_t *log = start ? get_part(r, &log_size) : NULL;
+    if (!log || r->at != r->size)
+        return skv_fail(error, SKV_ERROR_FORMAT, "replay: it is damaged; take another copy");
+    skv_error cause;
+    result = begin_replay(recipe, recipe_size, start, start_size, def, player, &cause);
+    if (result != SKV_OK)
+        return skv_fail(error, result, "replay: its start: %s", cause.text);
+    return take_log(*player, log, log_size, end, !def->changed, error);
+}
+
+skv_result skv_player_load(const void *data, size_t size, const skv_player_def *def,
+                           skv_player **player, skv_error *error)
+{
+    SKV_ASSERT_OR(player, SKV_ERROR_VALUE);
+    *player = NULL;
+    SKV_ASSERT_OR(data, SKV_ERROR_VALUE);
+    skv_player_def plain = skv_default_player_def();
+    def = def ? def : &plain;
+    SKV_ASSERT_OR(def->cookie == plain.cookie, SKV_ERROR_VALUE);
+    skv_reader reader = {.bytes = data, .size = size};
+    bool replay = skv_envelope_is(&kind, data, size);
+    skv_result result =
+        replay ? read_replay(&reader, def, player, error) : begin(data, size, def, player, error);
+    if (result != SKV_OK) {
+        skv_player_destroy(*player);
+        *player = NULL;
+    }
+    return result;
+}

@@ -1,0 +1,84 @@
+/* The worker: what is open, and what the session's thread does with it. A session without a thread
+ * of its own lets it work within its calls. */
+#ifndef SKV_SESSION_WORKER_H
+#define SKV_SESSION_WORKER_H
+
+#include "base/platform.h"
+#include "session/gallery.h"
+#include "session/mailbox.h"
+#include "session/pace.h"
+#include "session/player.h"
+#include "session/probes.h"
+#include "session/tools.h"
+
+enum { SKV_REPORTS = 16 };
+
+/* What a link holds. */
+typedef struct skv_shared {
+    size_t size;
+    char bytes[];
+} skv_shared;
+
+typedef struct skv_worker {
+    skv_mailbox mailbox; /* between the threads */
+    skv_session_def def;
+    skv_pool *pool;
+
+    /* Between the threads. */
+    skv_gallery gallery;
+    atomic_llong elapsed;         /* ns that have passed and were not taken yet */
+    atomic_uint posted;           /* rises with everything that may concern the worker */
+    atomic_uint settled;          /* up to which of these all is done and can be seen */
+    atomic_int drawing;           /* us that the last picture took to draw */
+    atomic_uint played;           /* frames of those granted */
+    skv_threads *threads;         /* where both wait for the counters above */
+    _Atomic(skv_shared *) shared; /* who takes it out owns it; null: none, or taken out */
+    skv_outcome reports[SKV_REPORTS];
+    atomic_uint reported, reports_taken;
+
+    /* The worker's own. */
+    skv_player *player; /* null: nothing is open */
+    skv_opened *opened;
+    skv_pace pace;
+    skv_toolbox tools;
+    skv_probes probes;
+    double tilt_x, tilt_y; /* gravity as asked for, in units of the scene's own */
+    skv_hand hands[SKV_MAX_HANDS];
+    int hand_count;
+    bool tilt_pending;
+    bool following;   /* plays what a replay says, until somebody takes over */
+    bool followed;    /* to the end */
+    bool again;       /* it was played here before: nobody recorded it */
+    bool led;         /* frames are granted (led.h) */
+    bool hands_known; /* the world's are these */
+    bool begins;      /* an edit, with the next command that the world takes */
+    bool refused;     /* an edit was, since the last picture: said once */
+    bool changed;     /* since the last picture */
+
+    /* Between the threads, again. */
+    atomic_bool paused;
+    atomic_bool active;
+    atomic_bool quit;
+} skv_worker;
+
+/* Nothing open, nothing asked for; pool and threads are the session's affair. */
+void skv_worker_start(skv_worker *worker, const skv_session_def *def);
+/* Frees what is open and what was not looked at. */
+void skv_worker_close(skv_worker *worker);
+
+/* Does all that there is to do. */
+void skv_worker_pump(skv_worker *worker);
+
+/* openings.c: opens what a request says; saves to where it says; makes what a link holds. Report by
+ * themselves. */
+void skv_worker_open(skv_worker *worker, const skv_request *request);
+void skv_worker_save(skv_worker *worker, const skv_request *request);
+void skv_worker_share(skv_worker *worker);
+
+/* scenery.c: tells the face, with the next picture. */
+void skv_worker_report(skv_worker *worker, skv_outcome_kind kind, const skv_error *error);
+/* Hangs up a picture of everything; false if that has to wait. */
+bool skv_worker_publish(skv_worker *worker);
+bool skv_worker_at_rest(const skv_worker *worker);
+
+#endif

@@ -1,0 +1,303 @@
+/* How fluid lies: bodies of it in square cells, along gravity and across it.
+ *
+ * Cells are so large that each one inside a fresh lattice holds a particle. Those that touch, with
+ * no wall between, are a body; those of it above each other are a column. What is beside a cell of
+ * it is fluid, a wall, or air. A body rests if there is no air below or beside it, and all the air
+ * above it is at one level.
+ *
+ * Invariant: cells, and what is found of them, follow from the particles and their order alone.
+ */
+#include "world/bodies.h"
+
+#include "base/exact.h"
+#include "base/memory.h"
+
+#include <math.h>
+
+#define CELL_SIZE  1.5f /* spacings */
+#define WALL_REACH 4.0f /* spacings: from one cell's particle to the next one's */
+#define AIR        4.0f /* spacings: through a cell, another, and a row that is missing at a wall */
+#define ONE_LEVEL  3.0f /* spacings: two cells */
+
+/* Beside a cell: above, below, and to either side. */
+enum { ABOVE, BELOW, SIDES = 2, NEIGHBOURS = 4 };
+static const int column_step[NEIGHBOURS] = {0, 0, -1, 1};
+static const int row_step[NEIGHBOURS] = {1, -1, 0, 0};
+
+typedef struct cell {
+    int column, row; /* across gravity, and against it */
+    int particle;    /* one of its */
+    int next;        /* in the same slot, as in `head` */
+    int body;        /* -1 at first */
+    unsigned air;    /* a bit for each side with air beside it */
+    float high, low; /* its particles, along gravity; then the column's highest and lowest */
+    bool carried;    /* its column is */
+    bool measured;
+} cell;
+
+typedef struct body {
+    float highest, lowest; /* its free surface, along gravity */
+    float lowest_side;     /* the lowest place with air beside it */
+    bool falls;            /* there is air below some of it */
+} body;
+
+typedef struct bodies {
+    const skv_world *world;
+    float ux, uy;  /* upwards: against gravity */
+    float size;    /* of a cell, m */
+    unsigned mask; /* of the table's slots, a power of two less one */
+    int *head;     /* by slot: number of the last cell put there, from 1; 0: none */
+    cell *cells;
+    int cell_count;
+    body *bodies;
+    int *stack; /* cells whose neighbours have to be looked at */
+} bodies;
+
+static float along(const bodies *b, int particle)
+{
+    const skv_state *s = &b->world->state;
+    return s->x[particle] * b->ux + s->y[particle] * b->uy;
+}
+
+static float across(const bodies *b, int particle)
+{
+    const skv_state *s = &b->world->state;
+    return s->x[particle] * b->uy - s->y[particle] * b->ux;
+}
+
+static int cell_number(const bodies *b, float place)
+{
+    return (int)floorf(place / b->size);
+}
+
+/* ---- Cells ----------------------------------------------------------------------------------- */
+
+static int *slot_of(const bodies *b, int column, int row)
+{
+    unsigned key = (unsigned)column * 0x9e3779b1u ^ (unsigned)row * 0x85ebca6bu;
+    return &b->head[(key ^ key >> 15) & b->mask];
+}
+
+/* The cell there; null if it is empty. */
+static cell *find(const bodies *b, int column, int row)
+{
+    int number = *slot_of(b, column, row);
+    while (number) {
+        cell *c = &b->cells[number - 1];
+        if (c->column == column && c->row == row)
+            return c;
+        number = c->next;
+    }
+    return NULL;
+}
+
+static cell *cell_of(const bodies *b, int particle)
+{
+    return find(b, cell_number(b, across(b, particle)), cell_number(b, along(b, particle)));
+}
+
+static void put_into_cells(bodies *b)
+{
+    for (int i = 0; i < b->world->state.count; i++) {
+        float height = along(b, i);
+        cell *c = cell_of(b, i);
+        if (c) {
+            c->high = skv_maxf(c->high, height);
+            c->low = skv_minf(c->low, height);
+            continue;
+        }
+        int column = cell_number(b, across(b, i)), row = cell_number(b, height);
+        int *slot = slot_of(b, column, row);
+        b->cells[b->cell_count] =
+            (cell){column, row, i, *slot, -1, 0, height, height, false, false};
+        *slot = ++b->cell_count;
+    }
+}
+
+/* Whether no wall stands between the fluid of two cells. */
+static bool touch(const bodies *b, const cell *a, const cell *c)
+{
+    const skv_state *s = &b->world->state;
+    const skv_terrain *terrain = b->world->terrain;
+    float x = s->x[a->particle], y = s->y[a->particle];
+    return skv_terrain_distance(terrain, x, y) > WALL_REACH * b->world->fluid.spacing ||
+           !(skv_terrain_sweep(terrain, x, y, s->x[c->particle], s->y[c->particle], 0) < 1);
+}
+
+/* The cell at a side of another with fluid that touches its fluid; null if there is none. A cell
+ * that is cut by a wall or by the surface may be empty inside the fluid: then one beside it. */
+static cell *connected(const bodies *b, const cell *c, int side)
+{
+    static const int aside[] = {0, -1, 1};
+    for (int k = 0; k < 3; k++) {
+        int column = c->column + (side < SIDES ? aside[k] : column_step[side]);
+        int row = c->row + (side < SIDES ? row_step[side] : aside[k]);
+        cell *other = find(b, column, row);
+        if (other && touch(b, c, other))
+            return other;
+    }
+    return NULL;
+}
+
+/* Looks for air beside every cell, from each of its particles: a hole in a wall may be narrower
+ * than a cell. */
+static void look_for_air(const bodies *b)
+{
+    const skv_state *s = &b->world->state;
+    float reach = AIR * b->world->fluid.spacing;
+    for (int i = 0; i < s->count; i++) {
+        cell *c = cell_of(b, i);
+        for (int side = 0; side < NEIGHBOURS; side++) {
+            if (c->air & 1u << side || connected(b, c, side))
+                continue;
+            float up = reach * (float)row_step[side], aside = reach * (float)column_step[side];
+            float to_x = s->x[i] + up * b->ux + aside * b->uy;
+            float to_y = s->y[i] + up * b->uy - aside * b->ux;
+            if (!(skv_terrain_sweep(b->world->terrain, s->x[i], s->y[i], to_x, to_y, 0) < 1))
+                c->air |= 1u << side;
+        }
+    }
+}
+
+/* ---- Bodies ---------------------------------------------------------------------------------- */
+
+static void note_air(body *whole, const cell *c, int side)
+{
+    if (side == ABOVE) {
+        whole->highest = skv_maxf(whole->highest, c->high);
+        whole->lowest = skv_minf(whole->lowest, c->high);
+    } else if (side == BELOW) {
+        whole->falls = true;
+    } else {
+        whole->lowest_side = skv_minf(whole->lowest_side, c->high);
+    }
+}
+
+/* Finds all cells of a body from one of them. */
+static void spread(bodies *b, cell *first, int number)
+{
+    body *whole = &b->bodies[number];
+    *whole = (body){.highest = -INFINITY, .lowest = INFINITY, .lowest_side = INFINITY};
+    first->body = number;
+    int waiting = 0;
+    b->stack[waiting++] = (int)(first - b->cells);
+    while (waiting) {
+        const cell *c = &b->cells[b->stack[--waiting]];
+        for (int side = 0; side < NEIGHBOURS; side++) {
+            cell *beside = connected(b, c, side);
+            if (!beside) {
+                if (c->air & 1u << side)
+                    note_air(whole, c, side);
+            } else if (beside->body < 0) {
+                beside->body = number;
+                b->stack[waiting++] = (int)(beside - b->cells);
+            }
+        }
+    }
+}
+
+static bool rests(const bodies *b, const body *whole)
+{
+    float step = ONE_LEVEL * b->world->fluid.spacing;
+    return !whole->falls && !(whole->highest - whole->lowest > step) &&
+           !(whole->highest - whole->lowest_side > step);
+}
+
+/* Measures the column below a cell that nothing of it is above. */
+static void measure_column(const bodies *b, cell *top)
+{
+    float high = top->high, low = top->low;
+    const cell *last = top;
+    for (const cell *c = top; c; c = connected(b, c, BELOW)) {
+        low = c->low;
+        last = c;
+    }
+    bool carried = !(last->air & 1u << BELOW);
+    for (cell *c = top; c; c = connected(b, c, BELOW)) {
+        c->high = high;
+        c->low = low;
+        c->carried = carried;
+        c->measured = true;
+    }
+}
+
+/* A cell that no column goes through is as the one above it. */
+static void measure_like_above(const bodies *b, cell *c)
+{
+    const cell *above = c;
+    for (int i = 0; above && !above->measured && i < b->cell_count; i++)
+        above = connected(b, above, ABOVE);
+    if (above && above->measured) {
+        c->high = above->high;
+        c->low = skv_minf(above->low, c->low);
+        c->carried = above->carried;
+    }
+}
+
+static void measure_columns(const bodies *b)
+{
+    for (int c = 0; c < b->cell_count; c++)
+        if (!connected(b, &b->cells[c], ABOVE))
+            measure_column(b, &b->cells[c]);
+    for (int c = 0; c < b->cell_count; c++)
+        if (!b->cells[c].measured)
+            measure_like_above(b, &b->cells[c]);
+}
+
+/* ---- Particles ------------------------------------------------------------------------------- */
+
+static void judge(const bodies *b, skv_lies *lies)
+{
+    float half = 0.5f * b->world->fluid.spacing;
+    for (int i = 0; i < b->world->state.count; i++) {
+        const cell *c = cell_of(b, i);
+        const body *whole = &b->bodies[c->body];
+        bool resting = rests(b, whole);
+        lies->lie[i] = (uint8_t)(resting ? SKV_RESTS : c->carried ? SKV_LEANS : SKV_HANGS);
+        /* Below a roof the level outside counts. */
+        float level = resting && whole->highest > c->high ? whole->highest : c->high;
+        float whole_depth = level + half - (c->low - half), depth = level + half - along(b, i);
+        float weight = 0.5f * (whole_depth * whole_depth - depth * depth);
+        lies->weight[i] = lies->lie[i] == SKV_HANGS ? 0 : skv_maxf(weight, 0);
+    }
+}
+
+skv_result skv_world_find_lies(const skv_world *world, skv_lies *lies, skv_error *error)
+{
+    int count = world->state.count;
+    float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
+    for (int i = 0; i < count; i++) {
+        lies->lie[i] = SKV_HANGS;
+        lies->weight[i] = 0;
+    }
+    if (!(g > 0) || count == 0)
+        return SKV_OK;
+    float spacing = world->fluid.spacing;
+    bodies b = {.world = world,
+                .ux = -world->gravity_x / g,
+                .uy = -world->gravity_y / g,
+                .size = CELL_SIZE * spacing,
+                .mask = 1023};
+    while (b.mask < (unsigned)count)
+        b.mask = 2 * b.mask + 1;
+    size_t most = (size_t)count;
+    b.head = skv_calloc((size_t)b.mask + 1, sizeof *b.head);
+    b.cells = skv_calloc(most, sizeof *b.cells);
+    b.bodies = skv_calloc(most, sizeof *b.bodies);
+    b.stack = skv_calloc(most, sizeof *b.stack);
+    bool enough = b.head && b.cells && b.bodies && b.stack;
+    if (enough) {
+        put_into_cells(&b);
+        look_for_air(&b);
+        for (int c = 0, number = 0; c < b.cell_count; c++)
+            if (b.cells[c].body < 0)
+                spread(&b, &b.cells[c], number++);
+        measure_columns(&b);
+        judge(&b, lies);
+    }
+    skv_free(b.head);
+    skv_free(b.cells);
+    skv_free(b.bodies);
+    skv_free(b.stack);
+    return enough ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");
+}

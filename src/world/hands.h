@@ -1,0 +1,10 @@
+/* Hands, for acting.c. */
+#ifndef SKV_WORLD_HANDS_H
+#define SKV_WORLD_HANDS_H
+
+#include "world/acting.h"
+
+skv_pull skv_hand_pull(const skv_hand *hand, float dt);
+skv_result skv_exchange_hands(skv_port *port, skv_acting *acting, skv_error *error);
+
+#endif

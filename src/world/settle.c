@@ -1,0 +1,168 @@
+/* Settling: fluid put down as a lattice is relaxed where it lies, so that it begins at rest.
+ *
+ * A fresh lattice is no fluid at rest: it bears no weight yet, and it does not fit its walls. The
+ * corrections of the first substeps would become velocities, the greater, the shorter a substep is.
+ * Here the lattice takes on the weight above it, sinking by as much as that will compress it, and
+ * takes substeps of which it keeps the places alone. Velocities last from one to the next, a little
+ * less each time: so disorder travels to where it can leave instead of creeping there. They
+ * begin in the longest substeps that hold the fluid, which become shorter by halves down to the
+ * world's own: a stiff fluid hardly moves once its neighbours are in its way.
+ *
+ * Only fluid that rests has its weight meanwhile. What is going to flow or to fall is relaxed
+ * without any, and so keeps its shape; it takes on the weight at last.
+ *
+ * Invariant: time, velocities and the order of the particles stay; the same world gives the same
+ * places on any number of threads.
+ */
+#include "base/assert.h"
+#include "base/memory.h"
+#include "world/bodies.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    FIRST_ROUNDS = 200,   /* of the longest substeps */
+    LATER_ROUNDS = 60,    /* each time they have become shorter */
+    UNAIDED_ROUNDS = 600, /* instead of both, for a law that does not say how far to sink */
+    LEAST_ROUNDS = 20,
+    MOST_WORK = 4000000 /* particles times rounds: many particles get fewer of them */
+};
+#define KEPT 0.97f /* share of the velocity that lasts from one round to the next */
+
+typedef struct settling {
+    skv_world *world;
+    skv_fluid_def fluid; /* without friction of any kind */
+    skv_lies lies;
+    float *vx, *vy; /* what the particles had */
+    double carried; /* 1/c^2 of the substeps whose weight they have taken on, s^2/m^2 */
+    skv_constants constants;
+} settling;
+
+/* 1/c^2; 0 for a law that has no speed of sound: its fluid sinks, wave by wave, as it is relaxed.
+ */
+static double softness_of(const settling *s, int substeps)
+{
+    double c = skv_speed_of_sound(&s->fluid, 1.0 / 60 / substeps);
+    return c > 0 ? 1 / (c * c) : 0;
+}
+
+/* Moves those that lie like this along gravity by what their column gives way. */
+static void sink(const settling *s, skv_lie lie, double softness)
+{
+    skv_world *world = s->world;
+    skv_state *p = &world->state;
+    for (int i = 0; i < p->count; i++) {
+        if (s->lies.lie[i] != lie)
+            continue;
+        float way = (float)((double)s->lies.weight[i] * softness);
+        skv_boundary_move(&world->boundary, &p->x[i], &p->y[i], way * world->gravity_x,
+                          way * world->gravity_y, &p->clearance[i]);
+    }
+}
+
+static skv_result take_round(const settling *s, skv_error *error)
+{
+    skv_world *world = s->world;
+    skv_state *p = &world->state;
+    float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
+    for (int i = 0; i < p->count; i++) {
+        float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
+        p->vx[i] = KEPT * p->vx[i] + weighs * x;
+        p->vy[i] = KEPT * p->vy[i] + weighs * y;
+    }
+    skv_pull pulls[SKV_SOLVER_MOST_PULLS];
+    skv_solver_step step = skv_world_describe_step(world, &s->constants, pulls);
+    step.gravity_x = step.gravity_y = 0;
+    step.pull_count = 0;
+    skv_result result = world->solver->type->reserve(world->solver, &step, error);
+    if (result == SKV_OK)
+        world->solver->type->advance(world->solver, &step);
+    return result;
+}
+
+/* Relaxes in substeps of one length. */
+static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
+{
+    double softness = softness_of(s, substeps);
+    int most = MOST_WORK / s->world->state.count;
+    most = most > LEAST_ROUNDS ? most : LEAST_ROUNDS;
+    rounds = softness > 0 ? rounds : UNAIDED_ROUNDS;
+    rounds = rounds < most ? rounds : most;
+    s->constants = skv_make_constants(&s->fluid, 1.0f / 60 / (float)substeps);
+    sink(s, SKV_RESTS, softness - s->carried);
+    s->carried = softness;
+    skv_result result = SKV_OK;
+    for (int r = 0; r < rounds && result == SKV_OK; r++)
+        result = take_round(s, error);
+    return result;
+}
+
+static skv_result relax_all(settling *s, skv_error *error)
+{
+    const skv_world *world = s->world;
+    float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
+    float depth = world->filled * skv_extent_along_gravity(world);
+    int last = world->substeps, substeps = skv_substep_rule(&s->fluid, g, depth, 0);
+    substeps = substeps < last ? substeps : last;
+    skv_result result = relax(s, substeps, FIRST_ROUNDS, error);
+    while (substeps < last && result == SKV_OK) {
+        substeps = 2 * substeps < last ? 2 * substeps : last;
+        result = relax(s, substeps, LATER_ROUNDS, error);
+    }
+    if (result == SKV_OK)
+        sink(s, SKV_LEANS, s->carried);
+    return result;
+}
+
+/* Gives back the velocities; the places are where the fluid is now. The pressure of what bore no
+ * weight tells nothing. */
+static void finish(const settling *s)
+{
+    skv_world *world = s->world;
+    skv_state *p = &world->state;
+    size_t bytes = (size_t)p->count * sizeof(float);
+    memcpy(p->vx, s->vx, bytes);
+    memcpy(p->vy, s->vy, bytes);
+    memcpy(p->anchor_x, p->x, bytes);
+    memcpy(p->anchor_y, p->y, bytes);
+    for (int i = 0; i < p->count; i++)
+        if (s->lies.lie[i] != SKV_RESTS)
+            p->pressure[i] = 0;
+    skv_sleep_wake_all(world);
+    skv_world_regroup(world);
+}
+
+skv_result skv_world_settle(skv_world *world, skv_error *error)
+{
+    SKV_ASSERT_OR(world && !world->stepping, SKV_ERROR_VALUE);
+    skv_state *p = &world->state;
+    size_t count = (size_t)p->count;
+    if (count == 0)
+        return SKV_OK;
+    settling s = {.world = world, .fluid = world->fluid};
+    s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
+    s.fluid.wall_friction = 0;
+    float *numbers = skv_calloc(3 * count, sizeof *numbers);
+    s.lies.lie = skv_calloc(count, sizeof *s.lies.lie);
+    skv_result result = SKV_OK;
+    if (!numbers || !s.lies.lie)
+        result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");
+    if (result == SKV_OK) {
+        s.vx = numbers;
+        s.vy = numbers + count;
+        s.lies.weight = numbers + 2 * count;
+        result = skv_world_find_lies(world, &s.lies, error);
+    }
+    if (result == SKV_OK) {
+        memcpy(s.vx, p->vx, count * sizeof(float));
+        memcpy(s.vy, p->vy, count * sizeof(float));
+        memset(p->vx, 0, count * sizeof(float));
+        memset(p->vy, 0, count * sizeof(float));
+        result = relax_all(&s, error);
+        finish(&s);
+    }
+    skv_free(numbers);
+    skv_free(s.lies.lie);
+    return result;
+}

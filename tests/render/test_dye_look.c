@@ -1,0 +1,245 @@
+/* Dye as it looks: colours that every eye tells apart and that stand out against walls, in views of
+ * water alone, and mixed where fluids meet. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "render/look.h"
+#include "render/picture.h"
+
+/* ---- Eyes ------------------------------------------------------------------------------------ */
+
+/* What of linear red, green and blue reaches eyes of full colour vision, and those that lack one
+ * kind of cone (Machado, Oliveira and Fernandes 2009). */
+static const double eyes[4][3][3] = {
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+    {{0.152286, 1.052583, -0.204868},
+     {0.114503, 0.786281, 0.099216},
+     {-0.003882, -0.048116, 1.051998}},
+    {{0.367322, 0.860646, -0.227968},
+     {0.280085, 0.672501, 0.047413},
+     {-0.011820, 0.042940, 0.968881}},
+    {{1.255528, -0.076749, -0.178779},
+     {-0.078411, 0.930809, 0.147602},
+     {0.004733, 0.691367, 0.303900}},
+};
+
+static double linear(double c)
+{
+    return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+}
+
+static void times(const double m[3][3], const double in[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = m[i][0] * in[0] + m[i][1] * in[1] + m[i][2] * in[2];
+}
+
+/* A colour in Oklab (Ottosson 2020), in which equal distances look about equal: black and white are
+ * 1 apart. */
+static void seen_by(int eye, const float color[3], double lab[3])
+{
+    static const double to_cones[3][3] = {{0.4122214708, 0.5363325363, 0.0514459929},
+                                          {0.2119034982, 0.6806995451, 0.1073969566},
+                                          {0.0883024619, 0.2817188376, 0.6299787005}};
+    static const double to_lab[3][3] = {{0.2104542553, 0.7936177850, -0.0040720468},
+                                        {1.9779984951, -2.4285922050, 0.4505937099},
+                                        {0.0259040371, 0.7827717662, -0.8086757660}};
+    double light[3], seen[3], cones[3];
+    for (int k = 0; k < 3; k++)
+        light[k] = linear((double)color[k]);
+    times(eyes[eye], light, seen);
+    for (int k = 0; k < 3; k++)
+        seen[k] = fmin(fmax(seen[k], 0), 1);
+    times(to_cones, seen, cones);
+    for (int k = 0; k < 3; k++)
+        cones[k] = cbrt(cones[k]);
+    times(to_lab, cones, lab);
+}
+
+static double apart(int eye, const float a[3], const float b[3])
+{
+    double x[3], y[3];
+    seen_by(eye, a, x);
+    seen_by(eye, b, y);
+    return sqrt((x[0] - y[0]) * (x[0] - y[0]) + (x[1] - y[1]) * (x[1] - y[1]) +
+                (x[2] - y[2]) * (x[2] - y[2]));
+}
+
+static void every_eye_tells_colours_apart(void **state)
+{
+    (void)state;
+    for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+        const skv_colors *colors = skv_look_colors((skv_palette)palette);
+        float all[SKV_DYES + 1][3];
+        memcpy(all + 1, colors->dyes, sizeof colors->dyes);
+        for (int k = 0; k < 3; k++)
+            all[0][k] = sqrtf(colors->shallow[k] * colors->deep[k]);
+        for (int eye = 0; eye < 4; eye++)
+            for (int i = 0; i <= SKV_DYES; i++)
+                for (int j = 0; j < i; j++)
+                    if (apart(eye, all[i], all[j]) < 0.07)
+                        fail_msg("palette %d, eye %d: %s and %s are %g apart", palette, eye,
+                                 skv_dye_name(i), skv_dye_name(j), apart(eye, all[i], all[j]));
+    }
+}
+
+/* Amber that is dark enough to stand out against light walls turns to mud if it stays yellow: it is
+ * warm in every palette, and pure. */
+static void amber_is_no_mud(void **state)
+{
+    (void)state;
+    for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+        double lab[3];
+        seen_by(0, skv_look_colors((skv_palette)palette)->dyes[1], lab);
+        double purity = sqrt(lab[1] * lab[1] + lab[2] * lab[2]);
+        double hue = atan2(lab[2], lab[1]) * 57.29577951308232;
+        if (purity < 0.12 || hue < 55 || hue > 85)
+            fail_msg("palette %d: amber has the purity %.3f and the hue %.0f", palette, purity,
+                     hue);
+    }
+}
+
+/* ---- Pictures -------------------------------------------------------------------------------- */
+
+enum { WIDTH = 640, HEIGHT = 360 };
+
+/* Walls all around 0.4 m of water, the left half of one colour and the right half of another. */
+static skv_world *make_basin(int left, int right)
+{
+    char text[400];
+    const char *form =
+        "{\"particles\": 2000, \"solid\": [{\"shape\": \"box\", \"x1\": 0.2}, {\"shape\": "
+        "\"box\", \"x0\": 1.4}], \"water\": [{\"shape\": \"box\", \"x1\": 0.8, \"y1\": "
+        "0.5, \"dye\": \"%s\"}, {\"shape\": \"box\", \"x0\": 0.8, \"y1\": 0.5, \"dye\": "
+        "\"%s\"}]}";
+    skv_format(text, sizeof text, form, skv_dye_name(left), skv_dye_name(right));
+    skv_scene *scene;
+    skv_world *world;
+    assert_int_equal(skv_scene_load_memory(text, strlen(text), "json", "basin", NULL, &scene, NULL),
+                     SKV_OK);
+    assert_int_equal(skv_scene_create_world(scene, 1, &world, NULL), SKV_OK);
+    skv_scene_destroy(scene);
+    return world;
+}
+
+static skv_render_style style_of(skv_palette palette, skv_view view, skv_detail detail)
+{
+    skv_render_style style = skv_default_render_style();
+    style.palette = palette;
+    style.view = view;
+    style.detail = detail;
+    return style;
+}
+
+/* View pixels of a place in metres. */
+static const uint8_t *pixel(const picture *p, double x, double y)
+{
+    return at(p, (int)(x * WIDTH / 1.6), (int)((0.9 - y) * HEIGHT / 0.9));
+}
+
+static void to_float(const uint8_t *rgb, float color[3])
+{
+    for (int k = 0; k < 3; k++)
+        color[k] = (float)rgb[k] / 255;
+}
+
+/* From just below the surface to the floor: the colour that was asked for, and a contrast of 3:1
+ * with walls and air. In the view of water with and without light, and in that of fluid. */
+static void colours_show_and_stand_out(void **state)
+{
+    (void)state;
+    const struct {
+        skv_view view;
+        skv_detail detail;
+    } ways[] = {{SKV_VIEW_WATER, SKV_DETAIL_FULL},
+                {SKV_VIEW_WATER, SKV_DETAIL_PLAIN},
+                {SKV_VIEW_FLUID, SKV_DETAIL_FULL}};
+    for (int dye = 1; dye <= SKV_DYES; dye++) {
+        skv_world *world = make_basin(dye, dye);
+        for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+            const skv_colors *colors = skv_look_colors((skv_palette)palette);
+            for (int w = 0; w < (dye == 1 ? 3 : 1); w++) {
+                skv_render_style style =
+                    style_of((skv_palette)palette, ways[w].view, ways[w].detail);
+                picture p = shoot(world, &style, WIDTH, HEIGHT);
+                double wall = luminance(pixel(&p, 0.1, 0.3)), air = luminance(pixel(&p, 0.8, 0.8));
+                for (double y = 0.02; y < 0.46; y += 0.04) {
+                    const uint8_t *drawn = pixel(&p, 0.7, y);
+                    float color[3];
+                    to_float(drawn, color);
+                    for (int other = 1; other <= SKV_DYES; other++)
+                        assert_true(apart(0, color, colors->dyes[dye - 1]) <=
+                                    apart(0, color, colors->dyes[other - 1]));
+                    if (contrast(luminance(drawn), wall) < 3 || contrast(luminance(drawn), air) < 3)
+                        fail_msg("%s, palette %d: contrast %.2f with walls, %.2f with air",
+                                 skv_dye_name(dye), palette, contrast(luminance(drawn), wall),
+                                 contrast(luminance(drawn), air));
+                }
+                free(p.rgb);
+            }
+        }
+        skv_world_destroy(world);
+    }
+}
+
+/* Where two meet, colours go over into each other without a step, and multiply: amber and blue make
+ * green. Away from there each is by itself. */
+static void colours_mix_at_borders(void **state)
+{
+    (void)state;
+    skv_world *world = make_basin(2, 0);
+    skv_render_style style = style_of(SKV_PALETTE_DARK, SKV_VIEW_WATER, SKV_DETAIL_FULL);
+    picture p = shoot(world, &style, WIDTH, HEIGHT);
+    double s = (double)skv_world_spacing(world);
+    const uint8_t *amber = pixel(&p, 0.8 - 6 * s, 0.2), *clear = pixel(&p, 0.8 + 6 * s, 0.2);
+    const uint8_t *mixed = pixel(&p, 0.8, 0.2);
+    assert_true(amber[0] > 2 * amber[2] && clear[2] > 2 * clear[0]);
+    assert_true(mixed[1] > mixed[0] && mixed[1] > mixed[2]);
+    int last = -1, steps = 0;
+    for (double x = 0.8 - 6 * s; x < 0.8 + 6 * s; x += 1.6 / WIDTH) {
+        int blue = pixel(&p, x, 0.2)[2];
+        assert_true(last < 0 || blue > last - 12);
+        steps += last >= 0 && blue > last + 2;
+        last = blue;
+    }
+    assert_true(steps > 8);
+    free(p.rgb);
+    skv_world_destroy(world);
+}
+
+/* A colour changes nothing where values are shown, nor where there is none. */
+static void values_know_no_dye(void **state)
+{
+    (void)state;
+    skv_world *dyed = make_basin(1, 3), *clear = make_basin(0, 0);
+    const skv_view views[] = {SKV_VIEW_PRESSURE, SKV_VIEW_SPEED, SKV_VIEW_DENSITY,
+                              SKV_VIEW_PARTICLES, SKV_VIEW_WATER};
+    for (int v = 0; v < 5; v++) {
+        skv_render_style style = style_of(SKV_PALETTE_DARK, views[v], SKV_DETAIL_FULL);
+        picture a = shoot(dyed, &style, WIDTH, HEIGHT), b = shoot(clear, &style, WIDTH, HEIGHT);
+        assert_true((largest_difference(&a, &b) > 0) == (views[v] == SKV_VIEW_WATER));
+        free(a.rgb);
+        free(b.rgb);
+    }
+    skv_world_destroy(dyed);
+    skv_world_destroy(clear);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_eye_tells_colours_apart),
+        cmocka_unit_test(amber_is_no_mud),
+        cmocka_unit_test(colours_show_and_stand_out),
+        cmocka_unit_test(colours_mix_at_borders),
+        cmocka_unit_test(values_know_no_dye),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

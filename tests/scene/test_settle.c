@@ -1,0 +1,273 @@
+/* Scenes begin settled: what can rest where it is begins at rest, however short the substeps are;
+ * what is going to flow or to fall keeps its shape, and all of it its velocity. */
+#include "scene/support.h"
+
+#include "support/fixture.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static skv_world *open_scene(const char *json, int particles, const char *substeps, bool settle,
+                             int threads)
+{
+    const skv_setting settings[] = {{"settle", settle ? "true" : "false"}, {"substeps", substeps}};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = settings;
+    options.setting_count = 2;
+    options.particles = particles;
+    skv_scene *scene;
+    skv_world *world = NULL;
+    skv_error error;
+    if (skv_scene_load_memory(json, strlen(json), "json", "test", &options, &scene, &error) !=
+            SKV_OK ||
+        skv_scene_create_world(scene, threads, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_scene_destroy(scene);
+    return world;
+}
+
+/* The highest rms speed of the first second, m/s. */
+static double unrest(skv_world *world)
+{
+    double worst = 0;
+    for (int frame = 0; frame < 60; frame++) {
+        fixture_run(world, 1);
+        worst = fmax(worst, skv_world_stats(world).rms_speed);
+    }
+    return worst;
+}
+
+static const char pool[] = "{\"water\": [{\"shape\": \"box\", \"y1\": 0.45}]}";
+static const char clavet_pool[] = "{\"fluid\": {\"law\": \"clavet\"},"
+                                  " \"water\": [{\"shape\": \"box\", \"y1\": 0.45}]}";
+
+/* Where the fluid's top is: above it there is nothing. */
+static float top_of(const skv_world *world)
+{
+    skv_particles p = skv_world_particles(world);
+    float top = 0;
+    for (int i = 0; i < p.count; i++)
+        top = fmaxf(top, p.y[i]);
+    return top;
+}
+
+static void pools_begin_at_rest(void **unused)
+{
+    (void)unused;
+    const struct {
+        const char *json;
+        int particles;
+        const char *substeps;
+        double most; /* m/s */
+    } cases[] = {
+        {pool, 295, "0", 0.035},        {pool, 2960, "0", 0.025},
+        {pool, 9946, "0", 0.03},        {pool, 295, "300", 0.06},
+        {pool, 2960, "20", 0.04},       {pool, 1000, "0", 0.03},
+        {clavet_pool, 295, "0", 0.01},  {clavet_pool, 2960, "0", 0.04},
+        {clavet_pool, 9946, "0", 0.04}, {clavet_pool, 295, "40", 0.01},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        skv_world *world =
+            open_scene(cases[i].json, cases[i].particles, cases[i].substeps, true, 2);
+        assert_true(skv_world_time(world) == 0);
+        assert_int_equal(skv_world_substep_count(world), 0);
+        float before = top_of(world);
+        double speed = unrest(world);
+        if (!(speed <= cases[i].most))
+            fail_msg("case %d, %d particles: %.4f m/s", (int)i, cases[i].particles, speed);
+        /* It neither sinks nor swells any more. */
+        assert_near(top_of(world), before, 0.6 * skv_world_spacing(world));
+        skv_world_destroy(world);
+    }
+    skv_world *raw = open_scene(pool, 2960, "0", false, 2);
+    assert_true(unrest(raw) > 0.1);
+    skv_world_destroy(raw);
+}
+
+/* Tanks that are no boxes, and water whose columns end at a roof. */
+static void any_vessel_begins_at_rest(void **unused)
+{
+    (void)unused;
+    const char *const vessels[] = {
+        /* A U-tube with equal levels. */
+        "{\"solid\": [{\"shape\": \"box\", \"x0\": 0.3, \"x1\": 1.3, \"y0\": 0.2}],"
+        " \"water\": [{\"shape\": \"box\", \"y1\": 0.5}]}",
+        /* Slanted walls, steep and shallow. */
+        "{\"solid\": [{\"shape\": \"polygon\", \"points\": [[0, 0], [0.4, 0], [0, 0.9]]},"
+        " {\"shape\": \"polygon\", \"points\": [[0.9, 0], [1.6, 0], [1.6, 0.35]]}],"
+        " \"water\": [{\"shape\": \"box\", \"y1\": 0.5}]}",
+        /* A body in the water, and a thin wall. */
+        "{\"solid\": [{\"shape\": \"box\", \"x0\": 0.5, \"y0\": 0.15, \"x1\": 0.8, \"y1\": 0.3},"
+        " {\"shape\": \"line\", \"thickness\": 0.01, \"points\": [[1.2, 0], [1.2, 0.9]]}],"
+        " \"water\": [{\"shape\": \"box\", \"y1\": 0.45}]}",
+    };
+    for (int i = 0; i < 3; i++) {
+        skv_world *world = open_scene(vessels[i], 2000, "0", true, 2);
+        double speed = unrest(world);
+        if (!(speed <= 0.035))
+            fail_msg("vessel %d: %.4f m/s", i, speed);
+        skv_world_destroy(world);
+    }
+}
+
+/* The mean of the rightmost and of the highest places, in bands of a spacing and a half. */
+static void measure_block(const skv_world *world, double *right, double *top)
+{
+    skv_particles p = skv_world_particles(world);
+    double band = 1.5 * skv_world_spacing(world), highest[64] = {0}, farthest[64] = {0};
+    for (int i = 0; i < p.count; i++) {
+        int row = (int)(p.y[i] / band), column = (int)(p.x[i] / band);
+        if (row < 64)
+            farthest[row] = fmax(farthest[row], p.x[i]);
+        if (column < 64)
+            highest[column] = fmax(highest[column], p.y[i]);
+    }
+    *right = *top = 0;
+    int rows = 0, columns = 0;
+    for (int i = 1; i < 64 && i * band < 0.5; i++, rows++)
+        *right += farthest[i];
+    for (int i = 1; i < 64 && i * band < 0.3; i++, columns++)
+        *top += highest[i];
+    *right /= rows;
+    *top /= columns;
+}
+
+static void a_dam_keeps_its_face(void **unused)
+{
+    (void)unused;
+    const char *dam = "{\"water\": [{\"shape\": \"box\", \"x1\": 0.4, \"y1\": 0.6}]}";
+    skv_world *raw = open_scene(dam, 2000, "0", false, 1);
+    skv_world *settled = open_scene(dam, 2000, "0", true, 1);
+    double spacing = skv_world_spacing(raw), right, top, right_now, top_now;
+    measure_block(raw, &right, &top);
+    measure_block(settled, &right_now, &top_now);
+    assert_near(right_now, right, 0.5 * spacing);
+    /* It is compressed by its weight. */
+    assert_true(top_now < top - 0.5 * spacing && top_now > top - 2.5 * spacing);
+    fixture_run(settled, 30);
+    measure_block(settled, &right_now, &top_now);
+    assert_true(right_now > right + 10 * spacing);
+    skv_world_destroy(raw);
+    skv_world_destroy(settled);
+}
+
+/* The centre of the particles above a height, their extent, and their number. */
+static int measure_above(const skv_world *world, float height, double *x, double *y, double *extent)
+{
+    skv_particles p = skv_world_particles(world);
+    int count = 0;
+    double low = 1, high = 0;
+    *x = *y = 0;
+    for (int i = 0; i < p.count; i++) {
+        if (p.y[i] < height)
+            continue;
+        count++;
+        *x += p.x[i];
+        *y += p.y[i];
+        low = fmin(low, p.y[i]);
+        high = fmax(high, p.y[i]);
+    }
+    *x /= count;
+    *y /= count;
+    *extent = high - low;
+    return count;
+}
+
+/* A disc in the air above a pool that is at rest: it stays, and keeps its speed. */
+static void what_is_in_the_air_stays_and_keeps_its_speed(void **unused)
+{
+    (void)unused;
+    const char *drop = "{\"water\": [{\"shape\": \"box\", \"y1\": 0.25}, {\"shape\": \"circle\","
+                       "\"x\": 0.8, \"y\": 0.65, \"radius\": 0.12, \"vx\": 1.5, \"vy\": -2}]}";
+    skv_world *raw = open_scene(drop, 2000, "0", false, 1);
+    skv_world *settled = open_scene(drop, 2000, "0", true, 1);
+    double spacing = skv_world_spacing(raw), x, y, extent, x_now, y_now, extent_now;
+    int count = measure_above(raw, 0.45f, &x, &y, &extent);
+    assert_int_equal(measure_above(settled, 0.45f, &x_now, &y_now, &extent_now), count);
+    assert_near(x_now, x, 0.05 * spacing);
+    assert_near(y_now, y, 0.05 * spacing);
+    assert_near(extent_now, extent, 1.5 * spacing);
+    skv_particles p = skv_world_particles(settled);
+    for (int i = 0; i < p.count; i++) {
+        bool thrown = p.y[i] > 0.45f;
+        assert_true(p.vx[i] == (thrown ? 1.5f : 0) && p.vy[i] == (thrown ? -2.0f : 0));
+    }
+    skv_world_destroy(raw);
+    skv_world_destroy(settled);
+}
+
+/* Gravity in any direction, and none. */
+static void gravity_may_point_anywhere(void **unused)
+{
+    (void)unused;
+    const char *aside = "{\"gravity\": {\"x\": 9.81, \"y\": 0},"
+                        "\"water\": [{\"shape\": \"box\", \"x0\": 1.2}]}";
+    skv_world *world = open_scene(aside, 2000, "0", true, 1);
+    assert_true(unrest(world) < 0.06);
+    skv_world_destroy(world);
+    const char *none = "{\"gravity\": {\"x\": 0, \"y\": 0},"
+                       "\"water\": [{\"shape\": \"box\", \"x1\": 0.5, \"y1\": 0.5}]}";
+    world = open_scene(none, 1000, "0", true, 1);
+    assert_true(unrest(world) < 0.05);
+    skv_world_destroy(world);
+}
+
+/* The same places on any number of threads; and the same scene once more. */
+static void settling_is_deterministic(void **unused)
+{
+    (void)unused;
+    const char *const scenes[] = {pool, "{\"water\": [{\"shape\": \"box\", \"x1\": 0.4}]}"};
+    for (int i = 0; i < 2; i++) {
+        skv_world *one = open_scene(scenes[i], 1500, "0", true, 1);
+        skv_world *three = open_scene(scenes[i], 1500, "0", true, 3);
+        assert_int_equal(skv_world_hash(one), skv_world_hash(three));
+        fixture_run(one, 5);
+        fixture_run(three, 5);
+        assert_int_equal(skv_world_hash(one), skv_world_hash(three));
+        skv_world_destroy(one);
+        skv_world_destroy(three);
+    }
+}
+
+/* A host that calls it itself: both laws, both solvers, and a world without particles. */
+static void a_host_may_settle(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 4; k++) {
+        skv_law law = k & 1 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED;
+        skv_solver_kind solver = k & 2 ? SKV_SOLVER_REFERENCE : SKV_SOLVER_FAST;
+        double raw = 0, settled = 0;
+        for (int settle = 0; settle < 2; settle++) {
+            skv_world *world = fixture_tank_with(law, solver, 0.04f);
+            assert_int_equal(skv_world_settle(world, NULL), SKV_OK);
+            fixture_fill(world, 0, 0, 1.6f, 0.4f);
+            if (settle)
+                assert_int_equal(skv_world_settle(world, NULL), SKV_OK);
+            fixture_run(world, 1);
+            *(settle ? &settled : &raw) = skv_world_stats(world).rms_speed;
+            skv_world_destroy(world);
+        }
+        assert_true(settled < 0.25 * raw);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pools_begin_at_rest),
+        cmocka_unit_test(any_vessel_begins_at_rest),
+        cmocka_unit_test(a_dam_keeps_its_face),
+        cmocka_unit_test(what_is_in_the_air_stays_and_keeps_its_speed),
+        cmocka_unit_test(gravity_may_point_anywhere),
+        cmocka_unit_test(settling_is_deterministic),
+        cmocka_unit_test(a_host_may_settle),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,160 @@
+// The built page where people will meet it: on a server that knows nothing of isolation, without that
+// server, after a new version, in another page, where nothing can be kept, without workers, and as a file
+// from a disk.
+// Arguments: the folder that was built, and one for another version of it.
+import { cpSync, existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join } from 'node:path';
+
+import { run } from './harness.js';
+
+const [built, other] = process.argv.slice(2);
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.svg': 'image/svg+xml',
+    '.css': 'text/css', '.webmanifest': 'application/manifest+json', '.png': 'image/png' };
+
+function expect(right, what) {
+    if (!right) {
+        throw new Error(`delivery: ${what}`);
+    }
+}
+
+/** A static server like those that give no headers; `folder` may change, `close` is felt at once. */
+function serve(folder) {
+    const asked = [];
+    const self = { folder, asked, origin: '', close: () => {} };
+    const server = createServer(({ url }, response) => {
+        const path = new URL(url, 'http://localhost').pathname;
+        const file = join(self.folder, path.endsWith('/') ? `${path}index.html` : path);
+        asked.push(path);
+        if (path === '/frame.html') {
+            response.writeHead(200, { 'Content-Type': 'text/html' }).end('<link rel="icon" href="data:,"><iframe src="/" width=800 height=600></iframe>');
+        } else if (!existsSync(file)) {
+            response.writeHead(404).end();
+        } else {
+            response.writeHead(200, { 'Content-Type': types[extname(file)] ?? 'application/octet-stream' });
+            response.end(readFileSync(file));
+        }
+    });
+    self.close = () => {
+        server.closeAllConnections();
+        return new Promise((resolve) => server.close(resolve));
+    };
+    server.unref();
+    return new Promise((resolve) => server.listen(0, 'localhost', () => {
+        self.origin = `http://localhost:${server.address().port}`;
+        resolve(self);
+    }));
+}
+
+/** Waits until the fluid of a page or frame has moved. */
+async function plays(frame, what) {
+    const moving = () => /playing/.test(document.body.innerText) && /\b(0\.[2-9]|[1-9]\d*\.\d) s\b/.test(document.body.innerText);
+    await frame.waitForFunction(moving).catch(() => expect(false, `${what}: nothing moves`));
+}
+
+const controlled = () => navigator.serviceWorker.ready.then(() => navigator.serviceWorker.controller !== null);
+const isolated = () => crossOriginIsolated;
+
+/** Sets another version: what any change of the page makes of the folder. */
+function makeOther() {
+    cpSync(built, other, { recursive: true });
+    const script = readdirSync(join(other, 'assets')).find((name) => /^index-.*\.js$/.test(name));
+    const rename = (file) => writeFileSync(join(other, file),
+        readFileSync(join(other, file), 'utf8').replaceAll(script, 'index-changed.js').replace(/version = '/, "version = 'changed"));
+    cpSync(join(other, 'assets', script), join(other, 'assets/index-changed.js'));
+    for (const file of ['index.html', 'service.js', ...readdirSync(join(other, 'assets')).filter((name) => name.endsWith('.js'))
+        .map((name) => `assets/${name}`)]) {
+        rename(file);
+    }
+}
+
+async function checkServed(browser) {
+    const server = await serve(built);
+    const page = await browser.open(`${server.origin}/`);
+    await plays(page, 'the first visit');
+    expect(!(await page.evaluate(isolated)), 'the server isolates: nothing is shown');
+    await page.waitForFunction(controlled);
+
+    await page.reload();
+    await plays(page, 'the second visit');
+    expect(await page.evaluate(isolated), 'the page is not isolated once its service worker is there');
+
+    const inside = await browser.open(`${server.origin}/frame.html`, { context: page.context() });
+    await plays(inside.frames()[1], 'in a frame');
+    expect(!(await inside.frames()[1].evaluate(isolated)), 'a frame says that it is isolated');
+    await inside.close();
+
+    makeOther();
+    server.folder = other;
+    server.asked.length = 0;
+    await page.evaluate(async () => {
+        const renewed = new Promise((resolve) => navigator.serviceWorker.addEventListener('controllerchange', resolve));
+        await (await navigator.serviceWorker.ready).update();
+        await renewed;
+    });
+    expect(!server.asked.some((path) => path.endsWith('.wasm')), 'what had not changed was fetched again');
+    await page.reload();
+    const scripts = () => [...document.scripts].map(({ src }) => src).join();
+    expect((await page.evaluate(scripts)).includes('index-changed'), 'the new version does not come');
+
+    await server.close();
+    await page.reload();
+    await plays(page, 'without the server');
+    expect(await page.evaluate(isolated), 'the page is not isolated without the server');
+    await page.context().close();
+}
+
+/** Where nothing may be kept, it plays all the same. */
+async function checkFull(browser) {
+    const server = await serve(built);
+    const page = await browser.open(`${server.origin}/icon.svg`);
+    const devtools = await page.context().newCDPSession(page);
+    await devtools.send('Storage.overrideQuotaForOrigin', { origin: server.origin, quotaSize: 1000 });
+    const refused = await page.evaluate(async () => {
+        const cache = await caches.open('trial');
+        const error = await cache.put('/trial', new Response('x'.repeat(100000))).catch(({ name }) => name);
+        await caches.delete('trial');
+        return error;
+    });
+    expect(refused === 'QuotaExceededError', `there is room: ${refused}`);
+    await page.goto(`${server.origin}/`);
+    await plays(page, 'with no room to keep anything');
+    await page.waitForFunction(async () => !(await navigator.serviceWorker.getRegistration())?.installing);
+    browser.takeTroubles(); // that the service worker could not be installed
+    expect((await page.evaluate(() => caches.keys())).length === 0, 'something half kept is left');
+    await page.context().close();
+    await server.close();
+}
+
+/** A browser that has neither workers nor memory that they could share. */
+async function checkBare(browser) {
+    const server = await serve(built);
+    const page = await browser.open(`${server.origin}/`, { before: () => {
+        delete window.Worker;
+        delete window.SharedArrayBuffer;
+    } });
+    await plays(page, 'without workers');
+    expect(page.workers().length === 0, 'a worker came from somewhere');
+    await page.getByRole('button', { name: 'Scenes and experiments' }).click();
+    await page.locator('.panel .list button').first().click();
+    await page.locator('.panel').getByRole('button', { name: 'Measure', exact: true }).click();
+    await page.getByRole('alert').filter({ hasText: 'no workers, without which nothing is measured' }).waitFor()
+        .catch(() => expect(false, 'an experiment does not run, and nobody says why'));
+    await page.context().close();
+    await server.close();
+}
+
+async function checkFile(browser) {
+    const page = await browser.open(`file://${built}/skvalp.html`);
+    await plays(page, 'the single file');
+    const text = readFileSync(join(built, 'skvalp.html'), 'utf8');
+    expect(!/(src|href)="(?!data:)/.test(text), 'the single file wants others');
+    await page.context().close();
+}
+
+await run([built], async (browser) => {
+    await checkServed(browser);
+    await checkFull(browser);
+    await checkBare(browser);
+    await checkFile(browser);
+});

@@ -1,0 +1,293 @@
+// The page and the device that it runs on: how that is held, its screen, its fingers and pens, and what
+// it takes away. Arguments: the folder of the built page.
+import assert from 'node:assert/strict';
+
+import {
+    begin, beginAfter, blue, button, carryOut, chooseFromMenu, complaint, devtools, phone, small, stateOf,
+    touch, until,
+} from './people.js';
+
+const [folder] = process.argv.slice(2);
+
+/** Screens that may be turned: their names, in the order of their angles. */
+const held = ['portraitPrimary', 'landscapePrimary', 'portraitSecondary', 'landscapeSecondary'];
+
+/** The screen's size, and by how many quarters it is turned against the device. */
+async function turn(page, width, height, quarters) {
+    await (await devtools(page)).send('Emulation.setDeviceMetricsOverride', {
+        width, height, deviceScaleFactor: 1, mobile: true,
+        screenOrientation: { type: held[quarters], angle: 90 * quarters },
+    });
+}
+
+/** What holds the device up, m/s^2 along its own axes: the sensors' readings from now on. */
+async function hold(page, x, y) {
+    const session = await devtools(page);
+    const still = { 'accelerometer': { x, y, z: 0 }, 'linear-acceleration': { x: 0, y: 0, z: 0 },
+        'gyroscope': { x: 0, y: 0, z: 0 } };
+    for (const [type, xyz] of Object.entries(still)) {
+        if (!page.hasSensors) {
+            await session.send('Emulation.setSensorOverrideEnabled', { enabled: true, type });
+        }
+        await session.send('Emulation.setSensorOverrideReadings', { type, reading: { xyz } });
+    }
+    page.hasSensors = true;
+}
+
+/** Waits until gravity points there, as the screen shows it. */
+const pulls = (page, x, y) => until(page, ([x, y]) => {
+    const { gravity } = window.skvalp.state.value;
+    return Math.hypot(gravity.x - x, gravity.y - y) < 0.1;
+}, `gravity (${x}, ${y})`, [x, y]);
+
+/** Whether all of the world, and of the named controls, is on the screen and not below something else. */
+const fits = (page) => page.evaluate(() => {
+    const { area, camera, width, height } = window.skvalp.state.value.worlds[0];
+    const stage = document.querySelector('.water').getBoundingClientRect();
+    const inside = Math.abs(area.width - stage.width) < 1 && Math.abs(area.height - stage.height) < 1
+        && camera.originX >= -1 && camera.originX + camera.scale * width <= stage.width + 1
+        && camera.originY - camera.scale * height >= -1 && camera.originY <= stage.height + 1;
+    const reached = (element) => {
+        element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+        const { left, top, width, height } = element.getBoundingClientRect();
+        return element.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+    };
+    const hidden = [...document.querySelectorAll('.header button, .dock button, .ball')]
+        .filter((element) => !reached(element)).map((element) => element.ariaLabel ?? element.textContent);
+    return { inside, hidden };
+});
+
+/** As a browser hides a tab that nobody looks at. */
+const hide = (page, hidden) => page.evaluate((hidden) => {
+    Object.defineProperty(document, 'hidden', { value: hidden, configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+}, hidden);
+
+/** What this browser has not, or would not let be seen, before the page begins. */
+const devices = {
+    /** An iPhone: asks before it tells of motion, whose signs are its own; draws on the page. */
+    phone: () => {
+        delete HTMLCanvasElement.prototype.transferControlToOffscreen;
+        Object.defineProperty(navigator, 'platform', { value: 'iPhone' });
+        window.asked = [];
+        window.answer = 'denied';
+        DeviceMotionEvent.requestPermission = async () => {
+            window.asked.push(navigator.userActivation.isActive);
+            return window.answer;
+        };
+    },
+    /** Locks that come when `late` does, and are counted. */
+    awake: () => {
+        window.locks = { asked: 0, came: 0, held: 0, late: Promise.resolve() };
+        const request = async () => {
+            window.locks.asked++;
+            await window.locks.late;
+            window.locks.came++;
+            window.locks.held++;
+            return { released: false, async release() {
+                window.locks.held--;
+                this.released = true;
+            } };
+        };
+        Object.defineProperty(navigator, 'wakeLock', { value: { request } });
+    },
+};
+
+const trials = {
+    async 'water runs to the side that is down'(browser) {
+        const page = await begin(browser, { ...small, touch: true }, '?scene=pool');
+        await hold(page, 0, 9.81);
+        await chooseFromMenu(page, 'Tilt by the Sensor');
+        // The device stands upright; its screen shows the page turned, as if it were locked.
+        const sides = [['y', 1], ['x', 1], ['y', -1], ['x', -1]];
+        for (const [quarters, [axis, sign]] of sides.entries()) {
+            await turn(page, 400, 400, quarters);
+            await pulls(page, axis === 'x' ? sign : 0, axis === 'y' ? -sign : 0);
+            for (let i = 0, middle; i === 0 || sign * (middle[axis] - 0.5) < 0.1; i++) {
+                assert.ok(i < 100, `quarters ${quarters}: water stays at ${JSON.stringify(middle)}`);
+                await page.waitForTimeout(100);
+                middle = await blue(page);
+            }
+        }
+        await turn(page, 400, 400, 0);
+        await hold(page, 0, 4.9);
+        await pulls(page, 0, -0.5);
+        await chooseFromMenu(page, 'Tilt by the Sensor');
+        await hold(page, 9.81, 0);
+        await page.waitForTimeout(300);
+        await pulls(page, 0, -0.5);
+    },
+
+    async 'a turned screen keeps water that is in the air'(browser) {
+        const page = await begin(browser, phone);
+        await until(page, () => window.skvalp.state.value.moment > 25, 'water falls');
+        const { particles, opened } = (await stateOf(page)).worlds[0];
+        await turn(page, 740, 360, 1);
+        await until(page, () => innerWidth === 740 && window.skvalp.state.value.worlds[0].area.width > 400
+            && !window.skvalp.state.value.atRest, 'it lies');
+        const { worlds: [after], moment } = await stateOf(page);
+        assert.deepEqual([after.particles, after.opened], [particles, opened]);
+        assert.deepEqual(await fits(page), { inside: true, hidden: [] });
+        assert.ok((await blue(page)).share > 0.02, 'no water shows');
+        await turn(page, 360, 740, 0);
+        await until(page, ([moment]) => innerWidth === 360 && window.skvalp.state.value.moment > moment
+            && window.skvalp.state.value.worlds[0].area.width <= 360, 'it stands', [moment]);
+        assert.deepEqual(await fits(page), { inside: true, hidden: [] });
+    },
+
+    async 'a newcomer holds water with two fingers and tilts the tank'(browser) {
+        const begun = Date.now();
+        const page = await begin(browser, phone);
+        const came = Date.now() - begun;
+        await page.getByText('Drag the white ball').waitFor();
+        await until(page, () => window.skvalp.state.value.moment > 30, 'water lies below');
+        const { x, y } = await blue(page);
+        const [left, top] = [360 * x, (await page.locator('canvas.canvas').boundingBox()).height * y];
+        await touch(page, 'touchStart', [left - 30, top]);
+        await page.waitForTimeout(200);
+        await touch(page, 'touchStart', [left - 30, top], [left + 30, top]);
+        for (let i = 1; i <= 10; i++) {
+            await touch(page, 'touchMove', [left - 30, top - 20 * i], [left + 30, top - 20 * i]);
+        }
+        await until(page, () => window.skvalp.state.value.worlds[0].hands === 2, 'two hands');
+        const between = { x: left - 40, y: top - 220, width: 80, height: 40 };
+        for (let i = 0; (await blue(page, between)).share < 0.2; i++) {
+            assert.ok(i < 20, 'no water comes with the fingers');
+        }
+        await touch(page, 'touchEnd');
+        const ball = await page.getByRole('slider', { name: 'Gravity' }).boundingBox();
+        const middle = [ball.x + ball.width / 2, ball.y + ball.height / 2];
+        await touch(page, 'touchStart', [middle[0], middle[1] + ball.height / 4]);
+        await touch(page, 'touchMove', [middle[0] + ball.width / 4, middle[1] + 4]);
+        await touch(page, 'touchEnd');
+        await until(page, () => window.skvalp.state.value.gravity.x > 0.7, 'the tank is tilted');
+        console.log(`water after ${came} ms; two fingers and one drag later, ${Date.now() - begun} ms after `
+            + 'opening, it was held and tilted');
+        assert.equal(await page.locator('dialog').count(), 0);
+    },
+
+    async 'who is asked for the sensor may say no'(browser) {
+        const page = await begin(browser, { ...small, touch: true, before: devices.phone });
+        assert.deepEqual(await page.evaluate(() => window.asked), [], 'asked without a tap');
+        await chooseFromMenu(page, 'Tilt by the Sensor');
+        await complaint(page, /allow motion.*gravity ball/);
+        assert.deepEqual(await page.evaluate(() => window.asked), [true], 'asked without a tap');
+        const ball = page.getByRole('slider', { name: 'Gravity' });
+        await ball.click({ position: { x: 48, y: 32 } });
+        await until(page, () => window.skvalp.state.value.gravity.x > 0.7, 'the ball tilts');
+        // And another time yes. It says what pulls, where others say what holds.
+        await page.evaluate(() => (window.answer = 'granted'));
+        await chooseFromMenu(page, 'Tilt by the Sensor');
+        await until(page, () => {
+            const accelerationIncludingGravity = { x: -9.81, y: 0, z: 0 };
+            window.dispatchEvent(new DeviceMotionEvent('devicemotion', { accelerationIncludingGravity }));
+            return window.skvalp.state.value.gravity.x < -0.9;
+        }, 'gravity to the left');
+    },
+
+    async 'a page that nobody sees waits, and goes on where it was'(browser) {
+        const page = await begin(browser, { ...small, before: devices.awake });
+        const locks = (asked, held) => until(page, ([asked, held]) => {
+            const now = window.locks;
+            return now.asked === asked && now.came === asked && now.held === held;
+        }, `${held} of ${asked} locks`, [asked, held]);
+        await locks(1, 1);
+        await hide(page, true);
+        await locks(1, 0);
+        await page.evaluate(() => window.skvalp.simulation.catalogue()); // what was under way has been told
+        await page.waitForTimeout(200);
+        const { moment } = await stateOf(page);
+        const drawn = await blue(page);
+        await page.waitForTimeout(700);
+        const later = [(await stateOf(page)).moment, await blue(page)];
+        assert.deepEqual(later, [moment, drawn], 'it goes on hidden');
+        await page.evaluate(() => {
+            window.later = [];
+            window.skvalp.state.subscribe(({ moment }) => window.later.push(moment));
+        });
+        await hide(page, false);
+        await until(page, ([moment]) => window.later.at(-1) > moment, 'it goes on', [moment]);
+        const next = (await page.evaluate(() => window.later)).find((later) => later > moment);
+        assert.ok(next <= moment + 10, `${next - moment} frames were made up for`);
+        await locks(2, 1);
+        await page.keyboard.press(' ');
+        await locks(2, 0);
+        // What is asked for and comes when it is no longer wanted is given back.
+        await page.evaluate(() => {
+            window.locks.late = new Promise((resolve) => (window.locks.come = resolve));
+        });
+        await page.keyboard.press(' ');
+        await until(page, () => window.locks.asked === 3, 'a lock is asked for');
+        await page.keyboard.press(' ');
+        await until(page, () => window.skvalp.state.value.paused, 'it stands still');
+        await page.evaluate(() => window.locks.come());
+        await locks(3, 0);
+    },
+
+    async 'two fingers at once zoom, a pen draws, a touch knocks, and the screen is full'(browser) {
+        const page = await begin(browser, { ...small, touch: true, before: () => {
+            window.knocks = 0;
+            navigator.vibrate = () => ++window.knocks;
+        } });
+        await touch(page, 'touchStart', [180, 150], [220, 150]);
+        for (const reach of [30, 40, 60, 80]) {
+            await touch(page, 'touchMove', [200 - reach, 150], [200 + reach, 150]);
+        }
+        await until(page, () => window.skvalp.state.value.worlds[0].camera.zoom > 2, 'larger');
+        assert.equal((await stateOf(page)).worlds[0].hands, 0);
+        await touch(page, 'touchEnd');
+        assert.equal(await page.evaluate(() => visualViewport.scale), 1);
+
+        await button(page, 'Wall').click();
+        assert.equal(await page.evaluate(() => window.knocks), 1);
+        const pen = async (type, x, y, buttons) => (await devtools(page)).send('Input.dispatchMouseEvent', {
+            type, x, y, buttons, button: 'left', clickCount: 1, pointerType: 'pen', force: 0.4,
+        });
+        await pen('mousePressed', 250, 100, 1);
+        await pen('mouseMoved', 300, 120, 1);
+        await pen('mouseReleased', 300, 120, 0);
+        await until(page, () => window.skvalp.state.value.canUndo, 'a wall that can be undone');
+
+        await chooseFromMenu(page, 'Preferences');
+        await page.getByRole('switch', { name: 'Vibrate at a touch' }).click();
+        await button(page, 'Close').click();
+        await button(page, 'Hand').click();
+        assert.equal(await page.evaluate(() => window.knocks), 1);
+
+        await chooseFromMenu(page, 'Full Screen');
+        await until(page, () => document.fullscreenElement !== null, 'full screen');
+        await chooseFromMenu(page, 'Full Screen');
+        await until(page, () => document.fullscreenElement === null, 'no full screen');
+        await page.evaluate(() => {
+            document.documentElement.requestFullscreen = () => Promise.reject(new TypeError('not here'));
+        });
+        await chooseFromMenu(page, 'Full Screen');
+        await page.getByRole('status').filter({ hasText: 'does not allow full screen' }).waitFor();
+    },
+
+    async 'a graphics processor that is taken away comes back'(browser) {
+        const page = await beginAfter(browser, `const { getContext } = OffscreenCanvas.prototype;
+            OffscreenCanvas.prototype.getContext = function (...wanted) {
+                return self.context = getContext.apply(this, wanted);
+            };`, small, '?scene=pool');
+        const worker = page.workers().find((other) => other.url().includes('simulation.worker'));
+        await worker.evaluate(() => {
+            self.extension = self.context.getExtension('WEBGL_lose_context');
+            self.extension.loseContext();
+        });
+        const said = page.getByRole('alert').filter({ hasText: 'graphics processor was taken away' });
+        await said.waitFor();
+        await worker.evaluate(() => self.extension.restoreContext());
+        await said.waitFor({ state: 'detached' });
+        for (let i = 0; (await blue(page)).share < 0.2; i++) {
+            assert.ok(i < 50, 'nothing is drawn once it is back');
+            await page.waitForTimeout(50);
+        }
+    },
+};
+
+await carryOut(folder, trials, [
+    'a page that nobody sees waits, and goes on where it was',
+    'two fingers at once zoom, a pen draws, a touch knocks, and the screen is full',
+    'a graphics processor that is taken away comes back',
+]);

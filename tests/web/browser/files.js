@@ -1,0 +1,192 @@
+// What comes to the page from outside, and what it saves: links and pictures of all kinds, files that are
+// dropped, a full storage; a picture, a video. Arguments: the folder of the built page, a photo of
+// 8000x6000, and a link that the native program made.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { crc32, deflateRawSync } from 'node:zlib';
+
+import {
+    begin, button, carryOut, chooseFromMenu, complaint, decode, small, stateOf, until,
+} from './people.js';
+
+const [folder, photo, nativeLink] = process.argv.slice(2);
+
+/** Whether time passes, and of what. */
+async function lives(page, what) {
+    const { moment } = await stateOf(page);
+    await until(page, ([moment]) => {
+        const now = window.skvalp.state.value;
+        return now.worlds[0].particles > 0 && (now.moment !== moment || now.atRest);
+    }, `water after ${what}`, [moment]);
+}
+
+/** A PNG of which there is little more than its size. */
+function emptyPng(width, height) {
+    const chunk = (type, data) => {
+        const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
+        const ends = Buffer.alloc(8);
+        ends.writeUInt32BE(data.length);
+        ends.writeUInt32BE(crc32(body), 4);
+        return Buffer.concat([ends.subarray(0, 4), body, ends.subarray(4)]);
+    };
+    const header = Buffer.alloc(13);
+    header.writeUInt32BE(width);
+    header.writeUInt32BE(height, 4);
+    header.set([8, 6, 0, 0, 0], 8);
+    return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', header),
+        chunk('IDAT', Buffer.from([0x78, 0x9c, 3, 0, 0, 0, 0, 1])), chunk('IEND', Buffer.alloc(0))]);
+}
+
+/** Chooses a file as the gallery's button does. */
+async function choose(page, name, mimeType, buffer) {
+    await button(page, 'Scenes and experiments').click();
+    await page.locator('.panel input[type=file]').setInputFiles(buffer ? { name, mimeType, buffer } : name);
+}
+
+const drop = (page, name, text) => page.evaluate(([name, text]) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], name));
+    const event = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
+    document.querySelector('.water').dispatchEvent(event);
+}, [name, text]);
+
+const trials = {
+    async 'a link of the native program is played to its end, and meets its hash'(browser) {
+        const page = await browser.open(`/index.html#${nativeLink.split(/#|skvalp:/)[1]}`, small);
+        await until(page, () => window.skvalp?.state.value?.following, 'it plays what was sent');
+        await page.getByText('The end: it went exactly as it was recorded').waitFor();
+        const { asRecorded, mismatch, moment } = await stateOf(page);
+        assert.deepEqual([asRecorded, mismatch], [true, false]);
+        assert.ok(moment >= 24, `it was over after ${moment} frames`);
+    },
+
+    async 'links that are cut, hostile or of another time are refused in words'(browser) {
+        const page = await begin(browser, small);
+        const bomb = deflateRawSync(Buffer.alloc(64 << 20), { level: 9 }).toString('base64url');
+        const links = {
+            '1.AAAA': /damaged|cut short/,
+            [`1.${bomb}`]: /damaged|more than/,
+            [`1.${'A'.repeat(1.5e6)}`]: /more than the \d+ characters/,
+            '9.AAAA': /its version is 9.*newer/,
+            '1.<img src=x onerror=alert(1)>': /damaged or cut short/,
+        };
+        for (const [link, words] of Object.entries(links)) {
+            await page.evaluate((hash) => (location.hash = hash), link);
+            await complaint(page, words);
+            await lives(page, link.slice(0, 20));
+        }
+    },
+
+    async 'pictures are opened, or refused in words, however large'(browser) {
+        const page = await begin(browser, small);
+        await choose(page, 'huge.png', 'image/png', emptyPng(20000, 20000));
+        await complaint(page, /huge\.png.*20000 x 20000.*allowed/);
+        await lives(page, 'a huge picture');
+        await choose(page, 'broken.jpg', 'image/jpeg', Buffer.from('this is none'));
+        await complaint(page, /cannot be read/);
+        await choose(page, photo);
+        await page.getByRole('heading', { name: 'A scene from a photo' }).waitFor();
+        const before = (await stateOf(page)).worlds[0].opened;
+        await button(page, 'Open').click();
+        await until(page, ([before]) => window.skvalp.state.value.worlds[0].opened !== before,
+            'it is opened', [before]);
+        await lives(page, 'a photo');
+    },
+
+    async 'files are dropped, and a full storage keeps nothing'(browser) {
+        const page = await begin(browser, small);
+        await drop(page, 'mine.json',
+            '{ "water": [{ "shape": "box", "y1": 0.3 }], "particles": 321 }');
+        await until(page, () => window.skvalp.state.value.worlds[0].name.startsWith('mine'),
+            'a scene that was dropped');
+        await drop(page, 'notes.txt', 'hello');
+        await complaint(page, /no scene, picture, state or replay/);
+        await drop(page, 'mine.json', '{ "particles": 1e99 }');
+        await complaint(page, /mine\.json/);
+        await page.evaluate(() => {
+            File.prototype.arrayBuffer = () => Promise.reject(new DOMException('it was moved', 'NotFoundError'));
+        });
+        await drop(page, 'gone.skv', '');
+        await complaint(page, /file cannot be read/);
+        await lives(page, 'bad files');
+
+        const full = await page.evaluate(() => {
+            for (let length = 1 << 22; length > 0; length >>= 1) {
+                try {
+                    for (let i = 0; i < 8; i++)
+                        localStorage.setItem(`${length} ${i}`, 'x'.repeat(length));
+                } catch {}
+            }
+            try {
+                localStorage.setItem('more', 'x'.repeat(1000));
+                return false;
+            } catch {
+                return true;
+            }
+        });
+        assert.ok(full, 'there is still room');
+        await chooseFromMenu(page, 'Preferences');
+        await page.getByLabel('Colours').selectOption('light');
+        await until(page, () => document.documentElement.dataset.palette === 'light', 'light colours');
+    },
+
+    async 'a picture is saved, and a video recorded'(browser) {
+        const page = await begin(browser, small);
+        const saved = page.waitForEvent('download');
+        await chooseFromMenu(page, 'Save a Picture');
+        const { width, height, data } = decode(readFileSync(await (await saved).path()));
+        assert.equal(Math.max(width, height), 1280);
+        assert.ok(new Set(data).size > 20, 'nothing is in the picture');
+
+        const download = page.waitForEvent('download');
+        await chooseFromMenu(page, 'Record a video');
+        await page.waitForTimeout(1500);
+        await chooseFromMenu(page, 'Stop recording');
+        const path = await (await download).path();
+        const frames = execFileSync('ffprobe', ['-v', 'error', '-select_streams', 'v', '-count_frames',
+            '-of', 'json', '-show_entries', 'stream=width,height,nb_read_frames:packet=pts_time', path],
+        { encoding: 'utf8' });
+        const { streams: [stream], packets } = JSON.parse(frames);
+        assert.ok(stream.width >= 100 && stream.height >= 100 && Number(stream.nb_read_frames) > 3, frames);
+        assert.ok(Number(packets.at(-1).pts_time) - Number(packets[0].pts_time) > 0.5, 'a video without time');
+        assert.ok(readFileSync(path).length > 2000);
+    },
+
+    async 'the bench measures this device, and its figures agree'(browser) {
+        const page = await begin(browser, { ...small, touch: true }, '?bench=300');
+        await page.evaluate(() => {
+            navigator.clipboard.writeText = async (text) => void (window.copied = text);
+        });
+        await page.getByRole('heading', { name: 'How fast this device is' }).waitFor();
+        const panel = page.locator('.panel');
+        await button(panel, 'Measure').click();
+        await button(panel, 'Stop').waitFor();
+        await button(panel, 'Measure').waitFor();
+        await button(panel, 'Copy').click();
+        await until(page, () => window.copied, 'a text');
+        const report = JSON.parse(await page.evaluate(() => window.copied));
+        const cells = await page.locator('.results tbody tr').evaluateAll((rows) =>
+            rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+        const threads = [...new Set(report.ns.map((figure) => figure.threads))];
+        assert.equal(cells.length, 4 * threads.length);
+        report.ns.forEach(({ law, particles, threads, least, median }, i) => {
+            assert.deepEqual(cells[i].slice(1, 4), [law, String(particles), String(threads)]);
+            const [shownLeast, shownMedian] = cells[i].slice(4).map(Number);
+            assert.ok(Math.abs(shownLeast / least - 1) < 0.01 && Math.abs(shownMedian / median - 1) < 0.01);
+        });
+        for (const { scene, particles, frames, least, median } of report.ns) {
+            assert.ok(['dam-break', 'pool'].includes(scene) && Math.abs(particles - 300) < 60 && frames >= 5);
+            assert.ok(least > 0 && least <= median && median < 1e7, `${least}, ${median}`);
+        }
+        assert.ok(report.browser.includes('Chrom') && report.cores > 0 && report.showing.frames > 0);
+        assert.equal((await stateOf(page)).paused, false);
+    },
+};
+
+await carryOut(folder, trials, [
+    'pictures are opened, or refused in words, however large',
+    'files are dropped, and a full storage keeps nothing',
+    'a picture is saved, and a video recorded',
+    'the bench measures this device, and its figures agree',
+]);

@@ -1,0 +1,320 @@
+// The page in Chromium, as people use it. Arguments: the folder of the built page.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+
+import {
+    begin, beginAfter, button, carryOut, chooseFromMenu, close, desk, phone, small, stateOf, touch, until,
+} from './people.js';
+
+const [folder] = process.argv.slice(2);
+const axe = createRequire(new URL('../../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
+
+/** What axe-core finds wrong with what shows now. */
+async function faults(page, what) {
+    if (!(await page.evaluate(() => 'axe' in window))) {
+        await page.addScriptTag({ path: axe });
+    }
+    const found = await page.evaluate(async () => {
+        const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+        const { violations } = await window.axe.run(document, { runOnly: tags });
+        return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 160)).join(' | ')}`);
+    });
+    return found.map((fault) => `${what}: ${fault}`);
+}
+
+const trials = {
+    async 'water moves, and rests while paused'(browser) {
+        const page = await begin(browser, desk);
+        await until(page, () => window.skvalp.state.value.moment > 20, 'time passes');
+        const first = await page.locator('canvas').first().screenshot();
+        await page.keyboard.down(' ');
+        await page.keyboard.down(' '); // held
+        await page.keyboard.up(' ');
+        await until(page, () => window.skvalp.state.value.paused, 'Space pauses');
+        await button(page, 'Play').waitFor();
+        const second = await page.locator('canvas').first().screenshot();
+        assert.notDeepEqual(first, second, 'the picture has not changed');
+        const { moment } = await stateOf(page);
+        await page.keyboard.press('.');
+        await page.waitForFunction((before) => window.skvalp.state.value.moment === before + 1, moment);
+    },
+
+    async 'two fingers hold water'(browser) {
+        const page = await begin(browser, phone);
+        await touch(page, 'touchStart', [90, 520]);
+        await page.waitForTimeout(250); // so long that both are hands
+        await touch(page, 'touchStart', [90, 520], [150, 540]);
+        await touch(page, 'touchMove', [95, 480], [155, 500]);
+        await until(page, () => window.skvalp.state.value.worlds[0].hands === 2, 'two hands');
+        await touch(page, 'touchEnd');
+        await until(page, () => window.skvalp.state.value.worlds[0].hands === 0, 'no hand');
+        assert.equal(await page.evaluate(() => scrollY + document.documentElement.scrollTop), 0);
+    },
+
+    async 'a wall is drawn and undone'(browser) {
+        const page = await begin(browser, desk);
+        await button(page, 'Wall').click();
+        await page.mouse.move(400, 150);
+        await page.mouse.down();
+        await page.mouse.move(600, 200, { steps: 5 });
+        await page.mouse.up();
+        await until(page, () => window.skvalp.state.value.canUndo, 'a wall can be undone');
+        await button(page, 'Undo').click();
+        await until(page, () => window.skvalp.state.value.canRedo, 'and redone');
+    },
+
+    async 'a probe reads, moves and shows its curve'(browser) {
+        const page = await begin(browser, desk, '?scene=pool');
+        await page.keyboard.press('m');
+        const chip = page.locator('.chip');
+        await chip.filter({ hasText: /Pressure.*\d+\.\d cm of water/ }).waitFor();
+        const before = (await stateOf(page)).worlds[0].probes[0].x0;
+        await chip.press('ArrowRight');
+        await page.waitForFunction(
+            (x) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - x - 0.01) < 1e-6, before);
+        const { probes: [{ x0 }], camera: { scale } } = (await stateOf(page)).worlds[0];
+        const { x, y, width, height } = await page.locator('.grip .disc').boundingBox();
+        await page.mouse.move(x + width / 2, y + height / 2);
+        await page.mouse.down();
+        await page.mouse.move(x + width / 2 + 120, y + height / 2, { steps: 24 });
+        await page.mouse.up();
+        await until(page, (place) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - place) < 0.01,
+            'the probe is where it was dragged', x0 + 120 / scale);
+        await chip.click();
+        await page.locator('.plot canvas').waitFor();
+        await button(page, 'Remove').click();
+        await chip.waitFor({ state: 'detached' });
+        await page.locator('dialog').waitFor({ state: 'detached' });
+    },
+
+    async 'time goes back'(browser) {
+        const page = await begin(browser, small);
+        await until(page, () => window.skvalp.state.value.moment > 35, 'time passes');
+        await page.keyboard.press('Shift+ArrowLeft');
+        await until(page, () => {
+            const { moment, end, paused } = window.skvalp.state.value;
+            return paused && moment <= end - 30;
+        }, 'a second back');
+        const bar = page.getByRole('slider', { name: 'Rewind' });
+        await bar.focus();
+        const { moment } = await stateOf(page);
+        await page.keyboard.press('ArrowRight');
+        await page.waitForFunction((before) => window.skvalp.state.value.moment === before + 1, moment);
+    },
+
+    async 'a link opens the same game'(browser) {
+        const page = await begin(browser, small, '?scene=splash');
+        await until(page, () => window.skvalp.state.value.moment > 10, 'it plays');
+        await page.mouse.move(200, 150);
+        await page.mouse.down();
+        await page.mouse.move(230, 100, { steps: 4 });
+        await page.mouse.up();
+        await page.keyboard.press(' ');
+        await button(page, 'Main menu').click();
+        await button(page, 'Share').click();
+        const field = page.getByRole('textbox', { name: 'Link' });
+        await page.waitForFunction(() => document.querySelector('textarea.link')?.value.includes('#1.'));
+        await page.locator('svg.qr').waitFor();
+        const link = new URL(await field.inputValue());
+        const other = await browser.open(`/index.html${link.hash}`, small);
+        await until(other, () => window.skvalp?.state.value?.asRecorded, 'it goes as it was sent');
+        await other.getByText('exactly as it was recorded').waitFor();
+    },
+
+    async 'a damaged link is refused in words'(browser) {
+        const page = await browser.open('/index.html#1.AAAA', desk);
+        await page.getByRole('alert').filter({ hasText: /damaged|cut short/ }).waitFor();
+        await until(page, () => window.skvalp?.state.value?.worlds[0].particles > 0, 'water all the same');
+        assert.match(await page.getByRole('alert').textContent(), /copy all of it/);
+    },
+
+    async 'it speaks Swedish'(browser) {
+        const page = await begin(browser, { ...phone, more: { locale: 'sv-SE' } });
+        await button(page, 'Pausa').waitFor();
+        assert.equal(await page.evaluate(() => document.documentElement.lang), 'sv');
+        await button(page, 'Scener och försök').click();
+        await page.getByRole('heading', { name: 'Försök', exact: true }).waitFor();
+        assert.equal(await page.locator('.panel').getByText(/water/i).count(), 0, 'English in between');
+        await page.evaluate(() => localStorage.setItem('skvalp', JSON.stringify({ language: 'en' })));
+        await page.reload();
+        await button(page, 'Pause').waitFor();
+    },
+
+    async 'a page around it steers it'(browser) {
+        const page = await browser.open('/empty.html', desk);
+        const seen = await page.evaluate(async () => {
+            const frame = document.createElement('iframe');
+            frame.src = '/index.html?embed=1&controls=play&scene=pool';
+            frame.width = '640';
+            frame.height = '400';
+            const got = [];
+            const next = (name) => new Promise((resolve) => {
+                addEventListener('message', function hear({ data }) {
+                    if (data.skvalp === name) {
+                        removeEventListener('message', hear);
+                        resolve(data);
+                    }
+                });
+            });
+            document.body.append(frame);
+            got.push((await next('ready')).scenes.includes('pool'));
+            got.push((await next('state')).scene);
+            frame.contentWindow.postMessage({ skvalp: 'pause', id: 7 }, '*');
+            const { id, error } = await next('answer');
+            got.push(id, error);
+            while (!(await next('state')).paused);
+            frame.contentWindow.postMessage({ skvalp: 'constructor', id: 8 }, '*');
+            got.push((await next('answer')).error);
+            return got;
+        });
+        assert.deepEqual(seen, [true, 'pool', 7, undefined, "there is no request 'constructor'"]);
+        const inside = page.frameLocator('iframe');
+        await inside.getByRole('button', { name: 'Play', exact: true }).waitFor();
+        assert.equal(await inside.getByRole('toolbar').count(), 0);
+    },
+
+    async 'a slow device says what it chose, and how slow it is'(browser) {
+        // Between two looks at this clock 10 ms pass, which is what a frame of 2000 particles then takes.
+        const page = await beginAfter(browser, 'let now = 0; performance.now = () => now += 10;', phone);
+        assert.equal((await stateOf(page)).chosen, 1500);
+        const { particles } = (await stateOf(page)).worlds[0];
+        assert.ok(Math.abs(particles - 1500) < 150, `${particles} particles`);
+        await button(page, 'Pause').click();
+        await until(page, () => window.skvalp.state.value.paused, 'it stands still');
+        await page.locator('.pace').click();
+        await page.getByText('scenes made for 3000 particles begin with 1500 on this device').waitFor();
+        assert.equal(await page.getByText('Slow motion').count(), 0);
+        // As the simulation tells it where it cannot keep up: no state comes now that says otherwise.
+        await page.evaluate(() => {
+            const { state } = window.skvalp;
+            state.value = { ...state.value, paused: false, pace: 0.4, ratio: 0.5 };
+        });
+        await page.getByText('Slow motion: this device cannot compute').waitFor();
+        await page.getByText('pictures are coarser').waitFor();
+        assert.match(await page.locator('.pace').textContent(), /0\.4× of real time/);
+    },
+
+    async 'who wants less motion sees none that nobody asked for'(browser) {
+        const watch = () => {
+            window.moved = [];
+            window.said = '';
+            new MutationObserver(() => (window.said += document.querySelector('.messages')?.textContent))
+                .observe(document, { childList: true, subtree: true });
+            for (const kind of ['animationstart', 'transitionrun'])
+                addEventListener(kind, ({ target }) => window.moved.push(target.role || target.className), true);
+        };
+        for (const reducedMotion of ['no-preference', 'reduce']) {
+            const page = await begin(browser, { ...phone, before: watch, more: { reducedMotion } });
+            await chooseFromMenu(page, 'Preferences');
+            await page.getByRole('switch', { name: 'Gravity ball' }).click();
+            await page.locator('.ball').waitFor({ state: 'detached' });
+            if (reducedMotion !== 'reduce') {
+                await until(page, () => ['panel', 'switch'].every((name) => `${window.moved}`.includes(name)),
+                    'what moves elsewhere');
+                continue;
+            }
+            await page.waitForTimeout(300);
+            await button(page, 'Close').click();
+            assert.deepEqual(await page.evaluate(() => window.moved), []);
+            await until(page, () => window.said.includes('asks for less motion'), 'it says why it waits');
+            const { moment, paused } = await stateOf(page);
+            assert.deepEqual([moment, paused], [0, true]);
+            await button(page, 'Play').click();
+            await until(page, () => window.skvalp.state.value.moment > 3, 'it plays once it is told to');
+        }
+    },
+
+    async 'colours of the system show what is chosen, too'(browser) {
+        const page = await begin(browser, { ...small, more: { forcedColors: 'active' } });
+        const ground = (name) => button(page, name).evaluate((element) => getComputedStyle(element).backgroundColor);
+        assert.notEqual(await ground('Hand'), await ground('Wall'));
+        assert.equal((await stateOf(page)).style.palette, 'contrast');
+    },
+
+    async 'the keyboard reaches all'(browser) {
+        const page = await begin(browser, desk);
+        await page.keyboard.press('m');
+        await page.locator('.chip').waitFor();
+        const paused = (wanted) => until(page, ([wanted]) => window.skvalp.state.value.paused === wanted,
+            `paused: ${wanted}`, [wanted]);
+        await paused(false); // it begins when it is there
+        await page.keyboard.press(' ');
+        await paused(true);
+        const wanted = await page.evaluate(() =>
+            [...document.querySelectorAll('button:not(:disabled), input:not(:disabled), [tabindex="0"]')].length);
+        const reached = new Set();
+        for (let i = 0; i < wanted + 2; i++) {
+            await page.keyboard.press('Tab');
+            reached.add(await page.evaluate(() => {
+                const { activeElement } = document;
+                activeElement.dataset.number ??= String(document.querySelectorAll('[data-number]').length);
+                return activeElement === document.body ? '' : activeElement.dataset.number;
+            }));
+        }
+        reached.delete('');
+        assert.equal(reached.size, wanted);
+        await button(page, 'Properties').focus();
+        await page.keyboard.press('Enter');
+        await page.getByRole('heading', { name: 'Properties' }).waitFor();
+        await close(page);
+        await page.locator('dialog').waitFor({ state: 'detached' });
+        assert.equal(await page.evaluate(() => document.activeElement.ariaLabel), 'Properties');
+        await page.evaluate(() => document.activeElement.blur()); // Return is the hand's
+        await page.keyboard.press(' ');
+        await paused(false);
+        const hands = (count) => until(page, ([count]) => window.skvalp.state.value.worlds[0].hands === count,
+            `${count} hands that hold`, [count]);
+        await page.keyboard.press('k');
+        await page.keyboard.press('Enter');
+        await hands(1);
+        await page.keyboard.press('k');
+        await hands(0);
+        await page.keyboard.press('k'); // it was put away closed, and is open now
+        await page.keyboard.press('ArrowRight');
+        const { moment } = await stateOf(page);
+        await until(page, ([moment]) => window.skvalp.state.value.moment > moment + 20, 'time goes on', [moment]);
+        assert.equal((await stateOf(page)).worlds[0].hands, 0);
+    },
+
+    async 'every screen is accessible'(browser) {
+        const found = [];
+        const still = { reducedMotion: 'reduce' };
+        for (const view of [{ ...phone, more: { ...still, colorScheme: 'light' } }, { ...desk, more: still }]) {
+            const page = await begin(browser, view, '?view=pressure&scene=pool');
+            await page.keyboard.press('m');
+            await page.locator('.chip').waitFor();
+            await page.keyboard.press('w');
+            found.push(...await faults(page, 'the page'));
+            if (view.width > 900 && process.env.SKV_LONG_TESTS !== '1') {
+                continue; // panels differ in place alone
+            }
+            for (const panel of ['scenes', 'views', 'properties', 'measure', 'menu']) {
+                await page.locator('.header button').nth(['scenes', 'measure', 'views', 'properties', 'menu'].indexOf(panel)).click();
+                await page.locator(`.panel-${panel}`).waitFor();
+                found.push(...await faults(page, panel));
+                await close(page);
+            }
+            for (const panel of ['Share', 'Compare Two Worlds', 'Preferences', 'Keyboard Shortcuts', 'About Skvalp']) {
+                await button(page, 'Main menu').click();
+                await button(page, panel).click();
+                await page.getByRole('heading', { name: panel }).waitFor();
+                await page.getByText('Loading…').waitFor({ state: 'detached' });
+                found.push(...await faults(page, panel));
+                await close(page);
+            }
+            await button(page, 'Size of the tool').click();
+            found.push(...await faults(page, 'size'));
+            await close(page);
+            await page.locator('.chip').click();
+            await page.locator('.plot canvas').waitFor();
+            found.push(...await faults(page, 'a probe'));
+            await button(page, 'Scenes and experiments').click();
+            await page.locator('.panel .list button').first().click();
+            await page.getByRole('heading', { name: '1. Question' }).waitFor();
+            found.push(...await faults(page, 'an experiment'));
+        }
+        assert.deepEqual(found, []);
+    },
+};
+
+await carryOut(folder, trials);

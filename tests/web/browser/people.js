@@ -1,0 +1,133 @@
+// What people do with the page and what they see of it, for page.js and device.js; and how their trials
+// are carried out.
+//
+// Invariant: each trial opens pages of its own, and looks at what a person would see or hear; what the
+// simulation holds is asked for only where it does not show.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+
+import { run } from './harness.js';
+
+const fromWeb = createRequire(new URL('../../../web/package.json', import.meta.url));
+export const { decode } = await import(fromWeb.resolve('fast-png'));
+
+export const phone = { width: 360, height: 740, touch: true, isolated: true };
+export const desk = { width: 960, height: 600, isolated: true };
+/** Drawn fast where a processor draws. */
+export const small = { width: 400, height: 400, isolated: true };
+
+/** What the simulation has told last. */
+export const stateOf = (page) => page.evaluate(() => window.skvalp.state.value);
+
+/** Waits until something holds of the state. */
+export async function until(page, holds, what, given) {
+    await page.waitForFunction(holds, given).catch(() => assert.fail(`in vain: ${what}`));
+}
+
+/** Waits until water is there. */
+export async function water(page) {
+    await until(page, () => window.skvalp?.state.value?.worlds[0].particles > 0, 'water comes');
+    return page;
+}
+
+/** Opens the page and waits until water is there. */
+export async function begin(browser, view, query = '') {
+    return water(await browser.open(`/index.html${query}`, view));
+}
+
+/** Opens the page, where a script goes before that of the simulation's worker, and waits until water is there. */
+export async function beginAfter(browser, script, view, query = '') {
+    const page = await browser.open('/empty.html', view);
+    let put = false;
+    // Of the context, for a page's own routes miss a worker that is hired at once.
+    await page.context().route('**/simulation.worker-*.js', async (route) => {
+        put = true;
+        const response = await route.fetch();
+        await route.fulfill({ response, body: `${script}\n${await response.text()}` });
+    });
+    await page.goto(new URL(`/index.html${query}`, page.url()).href);
+    await water(page);
+    assert.ok(put, 'the worker began without the script');
+    return page;
+}
+
+export const button = (page, name) => page.getByRole('button', { name, exact: true });
+export const close = (page) => page.keyboard.press('Escape');
+
+export async function chooseFromMenu(page, name) {
+    await button(page, 'Main menu').click();
+    await button(page, name).click();
+}
+
+/** What is said to be wrong, which is then closed. */
+export async function complaint(page, words) {
+    const alert = page.getByRole('alert').filter({ hasText: words });
+    await alert.waitFor();
+    const text = await alert.textContent();
+    await button(page, 'Close this message').click();
+    await alert.waitFor({ state: 'detached' });
+    return text;
+}
+
+/** The browser's own tools, of this page. */
+export async function devtools(page) {
+    return page.devtools ??= await page.context().newCDPSession(page);
+}
+
+/** Fingers as a touch screen has them: [x, y] each. */
+export async function touch(page, type, ...points) {
+    const touchPoints = points.map(([x, y], id) => ({ x, y, id }));
+    await (await devtools(page)).send('Input.dispatchTouchEvent', { type, touchPoints });
+}
+
+/**
+ * What is blue in the picture, or in a part of it, as water is: its share of it, and its middle, in shares
+ * of the width and height from the upper left corner.
+ */
+export async function blue(page, part) {
+    const clip = { ...part ?? await page.locator('canvas.canvas').boundingBox(), scale: 1 };
+    // Playwright's own screenshots turn an emulated screen back.
+    const shot = await (await devtools(page)).send('Page.captureScreenshot', { clip });
+    const { data, channels, width, height } = decode(Buffer.from(shot.data, 'base64'));
+    let count = 0, x = 0, y = 0;
+    for (let i = 0; i < width * height; i++) {
+        if (data[i * channels + 2] > 150 && data[i * channels] < 110) {
+            count++;
+            x += (i % width + 0.5) / width;
+            y += (Math.floor(i / width) + 0.5) / height;
+        }
+    }
+    return { share: count / (width * height), x: x / count, y: y / count };
+}
+
+/**
+ * Carries out trials, by their names; SKV_TRIAL=words those alone whose names have these words.
+ * @param {string} folder of the built page
+ * @param {Record<string, (browser: { open: Function, takeTroubles: Function }) => Promise<void>>} trials
+ * @param {string[]} long names of those that are left to SKV_LONG_TESTS=1, or asked for by SKV_TRIAL
+ */
+export async function carryOut(folder, trials, long = []) {
+    const only = process.env.SKV_TRIAL ?? '';
+    const all = only !== '' || process.env.SKV_LONG_TESTS === '1';
+    const chosen = Object.entries(trials).filter(([name]) => name.includes(only) && (all || !long.includes(name)));
+    await run([folder], async (browser) => {
+        for (const [name, trial] of chosen) {
+            const pages = [];
+            const open = async (...view) => {
+                pages.push(await browser.open(...view));
+                return pages.at(-1);
+            };
+            const begun = Date.now();
+            try {
+                await trial({ open, takeTroubles: browser.takeTroubles });
+                assert.deepEqual(browser.takeTroubles(), []);
+            } catch (error) {
+                throw new Error(`${name}: ${error.message}`, { cause: error });
+            }
+            for (const page of pages) {
+                await page.context().close();
+            }
+            console.log(`${name} (${((Date.now() - begun) / 1000).toFixed(1)} s)`);
+        }
+    });
+}

@@ -1,0 +1,73 @@
+# Shared by the tests of the WebAssembly module: building it, and running it in node beside what it is
+# compared with. Sourced, never run; the caller stands in the source folder and has set `build`.
+# shellcheck shell=bash disable=SC2034,SC2154
+
+modules=$build/web
+# shellcheck source=tests/support/comparing.sh
+source tests/support/comparing.sh
+
+# make_modules: builds them in a folder below the build folder, for one test after the other. Ends the
+# test if that fails.
+make_modules() {
+    local tool log=$build/web.log
+    for tool in clang-19 wasm-ld-19 node; do
+        command -v "$tool" >/dev/null || complain "$tool is missing; ./test.sh installs it"
+    done
+    for tool in /usr/include/wasm32-wasi web/node_modules; do
+        [[ -d $tool ]] || complain "$tool is missing; ./test.sh installs it"
+    done
+    ((bad == 0)) || exit 1
+    if ! flock "$build" bash -c "cmake --preset web -B '$modules' && ninja -C '$modules'" >"$log" 2>&1; then
+        grep -E 'error|FAILED' "$log" | head -n 20 >&2
+        printf 'building the WebAssembly modules failed, see %s\n' "$log" >&2
+        exit 1
+    fi
+}
+
+# in_wasm THREADS JOB ARGUMENT...: what the module makes of it.
+in_wasm() {
+    timeout 1200 node tests/web/reference.js "$modules" "$@"
+}
+
+# played FILE...: what comes of replays natively: frames, hash, and whether they went as recorded.
+played() {
+    local file
+    for file in "$@"; do
+        "$build/skvalp" replay "$file" --json 2>/dev/null || true
+    done | sed -E 's/.*"frames": ([0-9]+), "hash": "([0-9a-f]+)", "same": (true|false).*/\1 \2 \3/
+        s/true/same/; s/false/another/' | sed '/^$/d'
+}
+
+# bundle FOLDER SCRIPT...: makes scripts of tests/web/browser whole, for a browser.
+bundle() {
+    local folder=$1
+    shift
+    web/node_modules/.bin/node tests/web/browser/bundle.js "$folder" "$@"
+}
+
+# in_chromium SCRIPT ARGUMENT...: a program of tests/web/browser; one browser at a time. Ends the test if
+# it fails.
+in_chromium() {
+    local script=tests/web/browser/$1
+    shift
+    flock -o "$build/browser.lock" timeout 1200 web/node_modules/.bin/node "$script" "$@" || exit 1
+}
+
+# verdict: the last line of a test.
+verdict() {
+    ((bad == 0 && compared > 0)) || exit 1
+    printf 'web: %d runs gave what they give natively\n' "$compared"
+}
+
+# make_page FOLDER: what `npm run build` makes, of the modules of make_modules. Ends the test if that fails.
+make_page() {
+    local mode
+    for mode in production single; do
+        if ! (cd web && SKV_MODULES=$modules node_modules/.bin/node node_modules/vite/bin/vite.js build --mode "$mode" \
+            --outDir "$1" --logLevel warn) >"$build/page.log" 2>&1; then
+            grep -iE 'error' "$build/page.log" | head -n 5 >&2
+            printf 'building the page failed, see %s\n' "$build/page.log" >&2
+            exit 1
+        fi
+    done
+}

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# The npm package: packed, installed into a fresh project, its README's example run there and its types
+# checked. Views that are stale and what was destroyed throw. Arguments: build folder, source folder.
+set -euo pipefail
+build=$(realpath "${1:?usage: test_web_package.sh BUILD SOURCE}")
+cd "${2:?usage: test_web_package.sh BUILD SOURCE}"
+# shellcheck source=tests/web/lib.sh
+source tests/web/lib.sh
+make_modules
+
+source=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+# The sources may belong to somebody else: it is packed elsewhere.
+mkdir "$work/web" "$work/project"
+cp -r web/src web/tools web/package.json web/tsconfig.json web/README.md "$work/web"
+ln -s "$PWD/web/node_modules" "$work/web/node_modules"
+(
+    cd "$work/web"
+    PATH=$PWD/node_modules/.bin:$PATH SKV_MODULES=$modules npm pack --silent --pack-destination "$work"
+) >"$build/package.log" 2>&1 || {
+    tail -n 5 "$build/package.log" >&2
+    exit 1
+}
+# As npm would lay it out, without asking the network.
+mkdir -p "$work/project/node_modules/skvalp"
+tar xzf "$work"/skvalp-*.tgz --strip-components=1 -C "$work/project/node_modules/skvalp"
+for package in jsonc-parser fast-png pako fflate iobuffer; do
+    ln -s "$PWD/web/node_modules/$package" "$work/project/node_modules/$package"
+done
+
+cd "$work/project"
+printf '{ "type": "module" }\n' >package.json
+awk '/^```/ { inside = $0 == "```js"; next } inside' "$work/web/README.md" >example.js
+hash=$("$build/skvalp" run dam-break --particles 1000 --law clavet --seconds 1 --json |
+    sed -n 's/.*"hash": *"\([0-9a-f]*\)".*/\1/p')
+node example.js >out
+grep -q "hash $hash\$" out || complain "the README's example says '$(cat out)', natively the hash is $hash"
+
+cat >stale.js <<'END'
+import { open, SkvalpError } from 'skvalp';
+import assert from 'node:assert';
+
+const skvalp = await open({ threads: 2 });
+assert(skvalp.scenes.includes('dam-break'));
+assert.throws(() => skvalp.scene('no such scene'), SkvalpError);
+const world = skvalp.scene('pool', { particles: 200 }).world();
+const particles = world.particles();
+assert.equal(particles.x.length, particles.count);
+world.step();
+assert.throws(() => particles.x, /moved on/);
+const later = world.particles();
+world.destroy();
+world.destroy();
+assert.throws(() => later.vy, /destroyed/);
+assert.throws(() => world.step(), /destroyed/);
+await skvalp.end();
+END
+node stale.js || complain "stale.js failed"
+cat >typed.ts <<'END'
+import { open, World } from 'skvalp';
+const world: World = (await open()).scene('pool').world();
+const x: Float32Array = world.particles().x;
+// @ts-expect-error a number is wanted
+world.step('fast');
+export { x };
+END
+node "$work/web/node_modules/typescript/bin/tsc" --noEmit --strict --target es2022 --module nodenext \
+    --moduleResolution nodenext --lib es2024,dom,dom.iterable typed.ts >types.log 2>&1 || complain "types: $(head -n 3 types.log)"
+cd "$source"
+in_chromium package.js "$work/project/node_modules/skvalp/lib" >"$work/shown"
+grep -qx "$hash" "$work/shown" || complain "in a browser the hash is $(cat "$work/shown"), natively $hash"
+((bad == 0)) || exit 1
+printf 'web: the package works in a fresh project\n'

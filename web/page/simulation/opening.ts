@@ -1,0 +1,86 @@
+// Opening: scenes, files, links and experiments; and all of them again with other settings.
+//
+// Invariant: what is open goes on until what was asked for is there; if that fails, it is reported,
+// and what is open is still what it was.
+import type { Library } from '../../src/library.js';
+import { made, withBytes, withOptions } from '../../src/memory.js';
+
+import type { FileFormat, Settings } from './protocol';
+
+/** What can be opened: by name, or as the bytes of a file. */
+type Source =
+    | { name: string }
+    | { bytes: Uint8Array; format: FileFormat; label: string };
+interface Wanted {
+    source: Source;
+    settings: Settings;
+}
+
+export class Opening {
+    #library;
+    #session;
+    #amount;
+    #current: Wanted | null = null;
+    #next: Wanted | null = null;
+
+    /** @param amount the number of particles for a scene that is opened without one; null: its own */
+    constructor(library: Library, session: number, amount: (name: string) => number | null) {
+        this.#library = library;
+        this.#session = session;
+        this.#amount = amount;
+    }
+
+    scene(name: string, settings: Settings = {}) {
+        const amount = 'particles' in settings ? null : this.#amount(name);
+        const own: Settings = amount ? { particles: String(amount) } : {};
+        this.#open({ source: { name }, settings: { ...own, ...settings } });
+    }
+
+    bytes(bytes: Uint8Array, format: FileFormat, label: string, settings: Settings = {}) {
+        this.#open({ source: { bytes, format, label }, settings });
+    }
+
+    /** Throws what is wrong with a link. */
+    link(text: string) {
+        const { c } = this.#library;
+        const link = c.skv_link_is(text) ? text : `skvalp:${text}`;
+        const bytes = made(this.#library, (write, user, error) => c.skv_link_read(link, write, user, error));
+        this.bytes(bytes, 'skvr', 'link');
+    }
+
+    /** Throws if there is no such experiment. */
+    experiment(index: number) {
+        const { c } = this.#library;
+        const text = made(this.#library,
+            (write, user, error) => c.skv_experiment_scene(index, write, user, error));
+        this.bytes(text, 'json', this.#library.view('skv_experiment', c.skv_experiment_info(index)).name);
+    }
+
+    /** What is open, from its start, with other settings. */
+    change(settings: Settings) {
+        if (this.#current) {
+            const { source, settings: before } = this.#current;
+            this.#open({ source, settings: { ...before, ...settings } });
+        }
+    }
+
+    #open(wanted: Wanted) {
+        const { c } = this.#library, { source, settings } = wanted;
+        this.#next = wanted;
+        withOptions(this.#library, settings, (options) => {
+            if ('name' in source) {
+                c.skv_session_open(this.#session, source.name, options);
+                return;
+            }
+            const { bytes, format, label } = source;
+            withBytes(this.#library, bytes, (data) =>
+                c.skv_session_open_memory(this.#session, data, bytes.length, format, label, options));
+        });
+    }
+
+    /** What was asked for is there, or is not. */
+    done(well: boolean) {
+        this.#current = well ? this.#next : this.#current;
+        this.#next = null;
+    }
+}

@@ -1,0 +1,297 @@
+// What the page and the simulation say to each other. The simulation is one class (simulation.ts),
+// which lives in a worker, or on the page where that has no OffscreenCanvas; the page sees it through
+// this interface either way (connect.ts).
+//
+// Invariant: all of it can be posted to a worker: plain data, no functions, no views of the module's
+// memory. What returns void only leaves a message; what has become of it shows in the next state, or
+// comes as a report.
+
+/** One of the two worlds: 0, or 1 for the one that it is compared with. */
+export type Side = 0 | 1;
+
+export interface Simulation {
+    // What is open
+    open(scene: string, settings?: Settings): void;
+    openBytes(bytes: Uint8Array, format: FileFormat, label: string, settings?: Settings): void;
+    /** What a link holds (docs/share.md): the text after its '#'. */
+    openLink(text: string): void;
+    /** The set-up of an experiment, to play with. */
+    openExperiment(index: number): void;
+    reset(): void;
+    /** Back to the start, and all that was done since is played again. */
+    replay(): void;
+    /** What is open as bytes: a state, a replay, the readings as CSV, the picture as PNG. */
+    save(what: 'skv' | 'skvr' | 'csv' | 'png'): Promise<Uint8Array>;
+    /** The text of a link to this moment, without its '#'; fails if it would be too long. */
+    share(): Promise<string>;
+
+    // Time
+    setPaused(paused: boolean): void;
+    stepOnce(): void;
+    setSpeed(speed: number): void;
+    seek(frame: number): void;
+    undo(): void;
+    redo(): void;
+
+    // The world
+    /** In units of the scene's own strength, x to the right and y up as the screen is held. */
+    setGravity(x: number, y: number): void;
+    /**
+     * What devicemotion says of accelerationIncludingGravity, in m/s^2 in the device's axes, as it
+     * says it; with screen.orientation's angle in degrees, and the time in s.
+     */
+    motion(x: number, y: number, z: number, angle: number, time: number): void;
+    /** How much of what motion says the water feels: 0..2, at first 1. */
+    setTilt(strength: number): void;
+    push(vx: number, vy: number): void;
+    /** A parameter of one world by its path, as catalogue().parameters names it. */
+    set(path: string, text: string, side?: Side): void;
+    /** The scene that is open, with other settings: what cannot be changed while it runs. */
+    change(settings: Settings): void;
+
+    // The picture
+    /** Size in CSS pixels, and device pixels in each. */
+    setView(width: number, height: number, ratio: number): void;
+    setStyle(style: Partial<Style>): void;
+    /** Readings and legends in SI units, or in those that people know. */
+    setUnits(si: boolean): void;
+    /** About a point, in CSS pixels. */
+    zoom(factor: number, x: number, y: number, side?: Side): void;
+    pan(dx: number, dy: number, side?: Side): void;
+    showAll(): void;
+    /** Nobody sees it: nothing is stepped or drawn. */
+    setHidden(hidden: boolean): void;
+
+    // Tools
+    setTool(tool: number): void;
+    /** Radius in m; 0: the default. */
+    setBrush(radius: number): void;
+    setDye(dye: number): void;
+    pointer(event: PointerMessage): void;
+    cancelPointers(): void;
+    keyboard(right: number, up: number, down: boolean): void;
+
+    // Instruments
+    /** In m. */
+    addProbe(kind: number, x0: number, y0: number, x1: number, y1: number): void;
+    moveProbe(id: number, x0: number, y0: number, x1: number, y1: number): void;
+    removeProbe(id: number): void;
+    /** Whether states hold its history. */
+    watchProbe(id: number, watched: boolean): void;
+
+    /** Puts a second world beside this one: what is open, with these settings; null takes it away. */
+    compare(settings: Settings | null): void;
+    /** Whether hands and gravity are for both worlds; at first they are. */
+    setLinked(linked: boolean): void;
+
+    /** All that there is to choose from; it never changes. */
+    catalogue(): Promise<Catalogue>;
+}
+
+/** What the simulation tells, unasked. */
+export interface Listener {
+    /** After a picture was drawn or something was changed, at most thirty times a second. */
+    state(state: State): void;
+    report(report: Report): void;
+    /** The picture can't be drawn, or can be again. */
+    picture(trouble: null | 'lost' | 'unsupported'): void;
+}
+
+export type Settings = Record<string, string>;
+
+export type FileFormat = 'json' | 'png' | 'skv' | 'skvr';
+
+export interface Style {
+    view: string;
+    overlays: string[];
+    palette: string;
+    detail: string;
+    /** The upper end of the view's scale, in SI units; 0: it follows the water. */
+    range: number;
+}
+
+export interface PointerMessage {
+    phase: 'down' | 'move' | 'up' | 'leave';
+    device: 'mouse' | 'finger' | 'pen' | 'eraser';
+    pointer: number;
+    /** CSS pixels from the canvas's upper left corner, as are all places on the screen. */
+    x: number;
+    y: number;
+    /** Seconds, as event.timeStamp / 1000. */
+    time: number;
+    pressure: number;
+    secondary: boolean;
+    straight: boolean;
+    /** In whose area it went down, or is. */
+    side: Side;
+}
+
+/** What became of something that was asked for; as skv_outcome. */
+export interface Report {
+    kind: 'open' | 'save' | 'share' | 'step' | 'edit';
+    /** One line; null: it was done. */
+    error: string | null;
+}
+
+export interface WorldState {
+    name: string;
+    title: string;
+    description: string;
+    /** Changes when something else was opened. */
+    opened: number;
+    /** Simulated seconds. */
+    time: number;
+    particles: number;
+    substeps: number;
+    width: number;
+    height: number;
+    spacing: number;
+    parameters: Record<string, string>;
+    /** Where on the canvas it is drawn, in CSS pixels. */
+    area: { x: number; y: number; width: number; height: number };
+    /** A point of the world in m is at (originX + scale x, originY - scale y) in CSS pixels. */
+    camera: { scale: number; originX: number; originY: number; zoom: number };
+    legend: Legend | null;
+    probes: Probe[];
+    /** skv_picture_describe: "playing, 2960 particles, at rest". */
+    words: string;
+    hands: number;
+}
+
+export interface State {
+    worlds: WorldState[]; // one, or two that are compared
+    moment: number; // frames since the start
+    end: number;
+    paused: boolean;
+    atRest: boolean;
+    seeking: boolean;
+    canUndo: boolean;
+    canRedo: boolean;
+    following: boolean;
+    asRecorded: boolean;
+    mismatch: boolean;
+    speed: number;
+    /** 1, or less where the machine cannot keep up. */
+    pace: number;
+    stepMs: number;
+    drawMs: number;
+    gravity: { x: number; y: number };
+    tool: number;
+    brush: number;
+    dye: number;
+    linked: boolean;
+    threads: number;
+    /** How many particles a scene of 3000 begins with here, as was measured; null: not yet. */
+    chosen: number | null;
+    /** Device pixels in a CSS pixel: fewer than there are where drawing is slow. */
+    ratio: number;
+    style: Style;
+}
+
+export interface Legend {
+    label: string;
+    /** As it is to be shown, and how much of the SI unit one of it is. */
+    unit: string;
+    size: number;
+    /** In SI units, as are the other figures. */
+    low: number;
+    high: number;
+    step: number;
+    /** CSS colours from low to high. */
+    colors: string[];
+}
+
+export interface Probe {
+    id: number;
+    kind: number;
+    x0: number;
+    y0: number;
+    x1: number;
+    y1: number;
+    /** Values are in SI units; the text is in `unit`, each of which is `size` of the SI unit. */
+    channels: { name: string; text: string; value: number; unit: string; size: number; theory: boolean }[];
+    /** If it is watched: seconds, and for each channel its values. */
+    times: Float64Array | null;
+    values: Float64Array[] | null;
+}
+
+export interface Named {
+    name: string;
+    title: string;
+    help: string;
+}
+
+export interface Catalogue {
+    version: string;
+    scenes: Named[];
+    tools: (Named & { key: string; dyes: boolean })[];
+    views: Named[];
+    overlays: Named[];
+    palettes: Named[];
+    details: Named[];
+    dyes: string[];
+    instruments: { kind: number; name: string }[];
+    /** What can be set while it runs, and what a scene or an experiment can be opened with. */
+    parameters: Field[];
+    sceneFields: Field[];
+    experimentFields: Field[];
+    experiments: Experiment[];
+}
+
+export interface Field {
+    path: string;
+    type: 'number' | 'integer' | 'text' | 'choice' | 'boolean';
+    unit: string;
+    minimum: number;
+    maximum: number;
+    choices: string[];
+    default: string;
+    help: string;
+}
+
+export interface Experiment {
+    name: string;
+    title: string;
+    description: string;
+    question: string;
+    predict: string;
+    measure: string;
+    compare: string;
+    xLabel: string;
+    yLabel: string;
+}
+
+// ---- The laboratory: experiments run in a worker of their own (lab.worker.ts) ----------------------
+
+export interface Curve {
+    label: string;
+    style: 'dots' | 'rings' | 'line' | 'theory';
+    x: Float64Array;
+    y: Float64Array;
+}
+
+export interface Row {
+    quantity: string;
+    unit: string;
+    measured: number;
+    theory: number;
+    ratio: number;
+    tolerance: number;
+    pass: boolean;
+}
+
+export type LabMessage =
+    | { kind: 'moment'; share: number; curves: Curve[] }
+    | { kind: 'done'; rows: Row[]; curves: Curve[]; csv: string; svg: string }
+    /** Without words: its script did not come. */
+    | { kind: 'failed'; error: string };
+
+/** lab.ts: runs an experiment in a worker of its own; what it returns ends that. */
+export type RunExperiment = (
+    index: number,
+    settings: Settings,
+    tell: (message: LabMessage) => void,
+) => () => void;
+
+/** connect.ts: a simulation that draws on this canvas, from now on and alone. */
+export type Connect = (canvas: HTMLCanvasElement, listener: Listener) => Promise<Simulation>;

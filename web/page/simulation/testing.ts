@@ -1,0 +1,85 @@
+// For tests: a simulation in node, without a picture and on one thread, whose time the test lets pass.
+import { readFileSync } from 'node:fs';
+
+import * as codecs from '../../src/codecs.js';
+import { Instance } from '../../src/instance.js';
+import { Library } from '../../src/library.js';
+
+import type { Report, State } from './protocol';
+import { Simulator } from './simulation';
+
+/** Where the native programs are. */
+export const native = process.env.SKV_NATIVE ?? new URL('../../../build/release', import.meta.url).pathname;
+
+const folder = `${process.env.SKV_MODULES ?? new URL('../../../build/web', import.meta.url).pathname}/page`;
+const module = await WebAssembly.compile(readFileSync(`${folder}/skvalp.wasm`));
+const description = await import(/* @vite-ignore */ `${folder}/interface.js`);
+
+/** A library, and what it has saved. Its sessions look at the clock before and after each step. */
+export function loadLibrary(clock?: () => number) {
+    const files = new Map<string, Uint8Array>();
+    const instance = new Instance(module, {
+        readFile: (path: string) => files.get(path),
+        writeFile: (path: string, bytes: Uint8Array) => !!files.set(path, bytes),
+        clock,
+        codecs,
+    });
+    return { library: new Library(instance, description), files };
+}
+
+/**
+ * @param tick s that pass whenever the simulation looks at the clock
+ * @param cost s that a frame's step takes here for each particle
+ */
+export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0 } = {}) {
+    const states: State[] = [], reports: Report[] = [], frames: ((ms: number) => void)[] = [];
+    let now = 0, waited = 0, steps = false;
+    const { library, files } = loadLibrary(() => {
+        steps = !steps;
+        now += steps ? 0 : cost * states.at(-1)!.worlds[0].particles;
+        return now;
+    });
+    const { c } = library, step = c.skv_world_step;
+    // How a world that has no session is stepped: the one that is measured by.
+    c.skv_world_step = (world, ...given) => {
+        now += cost * c.skv_world_particle_count(world);
+        return step(world, ...given);
+    };
+    const simulation = new Simulator({
+        library, files, threads: 1, painter: null, particles, reversed,
+        listener: {
+            state: (state) => states.push(structuredClone(state)),
+            report: (report) => reports.push(report),
+            picture: () => undefined,
+        },
+        nextFrame: (callback) => frames.push(callback),
+        clock: () => now + (waited += tick),
+    });
+    return {
+        simulation, library,
+        /** Reports since they were taken. */
+        take: () => reports.splice(0),
+        si: false,
+        /** What a call tells that changes nothing, a second later. */
+        get state() {
+            waited += 1;
+            simulation.setUnits(this.si);
+            return states.at(-1)!;
+        },
+        /** Whether a frame is wanted. */
+        get wants() {
+            return frames.length > 0;
+        },
+        /** s since it began. */
+        get now() {
+            return now;
+        },
+        /** Lets so many pictures of a display of 60 Hz pass, the next after what is done, if any is wanted. */
+        run(count: number) {
+            for (let i = 0; i < count; i++) {
+                now = (Math.floor(60 * now + 1e-6) + 1) / 60;
+                frames.splice(0).forEach((frame) => frame(1000 * now));
+            }
+        },
+    };
+}

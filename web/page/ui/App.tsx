@@ -1,0 +1,46 @@
+// App: how the page is laid out. Invariant: the water has all the room that controls leave; on phones
+// they lie below it, on wide screens around it.
+import { useEffect } from 'preact/hooks';
+import { openFile } from './actions';
+import { Chips } from './Chips';
+import { Header } from './Header';
+import { Messages } from './Messages';
+import { controls, panel, ready } from './model';
+import { Panel } from './Panel';
+import { Stage } from './Stage';
+import { Tools } from './Tools';
+import { Transport } from './Transport';
+import { _ } from './words';
+
+function onDrop(event: DragEvent): void {
+    event.preventDefault();
+    const file = event.dataTransfer?.files[0];
+    if (file && ready.value)
+        void openFile(file);
+}
+
+export function App({ canvas }: { canvas: HTMLCanvasElement }) {
+    useEffect(() => {
+        document.documentElement.classList.toggle('has-panel', panel.value !== null);
+    }, [panel.value]);
+    const shown = ready.value ? controls.value : 'none';
+    return (
+        <main class={`app controls-${shown}`} onDragOver={(event) => event.preventDefault()} onDrop={onDrop}>
+            <div class="main">
+                <h1 class="hidden">Skvalp</h1>
+                <Stage canvas={canvas} />
+                {shown === 'all' && <Header />}
+                <Messages />
+                {!ready.value && <p class="loading">{_('Water is coming…')}</p>}
+            </div>
+            {shown !== 'none' && (
+                <div class="dock">
+                    <Chips />
+                    <Transport />
+                    {shown === 'all' && <Tools />}
+                </div>
+            )}
+            {shown === 'all' && <Panel />}
+        </main>
+    );
+}

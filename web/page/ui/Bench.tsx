@@ -1,0 +1,93 @@
+// Bench: how fast this device is, measured by whoever wants to know.
+import { useEffect } from 'preact/hooks';
+import {
+    copyReport, device, figures, report, running, share, showing, startBench, stopBench,
+} from './benching';
+import { Icon } from './Icon';
+import { catalogue } from './model';
+import { canShare, passOn } from './sharing';
+import { _, countText, general, say, word } from './words';
+
+function titleOf(scene: string): string {
+    return word(catalogue.scenes.find(({ name }) => name === scene)?.title ?? scene);
+}
+
+function Table() {
+    const heads = [_('Scene'), _('Law'), _('Particles'), _('Threads'), _('Least'), _('Median')];
+    return (
+        <div class="scrolled" tabIndex={0} role="region" aria-label={_('What was measured')}>
+            <table class="results numeric">
+                <caption>{_('Nanoseconds for a particle and substep')}</caption>
+                <thead>
+                    <tr>
+                        {heads.map((name) => (
+                            <th scope="col" key={name}>
+                                {name}
+                            </th>
+                        ))}
+                    </tr>
+                </thead>
+                <tbody>
+                    {figures.value.map(({ scene, law, particles, threads, least, median }) => (
+                        <tr key={`${scene} ${law} ${particles} ${threads}`}>
+                            <th scope="row">{titleOf(scene)}</th>
+                            <td>{law}</td>
+                            <td>{countText(particles)}</td>
+                            <td>{threads}</td>
+                            <td>{general(least, 3)}</td>
+                            <td>{general(median, 3)}</td>
+                        </tr>
+                    ))}
+                </tbody>
+            </table>
+        </div>
+    );
+}
+
+export default function Bench() {
+    useEffect(() => stopBench, []);
+    const seen = showing.value;
+    const done = !running.value && figures.value.length > 0;
+    return (
+        <>
+            <p>{_('What a particle costs here: two scenes and two laws of pressure, on one thread and on all. It takes up to a minute; nothing is sent anywhere.')}</p>
+            <p class="caption">{device.browser}</p>
+            <p class="caption">
+                {[
+                    say(_('Cores: %d'), device.cores),
+                    ...(device.memory ? [say(_('Memory: %g GB or more'), device.memory)] : []),
+                ].join(', ')}
+            </p>
+            <p class="row">
+                <button
+                    type="button"
+                    class="text suggested"
+                    onClick={() => (running.value ? stopBench() : void startBench())}
+                >
+                    {running.value ? _('Stop') : _('Measure')}
+                </button>
+                <button type="button" class="text" disabled={!done} onClick={() => void copyReport()}>
+                    <Icon name="copy" />
+                    {_('Copy')}
+                </button>
+                {canShare && (
+                    <button type="button" class="text" disabled={!done}
+                        onClick={() => void passOn({ text: report.value })}>
+                        <Icon name="share" />
+                        {_('Pass on')}
+                    </button>
+                )}
+            </p>
+            {running.value && <progress aria-label={_('Measure')} value={share.value} />}
+            {seen && (
+                <p>
+                    {say(
+                        _('The water that was open: %.0f pictures and %.0f of 60 frames a second; a frame takes %.1f ms, a picture %.1f ms.'),
+                        seen.pictures, seen.frames, seen.stepMs, seen.drawMs,
+                    )}
+                </p>
+            )}
+            {figures.value.length > 0 && <Table />}
+        </>
+    );
+}

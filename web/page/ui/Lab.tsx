@@ -1,0 +1,157 @@
+// Lab: an experiment's card: question, prediction, measurement, comparison. Invariant: what theory says
+// is shown once something was measured, not before: who predicts shall not read it off.
+import type { ComponentChildren } from 'preact';
+import type { Curve, Experiment, LabMessage, Row } from '../simulation/protocol';
+import { wordsOfFailure } from './errands';
+import { download } from './files';
+import { Icon } from './Icon';
+import { predictions, runs, startExperiment, stopExperiment } from './labs';
+import { catalogue, showPanel, simulation, subject } from './model';
+import { Plot } from './Plot';
+import { _, general, word } from './words';
+
+function Part({ title, text, children }: { title: string; text: string; children?: ComponentChildren }) {
+    return (
+        <section>
+            <h3>{title}</h3>
+            <p>{word(text)}</p>
+            {children}
+        </section>
+    );
+}
+
+function Prediction({ index }: { index: number }) {
+    return (
+        <textarea
+            rows={2}
+            aria-label={_('Your prediction')}
+            placeholder={_('Your prediction')}
+            value={predictions.value[index] ?? ''}
+            onInput={(event) =>
+                (predictions.value = { ...predictions.value, [index]: event.currentTarget.value })
+            }
+        />
+    );
+}
+
+function ResultRow({ quantity, unit, measured, theory, pass }: Row) {
+    const known = Number.isFinite(theory) && theory !== 0;
+    return (
+        <tr>
+            <th scope="row">{word(quantity)}</th>
+            <td>{`${general(measured, 4)} ${unit}`}</td>
+            <td>{known ? `${general(theory, 4)} ${unit}` : '–'}</td>
+            <td class={pass ? 'pass' : 'fail'}>{pass ? `✓ ${_('as theory')}` : `✗ ${_('not as theory')}`}</td>
+        </tr>
+    );
+}
+
+function Results({ rows }: { rows: Row[] }) {
+    return (
+        <div class="scrolled" tabIndex={0} role="region" aria-label={_('4. Compare')}>
+            <table class="results numeric">
+                <thead>
+                    <tr>
+                        <th scope="col">{_('Quantity')}</th>
+                        <th scope="col">{_('Measured')}</th>
+                        <th scope="col">{_('Theory')}</th>
+                        <th scope="col">{_('Within what is allowed')}</th>
+                    </tr>
+                </thead>
+                <tbody>
+                    {rows.map((row) => (
+                        <ResultRow key={row.quantity} {...row} />
+                    ))}
+                </tbody>
+            </table>
+        </div>
+    );
+}
+
+function shownCurves(latest: LabMessage | null | undefined): Curve[] {
+    if (!latest || latest.kind === 'failed')
+        return [];
+    const curves = latest.curves.map((curve) => ({ ...curve, label: word(curve.label) }));
+    return latest.kind === 'done' ? curves : curves.filter(({ style }) => style !== 'theory');
+}
+
+function Measurement({ index, experiment }: { index: number; experiment: Experiment }) {
+    const run = runs.value[index];
+    const curves = shownCurves(run?.latest);
+    return (
+        <Part title={_('3. Measure')} text={experiment.measure}>
+            <p class="row">
+                <button
+                    type="button"
+                    class="text suggested"
+                    onClick={() => (run?.running ? stopExperiment() : startExperiment(index))}
+                >
+                    {run?.running ? _('Stop') : _('Measure')}
+                </button>
+                <button
+                    type="button"
+                    class="text"
+                    onClick={() => {
+                        simulation.openExperiment(index);
+                        showPanel(null);
+                    }}
+                >
+                    {_('Play with the set-up')}
+                </button>
+            </p>
+            {run?.running && <progress aria-label={_('3. Measure')} value={run.share} />}
+            {curves.length > 0 && (
+                <Plot
+                    xLabel={word(experiment.xLabel)}
+                    yLabel={word(experiment.yLabel)}
+                    curves={curves}
+                    name={word(experiment.title)}
+                />
+            )}
+        </Part>
+    );
+}
+
+export default function Lab() {
+    const index = subject.value;
+    const experiment = catalogue.experiments[index];
+    const latest = runs.value[index]?.latest;
+    return (
+        <>
+            <h3 class="title">{word(experiment.title)}</h3>
+            <p class="caption">{word(experiment.description)}</p>
+            <Part title={_('1. Question')} text={experiment.question} />
+            <Part title={_('2. Predict')} text={experiment.predict}>
+                <Prediction index={index} />
+            </Part>
+            <Measurement index={index} experiment={experiment} />
+            {latest?.kind === 'failed' && <p role="alert">{wordsOfFailure(latest.error)}</p>}
+            {latest?.kind === 'done' && (
+                <Part title={_('4. Compare')} text={experiment.compare}>
+                    {predictions.value[index] && (
+                        <p class="quote">{`${_('Your prediction')}: ${predictions.value[index]}`}</p>
+                    )}
+                    <Results rows={latest.rows} />
+                    <p class="row">
+                        <button
+                            type="button"
+                            class="text"
+                            onClick={() => download(latest.csv, 'text/csv', `${experiment.name}.csv`)}
+                        >
+                            <Icon name="save" />
+                            CSV
+                        </button>
+                        <button
+                            type="button"
+                            class="text"
+                            onClick={() => download(latest.svg, 'image/svg+xml', `${experiment.name}.svg`)}
+                        >
+                            <Icon name="save" />
+                            SVG
+                        </button>
+                    </p>
+                </Part>
+            )}
+        </>
+    );
+}

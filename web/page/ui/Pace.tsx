@@ -1,0 +1,67 @@
+// Pace: how fast it goes, what it costs, and what was chosen for that.
+import type { State } from '../simulation/protocol';
+import { simulation, state } from './model';
+import { isSlow } from './spoken';
+import { countText, N_, _, say } from './words';
+
+const speeds = [
+    { speed: 2, title: N_('Twice as Fast') },
+    { speed: 1, title: N_('Real Time') },
+    { speed: 0.5, title: N_('Half') },
+    { speed: 0.25, title: N_('A Quarter') },
+    { speed: 0.1, title: N_('A Tenth') },
+];
+
+/** Device pixels in a CSS pixel: more are not drawn anywhere. */
+const SHARPEST = 2;
+
+/** What this device is spared, or spares the reader. */
+function wordsOfChoices(now: State): string[] {
+    const said = [];
+    if (now.chosen !== null)
+        said.push(say(_('So that it goes in real time, scenes made for 3000 particles begin with %s on this device.'), countText(now.chosen)));
+    if (now.ratio < Math.min(window.devicePixelRatio, SHARPEST))
+        said.push(_('Drawing is slow here: pictures are coarser than the screen.'));
+    // Comes and goes: last, so that what is above it stays.
+    if (isSlow(now))
+        said.push(_('Slow motion: this device cannot compute so many particles in real time. Fewer go faster (Properties).'));
+    return said;
+}
+
+export function Pace() {
+    const now = state.value;
+    if (!now)
+        return null;
+    const costs = [
+        say(_('Step: %.1f ms'), now.stepMs),
+        say(_('Picture: %.1f ms'), now.drawMs),
+        say(_('%d substeps a frame'), now.worlds[0].substeps),
+        say(_('Threads: %d'), now.threads),
+    ];
+    return (
+        <>
+            <fieldset class="choices">
+                <legend>{_('Speed')}</legend>
+                {speeds.map(({ speed, title }) => (
+                    <label class="choice" key={speed}>
+                        <input
+                            type="radio"
+                            name="speed"
+                            checked={Math.abs(now.speed - speed) < 1e-6}
+                            onChange={() => simulation.setSpeed(speed)}
+                        />
+                        {_(title)}
+                    </label>
+                ))}
+            </fieldset>
+            {wordsOfChoices(now).map((text) => (
+                <p class="caption" key={text}>{text}</p>
+            ))}
+            <ul class="plain numeric">
+                {costs.map((cost) => (
+                    <li>{cost}</li>
+                ))}
+            </ul>
+        </>
+    );
+}

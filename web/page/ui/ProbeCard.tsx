@@ -1,0 +1,86 @@
+// Probe card: one instrument's readings, its plot with what theory says, and what else can be done.
+// Invariant: its history is kept while the card is open.
+import { useEffect } from 'preact/hooks';
+import type { Curve, Probe } from '../simulation/protocol';
+import { download } from './files';
+import { kindOf } from './instruments';
+import { Icon } from './Icon';
+import { showPanel, simulation, state, subject } from './model';
+import { Plot } from './Plot';
+import { _, quantityText, readingText, say, word } from './words';
+
+function curveOf(probe: Probe, channel: number, label: string, style: Curve['style']): Curve {
+    const { size } = probe.channels[channel];
+    const values = probe.values?.[channel] ?? new Float64Array();
+    return { label, style, x: probe.times ?? new Float64Array(), y: values.map((value) => value / size) };
+}
+
+/** Both worlds' curves, and over them what theory says. */
+function curvesOf(probe: Probe, beside: Probe | undefined): Curve[] {
+    const main = kindOf(probe.kind).channel;
+    const name = word(probe.channels[main].name);
+    const curves = [curveOf(probe, main, beside ? _('World A') : name, 'line')];
+    if (beside)
+        curves.push(curveOf(beside, main, _('World B'), 'dots'));
+    const theory = probe.channels[main + 1];
+    if (theory?.theory) {
+        curves.push(curveOf(probe, main + 1, say(_('theory: %s'), word(theory.name)), 'theory'));
+        if (beside)
+            curves.push(curveOf(beside, main + 1, _('theory, B'), 'theory'));
+    }
+    return curves;
+}
+
+function saveCurves(curves: Curve[], x: string, y: string): void {
+    const lines = curves.flatMap(({ label, x: xs, y: ys }) =>
+        Array.from(xs, (at, i) => `${label},${Number(at.toPrecision(7))},${Number(ys[i].toPrecision(7))}`),
+    );
+    download([`series,${x},${y}`, ...lines, ''].join('\n'), 'text/csv', 'readings.csv');
+}
+
+export default function ProbeCard() {
+    const id = subject.value;
+    const worlds = state.value?.worlds ?? [];
+    const probe = worlds[0]?.probes.find((one) => one.id === id);
+    const beside = worlds[1]?.probes.find((one) => one.id === id);
+    useEffect(() => {
+        simulation.watchProbe(id, true);
+        return () => simulation.watchProbe(id, false);
+    }, [id]);
+    useEffect(() => {
+        if (!probe)
+            showPanel(null); // it was taken away
+    }, [probe === undefined]);
+    if (!probe)
+        return null;
+    const title = word(kindOf(probe.kind).title);
+    const main = probe.channels[kindOf(probe.kind).channel];
+    const yLabel = quantityText(main.name, main.unit);
+    const curves = curvesOf(probe, beside);
+    return (
+        <>
+            <h3>{`${id}  ${title}`}</h3>
+            <Plot xLabel={_('time (s)')} yLabel={yLabel} curves={curves} name={`${title}: ${readingText(main.text)}`} />
+            <dl class="readings numeric">
+                {probe.channels.map(({ name, text }, i) => (
+                    <div key={name}>
+                        <dt>{word(name)}</dt>
+                        <dd>
+                            {readingText(text)}
+                            {beside && ` · B: ${readingText(beside.channels[i].text)}`}
+                        </dd>
+                    </div>
+                ))}
+            </dl>
+            <div class="row">
+                <button type="button" class="text" onClick={() => saveCurves(curves, _('time (s)'), yLabel)}>
+                    <Icon name="save" />
+                    CSV
+                </button>
+                <button type="button" class="text" onClick={() => simulation.removeProbe(id)}>
+                    {_('Remove')}
+                </button>
+            </div>
+        </>
+    );
+}

@@ -1,0 +1,176 @@
+// Properties: rows made from the registry, with units, help and a way back. Invariants: a row shows what
+// the state has, whoever changed it or went back in time; no parameter is named here, but for the quick
+// choices of planets.
+import { effect, signal } from '@preact/signals';
+import type { Field, Side } from '../simulation/protocol';
+import { Anew } from './Anew';
+import { Button } from './Button';
+import { catalogue, compared, simulation, state } from './model';
+import { N_, _, titleOfPath, word } from './words';
+
+/** Which world they are of. */
+const side = signal<Side>(0);
+/** Each world's parameters as it began, and which one that was. */
+const standards: { opened: number; values: Record<string, string> }[] = [];
+
+const planets = [
+    { name: N_('Moon'), gravity: '-1.62' },
+    { name: N_('Mars'), gravity: '-3.71' },
+    { name: N_('Earth'), gravity: '-9.81' },
+    { name: N_('Jupiter'), gravity: '-24.79' },
+];
+
+function setPlanet(gravity: string, side: Side): void {
+    if (Number(state.value?.worlds[side].parameters['gravity.x']) !== 0)
+        simulation.set('gravity.x', '0', side);
+    simulation.set('gravity.y', gravity, side);
+}
+
+effect(() => {
+    state.value?.worlds.forEach(({ opened, parameters }, which) => {
+        if (standards[which]?.opened !== opened)
+            standards[which] = { opened, values: parameters };
+    });
+});
+
+interface RowProps {
+    field: Field;
+    value: string;
+    /** What it began with. */
+    standard: string;
+    set: (text: string) => void;
+}
+
+function Control({ field, value, set, id }: RowProps & { id: string }) {
+    const common = { id, 'aria-describedby': `${id}-help` };
+    if (field.type === 'boolean')
+        return (
+            <input
+                {...common}
+                type="checkbox"
+                role="switch"
+                class="switch"
+                checked={value === 'true'}
+                onChange={(event) => set(event.currentTarget.checked ? 'true' : 'false')}
+            />
+        );
+    if (field.type === 'choice')
+        return (
+            <select {...common} value={value} onChange={(event) => set(event.currentTarget.value)}>
+                {field.choices.map((name) => (
+                    <option value={name} key={name}>
+                        {word(name)}
+                    </option>
+                ))}
+            </select>
+        );
+    return (
+        <input
+            {...common}
+            type="text"
+            inputMode="decimal"
+            class="figure numeric"
+            value={value}
+            onChange={(event) => {
+                const text = event.currentTarget.value.trim().replace(',', '.');
+                event.currentTarget.value = value; // what is refused is forgotten
+                set(text);
+            }}
+        />
+    );
+}
+
+export function Row(props: RowProps) {
+    const { field, value, set } = props;
+    const id = `field-${field.path}`;
+    return (
+        <div class="property">
+            <label for={id}>{titleOfPath(field.path)}</label>
+            <span class="control">
+                {value !== props.standard && (
+                    <Button
+                        icon="undo"
+                        name={`${titleOfPath(field.path)}: ${_('As the scene began')}`}
+                        class="small"
+                        onClick={() => set(props.standard)}
+                    />
+                )}
+                <Control {...props} id={id} />
+            </span>
+            <span class="caption" id={`${id}-help`}>
+                {[field.unit, word(field.help)].filter(Boolean).join(' · ')}
+            </span>
+        </div>
+    );
+}
+
+/** "fluid" of "fluid.viscosity"; "world" of what has no group. */
+function groupOf(path: string): string {
+    return path.includes('.') ? path.slice(0, path.indexOf('.')) : 'world';
+}
+
+function Group({ name, rows }: { name: string; rows: RowProps[] }) {
+    return (
+        <section aria-labelledby={`group-${name}`}>
+            <h3 id={`group-${name}`}>{titleOfPath(name)}</h3>
+            {rows.map((row) => (
+                <Row key={row.field.path} {...row} />
+            ))}
+        </section>
+    );
+}
+
+function Sides() {
+    return (
+        <div class="linked" role="group" aria-label={_('Properties')}>
+            {([0, 1] as const).map((which) => (
+                <button
+                    type="button"
+                    class="text"
+                    aria-pressed={side.value === which}
+                    onClick={() => (side.value = which)}
+                >
+                    {which === 0 ? _('World A') : _('World B')}
+                </button>
+            ))}
+        </div>
+    );
+}
+
+export function Properties() {
+    const worlds = state.value?.worlds ?? [];
+    const which = compared.value ? side.value : 0;
+    const world = worlds[which];
+    if (!world)
+        return null;
+    const groups = new Map<string, RowProps[]>();
+    for (const field of catalogue.parameters) {
+        const name = groupOf(field.path);
+        const row = {
+            field,
+            value: world.parameters[field.path] ?? '',
+            standard: standards[which]?.values[field.path] ?? '',
+            set: (text: string) => simulation.set(field.path, text, which),
+        };
+        groups.set(name, [...(groups.get(name) ?? []), row]);
+    }
+    return (
+        <>
+            {compared.value && <Sides />}
+            <section aria-labelledby="planets">
+                <h3 id="planets">{_('Gravity as on')}</h3>
+                <div class="linked">
+                    {planets.map(({ name, gravity }) => (
+                        <button type="button" class="text" key={name} onClick={() => setPlanet(gravity, which)}>
+                            {_(name)}
+                        </button>
+                    ))}
+                </div>
+            </section>
+            {[...groups].map(([name, rows]) => (
+                <Group key={name} name={name} rows={rows} />
+            ))}
+            {!compared.value && <Anew world={world} />}
+        </>
+    );
+}

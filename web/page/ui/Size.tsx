@@ -1,0 +1,41 @@
+// Size: the radius of the tool, and what it dyes with.
+import { LARGEST, SMALLEST, longerSide, setBrush } from './actions';
+import { catalogue, dye, part, simulation } from './model';
+import { _, say, word } from './words';
+
+const brush = part((s) => s.brush, 0);
+
+export function Size() {
+    const share = Math.min(LARGEST, Math.max(SMALLEST, brush.value / longerSide()));
+    return (
+        <>
+            <input
+                type="range"
+                class="wide"
+                aria-label={_('Size of the tool')}
+                aria-valuetext={say(_('%.1f cm'), 100 * brush.value)}
+                min={Math.log(SMALLEST)}
+                max={Math.log(LARGEST)}
+                step={0.05}
+                value={Math.log(share)}
+                onInput={(event) => setBrush(Math.exp(Number(event.currentTarget.value)) * longerSide())}
+            />
+            <p class="numeric">{say(_('%.1f cm'), 100 * brush.value)}</p>
+            <fieldset class="choices">
+                <legend>{_('Dye')}</legend>
+                {catalogue.dyes.map((name, index) => (
+                    <label class="choice" key={name}>
+                        <input
+                            type="radio"
+                            name="dye"
+                            checked={dye.value === index}
+                            onChange={() => simulation.setDye(index)}
+                        />
+                        <span class={`swatch dye-${name}`} />
+                        {word(name)}
+                    </label>
+                ))}
+            </fieldset>
+        </>
+    );
+}

@@ -1,0 +1,125 @@
+// Transport: time as a person handles it. Invariant: while a finger is on the bar, the picture follows
+// it; once it lets go, the scene plays on from there if it played before.
+import { useSignal } from '@preact/signals';
+import { REACH, seekTo, step, togglePause } from './actions';
+import { Button } from './Button';
+import { FRAMES, part, paused, simulation, state, togglePanel } from './model';
+import { pressStopwatch, reading, readingWords, used } from './stopwatch';
+import { isSlow, wordsOfPace } from './spoken';
+import { _, say } from './words';
+
+const canUndo = part((s) => s.canUndo, false);
+const canRedo = part((s) => s.canRedo, false);
+
+function Bar() {
+    const now = state.value;
+    const resumes = useSignal(false);
+    const end = now?.end ?? 0;
+    const first = Math.max(0, end - REACH);
+    const behind = end - (now?.moment ?? 0);
+    const seconds = now?.worlds[0].time ?? 0;
+    const clock =
+        behind > 0 ? say(_('%.1f s (−%.1f)'), seconds, behind / FRAMES) : say(_('%.1f s'), seconds);
+    return (
+        <div class="bar">
+            <input
+                type="range"
+                aria-label={_('Rewind')}
+                aria-valuetext={clock}
+                title={_('The last 30 seconds: drag to go back (Shift+Left)')}
+                min={first}
+                max={Math.max(end, first + 1)}
+                value={now?.moment ?? 0}
+                disabled={end === 0}
+                onPointerDown={() => (resumes.value = !paused.value)}
+                onInput={(event) => seekTo(Number(event.currentTarget.value))}
+                onChange={() => {
+                    if (resumes.value)
+                        simulation.setPaused(false);
+                    resumes.value = false;
+                }}
+            />
+            <span class="clock">{clock}</span>
+        </div>
+    );
+}
+
+function Pace() {
+    const now = state.value;
+    const slow = now !== null && isSlow(now);
+    return (
+        <button
+            type="button"
+            class={`pace ${slow ? 'slow' : ''}`}
+            title={_('How fast it goes, and what it costs')}
+            onClick={() => togglePanel('pace')}
+        >
+            <span class="hidden">{`${_('How fast it goes')}: `}</span>
+            {now ? wordsOfPace(now) : ''}
+        </button>
+    );
+}
+
+function Stopwatch() {
+    return (
+        <>
+            <Button
+                icon="stopwatch"
+                name={_('Stopwatch')}
+                hint="W"
+                description={used.value ? readingWords.value : undefined}
+                onClick={() => pressStopwatch(false)}
+            />
+            {used.value && (
+                <span class="stopwatch">
+                    <span class="numeric">{readingWords.value}</span>
+                    {reading.value.running && (
+                        <button type="button" class="text" onClick={() => pressStopwatch(true)}>
+                            {_('Lap')}
+                        </button>
+                    )}
+                </span>
+            )}
+        </>
+    );
+}
+
+export function Transport() {
+    return (
+        <div class="transport" role="group" aria-label={_('Playback')}>
+            <div class="buttons">
+                <Button
+                    icon={paused.value ? 'play' : 'pause'}
+                    name={paused.value ? _('Play') : _('Pause')}
+                    hint={_('Space')}
+                    class="primary"
+                    onClick={togglePause}
+                />
+                <Button icon="step" name={_('One step of 1/60 s')} hint="." onClick={step} />
+                <Button
+                    icon="reset"
+                    name={_('Back to the start')}
+                    hint="R"
+                    onClick={() => simulation.reset()}
+                />
+                <Button
+                    icon="undo"
+                    name={_('Undo')}
+                    hint={_('Ctrl+Z')}
+                    disabled={!canUndo.value}
+                    onClick={() => simulation.undo()}
+                />
+                <Button
+                    icon="redo"
+                    name={_('Redo')}
+                    hint={_('Shift+Ctrl+Z')}
+                    disabled={!canRedo.value}
+                    onClick={() => simulation.redo()}
+                />
+                <Stopwatch />
+            </div>
+            <Bar />
+            <Pace />
+        </div>
+    );
+}

@@ -1,0 +1,159 @@
+// Actions: what buttons and keys do, a small function each. Invariant: what follows from one shows when
+// the simulation's next state says so, not before.
+import { signal } from '@preact/signals';
+import { moreContrast, paletteOf, preferences, prefer, systemLight } from './preferences';
+import { FRAMES, catalogue, complain, keyboardHand, showPanel, simulation, state, toast } from './model';
+import { _ } from './words';
+
+// Time
+
+export function togglePause(): void {
+    simulation.setPaused(!(state.value?.paused ?? false));
+}
+
+export function step(): void {
+    simulation.setPaused(true);
+    simulation.stepOnce();
+}
+
+/** How far back the bar reaches. */
+export const REACH = 30 * FRAMES;
+
+export function seekTo(frame: number): void {
+    const now = state.value;
+    if (!now)
+        return;
+    simulation.setPaused(true);
+    simulation.seek(Math.min(now.end, Math.max(0, now.end - REACH, Math.round(frame))));
+}
+
+/** Frames back or forth in time. */
+export function go(frames: number): void {
+    seekTo((state.value?.moment ?? 0) + frames);
+}
+
+const speeds = [0.1, 0.25, 0.5, 1, 2];
+
+/** The next of the speeds in either direction. */
+export function changeSpeed(direction: number): void {
+    const now = state.value?.speed ?? 1;
+    const at = speeds.findIndex((speed) => speed >= now - 1e-9);
+    simulation.setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, at + direction))]);
+}
+
+// Tools
+
+/** A tool that is chosen again takes its next colour. */
+export function chooseTool(index: number): void {
+    const now = state.value;
+    if (now && index === now.tool && catalogue.tools[index].dyes)
+        simulation.setDye((now.dye + 1) % catalogue.dyes.length);
+    simulation.setTool(index);
+}
+
+/** Radii that a brush may have: shares of the world's longer side. */
+export const SMALLEST = 0.004;
+export const LARGEST = 0.25;
+
+export function longerSide(): number {
+    const world = state.value?.worlds[0];
+    return world ? Math.max(world.width, world.height) : 1;
+}
+
+export function setBrush(radius: number): void {
+    const side = longerSide();
+    simulation.setBrush(Math.min(LARGEST * side, Math.max(SMALLEST * side, radius)));
+}
+
+export function scaleBrush(factor: number): void {
+    setBrush((state.value?.brush ?? 0) * factor);
+}
+
+export function toggleKeyboardHand(): void {
+    keyboardHand.value = !keyboardHand.value;
+    simulation.keyboard(0, 0, false);
+    if (keyboardHand.value)
+        toast(_('Arrow keys move the hand, Return closes and opens it'));
+}
+
+// Views
+
+export function setView(view: string): void {
+    prefer({ view });
+    simulation.setStyle({ view, range: 0 });
+}
+
+export function nextView(): void {
+    const at = catalogue.views.findIndex((view) => view.name === state.value?.style.view);
+    setView(catalogue.views[(at + 1) % catalogue.views.length].name);
+}
+
+export function toggleOverlay(name: string): void {
+    const shown = preferences.value.overlays;
+    const overlays = shown.includes(name) ? shown.filter((other) => other !== name) : [...shown, name];
+    prefer({ overlays });
+    simulation.setStyle({ overlays });
+}
+
+/** All of the picture's style that the reader's preferences say. */
+export function applyPreferences(): void {
+    const chosen = preferences.value;
+    const palette = paletteOf(chosen, systemLight.value, moreContrast.value);
+    document.documentElement.dataset.palette = palette;
+    const { view, overlays, detail } = chosen;
+    simulation.setStyle({ view, overlays, detail, palette });
+    simulation.setUnits(chosen.si);
+    simulation.setTilt(chosen.tilt);
+}
+
+export function zoom(steps: number): void {
+    const area = state.value?.worlds[0].area;
+    if (steps === 0)
+        simulation.showAll();
+    else if (area)
+        simulation.zoom(1.25 ** steps, area.x + area.width / 2, area.y + area.height / 2);
+}
+
+// Opening
+
+/** What a newcomer sees. */
+export const FIRST_SCENE = 'dam-break';
+/** Scenes without walls, which may be as wide and high as the screen. */
+const pliable = ['pool', 'dam-break'];
+/** The width of such a world on a screen that is upright, in m. */
+const NARROW = 0.9;
+
+/** On a phone that is held upright, a scene that may fills the screen. */
+export function openScene(name: string): void {
+    const stage = document.querySelector('.stage');
+    const ratio = stage ? stage.clientHeight / stage.clientWidth : 1;
+    const fills = ratio > 1 && pliable.includes(name);
+    const size = { 'world.width': String(NARROW), 'world.height': (NARROW * Math.min(2, ratio)).toFixed(2) };
+    simulation.open(name, fills ? size : undefined);
+    showPanel(null);
+}
+
+/** A photo that is to become a scene. */
+export const photo = signal<File | null>(null);
+
+const formats = ['json', 'png', 'skv', 'skvr'] as const;
+
+/** A file of ours is opened; another picture becomes one first. */
+export async function openFile(file: File): Promise<void> {
+    const ending = file.name.slice(file.name.lastIndexOf('.') + 1).toLowerCase();
+    const format = formats.find((known) => known === ending);
+    if (format) {
+        const bytes = await file.arrayBuffer().catch(() => null);
+        if (!bytes) {
+            complain(_('This file cannot be read.')); // a folder, or it is not there any more
+            return;
+        }
+        simulation.openBytes(new Uint8Array(bytes), format, file.name);
+        showPanel(null);
+    } else if (file.type.startsWith('image/')) {
+        photo.value = file;
+        showPanel('photo');
+    } else {
+        complain(_('This is no scene, picture, state or replay of Skvalp.'));
+    }
+}

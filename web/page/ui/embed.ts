@@ -1,0 +1,121 @@
+// Embedding: what the address says, and what a page around this one may ask for (docs/embed.md).
+// Invariant: whoever embeds can do no more than who plays; nothing is read from here that is not in
+// the picture or its figures.
+import { effect } from '@preact/signals';
+import { FIRST_SCENE, openScene, setView } from './actions';
+import { catalogue, complain, controls, embedded, showPanel, simulation, state, toast } from './model';
+import { lessMotion } from './preferences';
+import { payloadOf } from './sharing';
+import { _, known } from './words';
+
+export function readAddress() {
+    const asked = new URLSearchParams(location.search);
+    embedded.value = asked.get('embed') === '1';
+    const wanted = asked.get('controls');
+    controls.value = wanted === 'none' || wanted === 'play' ? wanted : 'all';
+
+    function openHash(): boolean {
+        const payload = location.hash ? payloadOf(location.href) : null;
+        if (payload)
+            simulation.openLink(payload);
+        else if (location.hash.length > 1)
+            complain(_('This link is damaged or cut short: copy all of it.'));
+        return payload !== null;
+    }
+
+    function open(): void {
+        const scene = asked.get('scene') ?? FIRST_SCENE;
+        const isKnown = catalogue.scenes.some(({ name }) => name === scene);
+        if (!openHash())
+            openScene(isKnown ? scene : FIRST_SCENE);
+        if (!isKnown)
+            complain(_('There is no scene of this name.'));
+        const view = asked.get('view');
+        if (view && catalogue.views.some(({ name }) => name === view))
+            setView(view);
+        if (asked.has('bench'))
+            showPanel('bench');
+        if (asked.get('paused') === '1')
+            simulation.setPaused(true);
+        else if (lessMotion.value && controls.value !== 'none' && asked.get('paused') !== '0') {
+            simulation.setPaused(true);
+            toast(_('The system asks for less motion: the water waits until you press Play.'));
+        }
+    }
+
+    const language = asked.get('lang') ?? '';
+    return { language: known.includes(language) ? language : '', open, openHash };
+}
+
+/** Requests, by what stands in `skvalp`; each takes the members of the message that it knows. */
+const requests: Record<string, (data: Record<string, unknown>) => unknown> = {
+    open: ({ scene }) => simulation.open(String(scene)),
+    link: ({ link }) => simulation.openLink(payloadOf(String(link)) ?? String(link)),
+    play: () => simulation.setPaused(false),
+    pause: () => simulation.setPaused(true),
+    step: () => simulation.stepOnce(),
+    reset: () => simulation.reset(),
+    seek: ({ frame }) => simulation.seek(Number(frame)),
+    speed: ({ speed }) => simulation.setSpeed(Number(speed)),
+    gravity: ({ x, y }) => simulation.setGravity(Number(x), Number(y)),
+    set: ({ path, value }) => simulation.set(String(path), String(value)),
+    view: ({ view }) => setView(String(view)),
+    share: () => simulation.share(),
+};
+
+async function answer(event: MessageEvent): Promise<void> {
+    const data: unknown = event.data;
+    if (typeof data !== 'object' || data === null || !('skvalp' in data))
+        return;
+    const { skvalp: name, id } = data as { skvalp: unknown; id?: unknown };
+    const request = typeof name === 'string' && Object.hasOwn(requests, name) ? requests[name] : null;
+    const reply = (content: object) =>
+        (event.source as Window | null)?.postMessage({ skvalp: 'answer', id, ...content }, { targetOrigin: '*' });
+    try {
+        if (!request)
+            throw new Error(`there is no request '${String(name)}'`);
+        reply({ result: (await request(data as Record<string, unknown>)) ?? null });
+    } catch (error) {
+        reply({ error: error instanceof Error ? error.message : String(error) });
+    }
+}
+
+/** Four times a second is enough for figures beside the picture. */
+const PERIOD = 250;
+
+export function serveEmbedding(): void {
+    if (window.parent === window)
+        return;
+    const tell = (content: object) => window.parent.postMessage(content, '*');
+    let told = -Infinity;
+    let late: number | undefined;
+    window.addEventListener('message', (event) => {
+        if (event.source === window.parent)
+            void answer(event);
+    });
+    /** What came too soon after the last one is told later, as it is then. */
+    function tellState(): void {
+        const now = state.peek();
+        const rest = told + PERIOD - performance.now();
+        clearTimeout(late);
+        if (!now?.worlds[0].name)
+            return;
+        if (rest > 0) {
+            late = window.setTimeout(tellState, rest);
+            return;
+        }
+        told = performance.now();
+        const { time, particles, name, title, probes } = now.worlds[0];
+        const readings = probes.map(({ id, channels }) => ({
+            id,
+            readings: channels.map((channel) => ({ name: channel.name, value: channel.value })),
+        }));
+        const { moment, paused, atRest } = now;
+        tell({ skvalp: 'state', scene: name, title, time, moment, paused, atRest, particles, readings });
+    }
+    effect(() => {
+        void state.value;
+        tellState();
+    });
+    tell({ skvalp: 'ready', version: catalogue.version, scenes: catalogue.scenes.map(({ name }) => name) });
+}

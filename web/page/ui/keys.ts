@@ -1,0 +1,180 @@
+// Keys: the app's keys on the page. Invariant: what has the focus and needs a key gets it: texts and
+// choices all of them, buttons Space and Return, sliders the arrows; a reader can switch off those
+// that are pressed without Ctrl.
+import { effect } from '@preact/signals';
+import {
+    changeSpeed, chooseTool, go, nextView, scaleBrush, step, toggleKeyboardHand, toggleOverlay,
+    togglePause, zoom,
+} from './actions';
+import { catalogue, compared, dismiss, keyboardHand, message, panel, showPanel, simulation } from './model';
+import { FRAMES, ready, togglePanel } from './model';
+import { preferences } from './preferences';
+import { addProbe } from './instruments';
+import { pressStopwatch } from './stopwatch';
+import { openLinkText, shareLink } from './sharing';
+import { saveFile } from './files';
+import { toggleFullscreen } from './device';
+
+/** Keys that do something by themselves. */
+const plain: Record<string, () => void> = {
+    ' ': togglePause,
+    '.': step,
+    s: step,
+    ',': () => go(-1),
+    r: () => simulation.reset(),
+    '-': () => changeSpeed(-1),
+    '+': () => changeSpeed(1),
+    '=': () => changeSpeed(1),
+    '0': () => simulation.setGravity(0, 0),
+    t: () => toggleOverlay('tracers'),
+    v: nextView,
+    c: () => (compared.value ? simulation.compare(null) : showPanel('compare')),
+    g: () => togglePanel('scenes'),
+    p: () => togglePanel('properties'),
+    k: toggleKeyboardHand,
+    m: () => addProbe('pressure probe'),
+    w: () => pressStopwatch(false),
+    l: () => pressStopwatch(true),
+    '[': () => scaleBrush(0.8),
+    ']': () => scaleBrush(1.25),
+    f: toggleFullscreen,
+    '?': () => togglePanel('keys'),
+};
+
+/** Keys with Ctrl, or with the command key. */
+const withCtrl: Record<string, () => void> = {
+    z: () => simulation.undo(),
+    Z: () => simulation.redo(),
+    y: () => simulation.redo(),
+    C: () => void shareLink(),
+    o: () => showPanel('scenes'),
+    s: () => void saveFile('skvr'),
+    p: () => void saveFile('png'),
+    '+': () => zoom(1),
+    '=': () => zoom(1),
+    '-': () => zoom(-1),
+    '0': () => zoom(0),
+};
+
+const arrows: Record<string, [number, number]> = {
+    ArrowLeft: [-1, 0],
+    ArrowRight: [1, 0],
+    ArrowUp: [0, 1],
+    ArrowDown: [0, -1],
+};
+const held = new Set<string>();
+/** The keyboard's hand: it opens when it is put away. */
+let closed = false;
+effect(() => {
+    if (!keyboardHand.value)
+        closed = false;
+});
+
+/** What is done again while its key is held; all else once. */
+const repeating = new Set([',', '.', 's', '-', '+', '=', '[', ']', 'z', 'Z', 'y']);
+
+function act(event: KeyboardEvent, action: (() => void) | undefined): void {
+    if (!action)
+        return;
+    event.preventDefault();
+    if (!event.repeat || repeating.has(event.key))
+        action();
+}
+
+/** The hand moves while arrows are held; gravity points where they point, and stays there. */
+function applyArrows(): void {
+    let x = 0;
+    let y = 0;
+    for (const key of held) {
+        x += arrows[key][0];
+        y += arrows[key][1];
+    }
+    const length = Math.hypot(x, y);
+    if (keyboardHand.value)
+        simulation.keyboard(x, y, closed);
+    else if (length > 0)
+        simulation.setGravity(x / length, y / length);
+}
+
+/** Esc leaves what was entered last: a message, a panel, the keyboard's hand. */
+function leave(): void {
+    if (message.value)
+        dismiss();
+    else if (panel.value)
+        showPanel(null);
+    else if (keyboardHand.value)
+        toggleKeyboardHand();
+}
+
+/** Whether what has the focus takes this key for itself. */
+function isTaken(event: KeyboardEvent): boolean {
+    const focus = event.target as HTMLElement;
+    if (focus.closest('input:not([type=range], [type=checkbox], [type=radio]), textarea, select'))
+        return true;
+    if (focus.closest('button, summary, a') && (event.key === ' ' || event.key === 'Enter'))
+        return true;
+    if (focus.closest('input') && event.key === ' ')
+        return true;
+    return event.key in arrows && focus.closest('input, [data-arrows]') !== null;
+}
+
+function onArrow(event: KeyboardEvent): void {
+    event.preventDefault();
+    if (event.shiftKey && arrows[event.key][0]) {
+        go(arrows[event.key][0] * FRAMES);
+        return;
+    }
+    held.add(event.key);
+    applyArrows();
+}
+
+function onPlain(event: KeyboardEvent): void {
+    if (keyboardHand.value && event.key === 'Enter') {
+        closed = !closed;
+        applyArrows();
+        return;
+    }
+    if (event.key in arrows) {
+        onArrow(event);
+        return;
+    }
+    const tool = catalogue.tools.findIndex((known) => known.key === event.key);
+    act(event, tool >= 0 ? () => chooseTool(tool) : plain[event.key]);
+}
+
+function onDown(event: KeyboardEvent): void {
+    if (!ready.value || document.querySelector('dialog:modal'))
+        return;
+    if (event.key === 'Escape') {
+        leave();
+        return;
+    }
+    if (isTaken(event) || event.altKey)
+        return;
+    if (event.ctrlKey || event.metaKey) {
+        act(event, withCtrl[event.key]);
+        return;
+    }
+    if (preferences.value.keys || event.key in arrows)
+        onPlain(event);
+}
+
+function onUp(event: KeyboardEvent): void {
+    if (held.delete(event.key))
+        applyArrows();
+}
+
+export function attachKeys(): void {
+    window.addEventListener('keydown', onDown);
+    window.addEventListener('keyup', onUp);
+    window.addEventListener('blur', () => {
+        held.clear();
+        if (ready.value && keyboardHand.value)
+            applyArrows();
+    });
+    window.addEventListener('paste', (event) => {
+        const text = event.clipboardData?.getData('text') ?? '';
+        if (ready.value && !(event.target as HTMLElement).closest?.('input, textarea') && text)
+            openLinkText(text);
+    });
+}

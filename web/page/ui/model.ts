@@ -1,0 +1,83 @@
+// Model: what the page knows, as signals. Invariant: what the simulation says is in `state` alone; what
+// only the page knows (which panel is open, what is said to the reader) is in the other signals.
+import { computed, signal } from '@preact/signals';
+import type { Catalogue, Simulation, State, WorldState } from '../simulation/protocol';
+
+/** What everything is asked of; it is there before anything of the page can be used. */
+export let simulation: Simulation;
+/** All that there is to choose from; likewise. */
+export let catalogue: Catalogue;
+/** Whether both are there. */
+export const ready = signal(false);
+
+export function begin(with_: Simulation, choices: Catalogue): void {
+    simulation = with_;
+    catalogue = choices;
+    ready.value = true;
+}
+
+export const state = signal<State | null>(null);
+
+/** A part of the state: what reads it is drawn again only when it differs. */
+export function part<T>(read: (state: State) => T, otherwise: T) {
+    return computed(() => (state.value ? read(state.value) : otherwise));
+}
+
+export const world = computed<WorldState | null>(() => state.value?.worlds[0] ?? null);
+export const paused = part((s) => s.paused, true);
+export const tool = part((s) => s.tool, 0);
+export const dye = part((s) => s.dye, 0);
+export const compared = part((s) => s.worlds.length > 1, false);
+
+/** Frames a second of simulated time. */
+export const FRAMES = 60;
+
+/** Panels, one of which may be open: a sheet on phones, beside the water on wide screens. */
+export type Panel =
+    | 'scenes' | 'experiment' | 'views' | 'properties' | 'measure' | 'probe' | 'compare' | 'menu'
+    | 'size' | 'pace' | 'share' | 'settings' | 'keys' | 'about' | 'bench' | 'photo';
+export const panel = signal<Panel | null>(null);
+/** Which experiment or instrument an open panel is of. */
+export const subject = signal(0);
+
+export function showPanel(which: Panel | null, of = 0): void {
+    subject.value = of;
+    panel.value = which;
+}
+
+export function togglePanel(which: Panel): void {
+    showPanel(panel.value === which ? null : which);
+}
+
+/** What is said to the reader: a fault stays until it is closed. */
+export interface Message {
+    text: string;
+    fault: boolean;
+}
+export const message = signal<Message | null>(null);
+let fading = 0;
+
+export function toast(text: string): void {
+    clearTimeout(fading);
+    message.value = { text, fault: false };
+    fading = window.setTimeout(() => (message.value = null), 6000);
+}
+
+export function complain(text: string): void {
+    clearTimeout(fading);
+    message.value = { text, fault: true };
+}
+
+export function dismiss(): void {
+    clearTimeout(fading);
+    message.value = null;
+}
+
+/** Embedded in another page: fewer controls. */
+export const embedded = signal(false);
+/** Which controls show: all, or what an embedding page chose. */
+export const controls = signal<'all' | 'play' | 'none'>('all');
+/** Arrow keys move a hand. */
+export const keyboardHand = signal(false);
+/** The picture can't be drawn. */
+export const trouble = signal<null | 'lost' | 'unsupported'>(null);

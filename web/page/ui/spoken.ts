@@ -1,0 +1,56 @@
+// Status: what is to be said of the picture, in words. Invariant: what changes at every picture is not
+// in what screen readers are told unasked.
+import { computed } from '@preact/signals';
+import type { State, WorldState } from '../simulation/protocol';
+import { state } from './model';
+import { kindOf } from './instruments';
+import { _, countText, language, ngettext, say, word } from './words';
+
+/** Below this share of its speed a scene counts as slow. */
+const KEEPS_UP = 0.95;
+
+export function isSlow(now: State): boolean {
+    return !now.paused && !now.atRest && !now.seeking && now.pace < KEEPS_UP;
+}
+
+export function wordsOfPace(now: State): string {
+    if (now.seeking)
+        return _('going back');
+    if (now.paused)
+        return _('paused');
+    if (now.atRest)
+        return _('at rest');
+    const pace = now.speed * (isSlow(now) ? now.pace : 1);
+    return pace === 1 ? _('real time') : say(_('%.2g× of real time'), pace);
+}
+
+export function wordsOfAmount(world: WorldState): string {
+    return say(ngettext('%s particle', '%s particles', world.particles), countText(world.particles));
+}
+
+/** How much two gauges of the level differ, in whole cm: of columns that are to be compared. */
+function wordsOfLevels(world: WorldState): string {
+    const levels = world.probes
+        .filter((probe) => kindOf(probe.kind).name === 'level gauge')
+        .slice(0, 2)
+        .sort((a, b) => a.x0 - b.x0)
+        .map((probe) => probe.y0 + probe.channels[0].value);
+    if (levels.length < 2 || !levels.every(Number.isFinite))
+        return '';
+    const difference = Math.round(100 * (levels[0] - levels[1]));
+    if (difference === 0)
+        return _('both columns equally high');
+    return difference > 0
+        ? say(_('left column %d cm higher'), difference)
+        : say(_('right column %d cm higher'), -difference);
+}
+
+/** What the live region says: it changes when something has happened, not with every picture. */
+export const spoken = computed(() => {
+    const now = state.value;
+    if (!now || !language.value)
+        return '';
+    const world = now.worlds[0];
+    const doing = now.paused ? _('paused') : now.atRest ? _('at rest') : _('playing');
+    return [word(world.title), doing, wordsOfLevels(world)].filter(Boolean).join(', ');
+});

@@ -1,0 +1,91 @@
+// Words: what the page says, in the reader's language, and how figures are written. Invariant: every
+// text that people see went through _() or word(); the translations are the app's, from po/.
+import { signal } from '@preact/signals';
+import { languages } from 'virtual:words';
+
+/** The language that is spoken. */
+export const language = signal('en');
+let words = new Map<string, string | string[]>();
+
+/** Languages that there are: 'en', and those of po/. */
+export const known = ['en', ...Object.keys(languages)];
+
+/** The first language that is known of those that the reader's browser prefers. */
+export function preferred(): string {
+    return navigator.languages.map((tag) => tag.split('-')[0]).find((tag) => known.includes(tag)) ?? 'en';
+}
+
+export async function speak(tag: string): Promise<void> {
+    const load = Object.hasOwn(languages, tag) ? languages[tag] : undefined;
+    words = new Map(load && Object.entries((await load()).default));
+    language.value = load ? tag : 'en';
+}
+
+/** A text of the library's tables. */
+export function word(text: string): string {
+    void language.value; // what shows it follows the language
+    const found = words.get(text);
+    return (typeof found === 'string' ? found : found?.[0]) ?? text;
+}
+
+/** A text of the page's own: xgettext finds these. */
+export const _ = word;
+
+/** Marks a text for xgettext where it can't be translated yet. */
+export const N_ = (text: string): string => text;
+
+export function ngettext(one: string, many: string, count: number): string {
+    const found = language.value && words.get(one);
+    const forms = Array.isArray(found) ? found : [one, many];
+    return count === 1 ? forms[0] : forms[1];
+}
+
+/** The figure as it is written here: decimals have a comma in Swedish. */
+function localized(text: string): string {
+    return language.value === 'en' ? text : text.replace('.', decimal());
+}
+
+function decimal(): string {
+    const parts = new Intl.NumberFormat(language.value).formatToParts(1.5);
+    return parts.find((part) => part.type === 'decimal')?.value ?? '.';
+}
+
+/** As C's %.*g, for the figures that people read. */
+export function general(value: number, digits: number): string {
+    return Number.isFinite(value) ? localized(String(Number(value.toPrecision(digits)))) : '–';
+}
+
+/** The text with its printf formats filled: %s, %c, %d, %g, %.2f, %.2g, %%. */
+export function say(text: string, ...values: (string | number)[]): string {
+    let next = 0;
+    return text.replace(/%(?:%|(?:\.(\d+))?([scdgf]))/g, (whole, digits, kind) => {
+        if (whole === '%%')
+            return '%';
+        const value = values[next++];
+        if (kind === 'f')
+            return localized(Number(value).toFixed(Number(digits ?? 6)));
+        return kind === 'g' ? general(Number(value), Number(digits ?? 6)) : String(value);
+    });
+}
+
+/** "12 960": groups of three digits, with thin spaces that keep together. */
+export function countText(count: number): string {
+    return count < 10000 ? String(count) : String(count).replace(/\B(?=(\d{3})+$)/g, '\u202f');
+}
+
+/** "Radius ratio" of fluid.radius_ratio, as the app names a parameter. */
+export function titleOfPath(path: string): string {
+    const name = path.slice(path.lastIndexOf('.') + 1).replaceAll('_', ' ');
+    return word(name.charAt(0).toUpperCase() + name.slice(1));
+}
+
+/** A reading of the library's ("2.5 cm of water"): its unit is translated. */
+export function readingText(text: string): string {
+    const space = text.indexOf(' ');
+    return space < 0 ? localized(text) : `${localized(text.slice(0, space))} ${word(text.slice(space + 1))}`;
+}
+
+/** "pressure (cm of water)". */
+export function quantityText(name: string, unit: string): string {
+    return unit ? `${word(name)} (${word(unit)})` : word(name);
+}

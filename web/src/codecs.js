@@ -1,0 +1,3 @@
+// What an instance needs libraries for that are large and seldom wanted: see Instance.bringCodecs.
+export { deflate, inflate } from './deflate.js';
+export { decodePng } from './png.js';
