@@ -156,8 +156,9 @@ function readEvents(text) {
         },
         onError: (code, offset, length) => {
             const end = offset + length;
-            // A number is looked at before its place is.
-            if (/^-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?$/.test(text.slice(offset, end))) {
+            // A number is looked at before its place is; what follows a leading zero is none (01e999).
+            const begins = !/^\d\d$/.test(text.slice(offset - 1, offset + 1));
+            if (begins && /^-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?$/.test(text.slice(offset, end))) {
                 checkNumber(text.slice(offset, end), end);
             }
             const token = text.slice(offset, end).slice(0, 20);
