@@ -50,7 +50,10 @@ bundle() {
 in_chromium() {
     local script=tests/web/browser/$1
     shift
-    flock -o "$build/browser.lock" timeout 1200 web/node_modules/.bin/node "$script" "$@" || exit 1
+    local status=0
+    flock -o "$build/browser.lock" timeout 1200 web/node_modules/.bin/node "$script" "$@" || status=$?
+    ((status != 124)) || printf '%s was not over after 20 minutes\n' "$script" >&2
+    ((status == 0)) || exit 1
 }
 
 # verdict: the last line of a test.

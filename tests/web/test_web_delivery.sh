@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The folder that `npm run build` makes: isolated by its service worker on a server that sends no headers,
 # there without the server, renewed whole when a new version is, in a frame, and where nothing can be kept;
-# and the single file, from a disk. No path of this machine is in it. Arguments: build folder, source folder.
+# and the single file, from a disk. No path of this machine is in it, and a first visit takes no more than
+# it may. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_web_delivery.sh BUILD SOURCE}")
 cd "${2:?usage: test_web_delivery.sh BUILD SOURCE}"

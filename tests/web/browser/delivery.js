@@ -1,20 +1,24 @@
 // The built page where people will meet it: on a server that knows nothing of isolation, without that
 // server, after a new version, in another page, where nothing can be kept, without workers, and as a file
-// from a disk.
+// from a disk; and how much of it a first visit takes.
 // Arguments: the folder that was built, and one for another version of it.
 import { cpSync, existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
 
-import { run } from './harness.js';
+import * as arrival from './arrival.js';
+import { carryOut } from './trials.js';
 
 const [built, other] = process.argv.slice(2);
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.svg': 'image/svg+xml',
     '.css': 'text/css', '.webmanifest': 'application/manifest+json', '.png': 'image/png' };
 
+/** Bytes of a first visit, in brotli. */
+const most = 220000;
+
 function expect(right, what) {
     if (!right) {
-        throw new Error(`delivery: ${what}`);
+        throw new Error(what);
     }
 }
 
@@ -68,93 +72,101 @@ function makeOther() {
     }
 }
 
-async function checkServed(browser) {
-    const server = await serve(built);
-    const page = await browser.open(`${server.origin}/`);
-    await plays(page, 'the first visit');
-    expect(!(await page.evaluate(isolated)), 'the server isolates: nothing is shown');
-    await page.waitForFunction(controlled);
+const trials = {
+    async 'it isolates itself, is renewed whole, and needs no server then'(browser) {
+        const server = await serve(built);
+        const page = await browser.open(`${server.origin}/`);
+        await plays(page, 'the first visit');
+        expect(!(await page.evaluate(isolated)), 'the server isolates: nothing is shown');
+        await page.waitForFunction(controlled);
 
-    await page.reload();
-    await plays(page, 'the second visit');
-    expect(await page.evaluate(isolated), 'the page is not isolated once its service worker is there');
+        await page.reload();
+        await plays(page, 'the second visit');
+        expect(await page.evaluate(isolated), 'the page is not isolated once its service worker is there');
 
-    const inside = await browser.open(`${server.origin}/frame.html`, { context: page.context() });
-    await plays(inside.frames()[1], 'in a frame');
-    expect(!(await inside.frames()[1].evaluate(isolated)), 'a frame says that it is isolated');
-    await inside.close();
+        const inside = await browser.open(`${server.origin}/frame.html`, { context: page.context() });
+        await plays(inside.frames()[1], 'in a frame');
+        expect(!(await inside.frames()[1].evaluate(isolated)), 'a frame says that it is isolated');
+        await inside.close();
 
-    makeOther();
-    server.folder = other;
-    server.asked.length = 0;
-    await page.evaluate(async () => {
-        const renewed = new Promise((resolve) => navigator.serviceWorker.addEventListener('controllerchange', resolve));
-        await (await navigator.serviceWorker.ready).update();
-        await renewed;
-    });
-    expect(!server.asked.some((path) => path.endsWith('.wasm')), 'what had not changed was fetched again');
-    await page.reload();
-    const scripts = () => [...document.scripts].map(({ src }) => src).join();
-    expect((await page.evaluate(scripts)).includes('index-changed'), 'the new version does not come');
+        makeOther();
+        server.folder = other;
+        server.asked.length = 0;
+        await page.evaluate(async () => {
+            const renewed = new Promise((resolve) => navigator.serviceWorker.addEventListener('controllerchange', resolve));
+            await (await navigator.serviceWorker.ready).update();
+            await renewed;
+        });
+        expect(!server.asked.some((path) => path.endsWith('.wasm')), 'what had not changed was fetched again');
+        await page.reload();
+        const scripts = () => [...document.scripts].map(({ src }) => src).join();
+        expect((await page.evaluate(scripts)).includes('index-changed'), 'the new version does not come');
 
-    await server.close();
-    await page.reload();
-    await plays(page, 'without the server');
-    expect(await page.evaluate(isolated), 'the page is not isolated without the server');
-    await page.context().close();
-}
+        await server.close();
+        await page.reload();
+        await plays(page, 'without the server');
+        expect(await page.evaluate(isolated), 'the page is not isolated without the server');
+    },
 
-/** Where nothing may be kept, it plays all the same. */
-async function checkFull(browser) {
-    const server = await serve(built);
-    const page = await browser.open(`${server.origin}/icon.svg`);
-    const devtools = await page.context().newCDPSession(page);
-    await devtools.send('Storage.overrideQuotaForOrigin', { origin: server.origin, quotaSize: 1000 });
-    const refused = await page.evaluate(async () => {
-        const cache = await caches.open('trial');
-        const error = await cache.put('/trial', new Response('x'.repeat(100000))).catch(({ name }) => name);
-        await caches.delete('trial');
-        return error;
-    });
-    expect(refused === 'QuotaExceededError', `there is room: ${refused}`);
-    await page.goto(`${server.origin}/`);
-    await plays(page, 'with no room to keep anything');
-    await page.waitForFunction(async () => !(await navigator.serviceWorker.getRegistration())?.installing);
-    browser.takeTroubles(); // that the service worker could not be installed
-    expect((await page.evaluate(() => caches.keys())).length === 0, 'something half kept is left');
-    await page.context().close();
-    await server.close();
-}
+    async 'where nothing may be kept, it plays all the same'(browser) {
+        const server = await serve(built);
+        const page = await browser.open(`${server.origin}/icon.svg`);
+        const devtools = await page.context().newCDPSession(page);
+        await devtools.send('Storage.overrideQuotaForOrigin', { origin: server.origin, quotaSize: 1000 });
+        const refused = await page.evaluate(async () => {
+            const cache = await caches.open('trial');
+            const error = await cache.put('/trial', new Response('x'.repeat(100000))).catch(({ name }) => name);
+            await caches.delete('trial');
+            return error;
+        });
+        expect(refused === 'QuotaExceededError', `there is room: ${refused}`);
+        await page.goto(`${server.origin}/`);
+        await plays(page, 'with no room to keep anything');
+        await page.waitForFunction(async () => !(await navigator.serviceWorker.getRegistration())?.installing);
+        browser.takeTroubles(); // that the service worker could not be installed
+        expect((await page.evaluate(() => caches.keys())).length === 0, 'something half kept is left');
+        await server.close();
+    },
 
-/** A browser that has neither workers nor memory that they could share. */
-async function checkBare(browser) {
-    const server = await serve(built);
-    const page = await browser.open(`${server.origin}/`, { before: () => {
-        delete window.Worker;
-        delete window.SharedArrayBuffer;
-    } });
-    await plays(page, 'without workers');
-    expect(page.workers().length === 0, 'a worker came from somewhere');
-    await page.getByRole('button', { name: 'Scenes and experiments' }).click();
-    await page.locator('.panel .list button').first().click();
-    await page.locator('.panel').getByRole('button', { name: 'Measure', exact: true }).click();
-    await page.getByRole('alert').filter({ hasText: 'no workers, without which nothing is measured' }).waitFor()
-        .catch(() => expect(false, 'an experiment does not run, and nobody says why'));
-    await page.context().close();
-    await server.close();
-}
+    async 'it plays without workers and memory to share, and says what that costs'(browser) {
+        const server = await serve(built);
+        const page = await browser.open(`${server.origin}/`, { before: () => {
+            delete window.Worker;
+            delete window.SharedArrayBuffer;
+        } });
+        await plays(page, 'without workers');
+        expect(page.workers().length === 0, 'a worker came from somewhere');
+        await page.getByRole('button', { name: 'Scenes and experiments' }).click();
+        await page.locator('.panel .list button').first().click();
+        await page.locator('.panel').getByRole('button', { name: 'Measure', exact: true }).click();
+        await page.getByRole('alert').filter({ hasText: 'no workers, without which nothing is measured' }).waitFor()
+            .catch(() => expect(false, 'an experiment does not run, and nobody says why'));
+        await server.close();
+    },
 
-async function checkFile(browser) {
-    const page = await browser.open(`file://${built}/skvalp.html`);
-    await plays(page, 'the single file');
-    const text = readFileSync(join(built, 'skvalp.html'), 'utf8');
-    expect(!/(src|href)="(?!data:)/.test(text), 'the single file wants others');
-    await page.context().close();
-}
+    async 'the single file runs from a disk'(browser) {
+        const page = await browser.open(`file://${built}/skvalp.html`);
+        await plays(page, 'the single file');
+        const text = readFileSync(join(built, 'skvalp.html'), 'utf8');
+        expect(!/(src|href)="(?!data:)/.test(text), 'the single file wants others');
+    },
 
-await run([built], async (browser) => {
-    await checkServed(browser);
-    await checkFull(browser);
-    await checkBare(browser);
-    await checkFile(browser);
-});
+    async 'a first visit, lab and plot included, takes no more than it may'(browser) {
+        const server = await arrival.serve(built);
+        const page = await arrival.prepare(browser);
+        await page.goto(server.home);
+        await plays(page, 'the first visit');
+        await arrival.measure(page);
+        server.close();
+        // The gallery's pictures come as they are scrolled into view.
+        const counts = (path) => !path.endsWith('.webp');
+        const bytes = arrival.total(server.sent, counts);
+        const parts = [...server.sent].filter(([path]) => counts(path)).sort(([, a], [, b]) => b - a);
+        const largest = parts.slice(0, 8).map(([path, size]) => `${path} ${arrival.kilo(size)}`).join(', ');
+        expect(parts.some(([path]) => /Plot/.test(path)), `no plot was fetched: ${largest}`);
+        expect(bytes <= most, `a first visit takes ${arrival.kilo(bytes)} of ${arrival.kilo(most)}: ${largest}`);
+        console.log(`a first visit takes ${arrival.kilo(bytes)}`);
+    },
+};
+
+await carryOut([built], trials);

@@ -3,9 +3,10 @@
 import assert from 'node:assert/strict';
 
 import {
-    begin, beginAfter, blue, button, carryOut, chooseFromMenu, complaint, devtools, phone, small, stateOf,
+    begin, beginAfter, blue, button, chooseFromMenu, complaint, devtools, phone, small, stateOf,
     touch, until,
 } from './people.js';
+import { carryOut } from './trials.js';
 
 const [folder] = process.argv.slice(2);
 
@@ -286,7 +287,7 @@ const trials = {
     },
 };
 
-await carryOut(folder, trials, [
+await carryOut([folder], trials, [
     'a page that nobody sees waits, and goes on where it was',
     'two fingers at once zoom, a pen draws, a touch knocks, and the screen is full',
     'a graphics processor that is taken away comes back',

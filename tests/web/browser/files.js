@@ -7,8 +7,9 @@ import { readFileSync } from 'node:fs';
 import { crc32, deflateRawSync } from 'node:zlib';
 
 import {
-    begin, button, carryOut, chooseFromMenu, complaint, decode, small, stateOf, until,
+    begin, button, chooseFromMenu, complaint, decode, small, stateOf, until,
 } from './people.js';
+import { carryOut } from './trials.js';
 
 const [folder, photo, nativeLink] = process.argv.slice(2);
 
@@ -184,7 +185,7 @@ const trials = {
     },
 };
 
-await carryOut(folder, trials, [
+await carryOut([folder], trials, [
     'pictures are opened, or refused in words, however large',
     'files are dropped, and a full storage keeps nothing',
     'a picture is saved, and a video recorded',

@@ -112,6 +112,11 @@ export async function launch(folders, options = {}) {
         open,
         /** What has gone wrong since it was asked; whoever provokes something takes it. */
         takeTroubles: () => troubles.splice(0),
+        /** Closes all pages: whoever waits for something in one of them is told so. */
+        async closePages() {
+            const all = browser.contexts().map((context) => context.close());
+            await Promise.race([Promise.allSettled(all), pause(patience)]);
+        },
         /** Ends the browser; throws if anything in a page has gone wrong. */
         async close() {
             await Promise.race([browser.close(), pause(patience)]);

@@ -3,8 +3,9 @@ import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 
 import {
-    begin, beginAfter, button, carryOut, chooseFromMenu, close, desk, phone, small, stateOf, touch, until,
+    begin, beginAfter, button, chooseFromMenu, close, desk, phone, small, stateOf, touch, until,
 } from './people.js';
+import { carryOut } from './trials.js';
 
 const [folder] = process.argv.slice(2);
 const axe = createRequire(new URL('../../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
@@ -317,4 +318,4 @@ const trials = {
     },
 };
 
-await carryOut(folder, trials);
+await carryOut([folder], trials);

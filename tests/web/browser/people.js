@@ -1,12 +1,9 @@
-// What people do with the page and what they see of it, for page.js and device.js; and how their trials
-// are carried out.
+// What people do with the page and what they see of it, for page.js, device.js and files.js.
 //
 // Invariant: each trial opens pages of its own, and looks at what a person would see or hear; what the
 // simulation holds is asked for only where it does not show.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
-
-import { run } from './harness.js';
 
 const fromWeb = createRequire(new URL('../../../web/package.json', import.meta.url));
 export const { decode } = await import(fromWeb.resolve('fast-png'));
@@ -100,34 +97,3 @@ export async function blue(page, part) {
     return { share: count / (width * height), x: x / count, y: y / count };
 }
 
-/**
- * Carries out trials, by their names; SKV_TRIAL=words those alone whose names have these words.
- * @param {string} folder of the built page
- * @param {Record<string, (browser: { open: Function, takeTroubles: Function }) => Promise<void>>} trials
- * @param {string[]} long names of those that are left to SKV_LONG_TESTS=1, or asked for by SKV_TRIAL
- */
-export async function carryOut(folder, trials, long = []) {
-    const only = process.env.SKV_TRIAL ?? '';
-    const all = only !== '' || process.env.SKV_LONG_TESTS === '1';
-    const chosen = Object.entries(trials).filter(([name]) => name.includes(only) && (all || !long.includes(name)));
-    await run([folder], async (browser) => {
-        for (const [name, trial] of chosen) {
-            const pages = [];
-            const open = async (...view) => {
-                pages.push(await browser.open(...view));
-                return pages.at(-1);
-            };
-            const begun = Date.now();
-            try {
-                await trial({ open, takeTroubles: browser.takeTroubles });
-                assert.deepEqual(browser.takeTroubles(), []);
-            } catch (error) {
-                throw new Error(`${name}: ${error.message}`, { cause: error });
-            }
-            for (const page of pages) {
-                await page.context().close();
-            }
-            console.log(`${name} (${((Date.now() - begun) / 1000).toFixed(1)} s)`);
-        }
-    });
-}

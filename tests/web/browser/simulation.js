@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 
-import { run } from './harness.js';
+import { carryOut } from './trials.js';
 
 const fromWeb = createRequire(new URL('../../../web/package.json', import.meta.url));
 const { decode } = await import(fromWeb.resolve('fast-png'));
@@ -138,9 +138,9 @@ async function testLab(browser) {
     await page.context().close();
 }
 
-await run([bundle], async (browser) => {
-    await testModes(browser);
-    await testLostContext(browser);
-    await testComparing(browser);
-    await testLab(browser);
+await carryOut([bundle], {
+    'in a worker and on the page, isolated or not, with WebGL or without': testModes,
+    'a context that is lost and comes back': testLostContext,
+    'two worlds that come and go': testComparing,
+    'an experiment': testLab,
 });
