@@ -270,7 +270,14 @@ const trials = {
         const page = await beginAfter(browser, `const { getContext } = OffscreenCanvas.prototype;
             OffscreenCanvas.prototype.getContext = function (...wanted) {
                 return self.context = getContext.apply(this, wanted);
-            };`, small, '?scene=pool');
+            };`, small, '?scene=pool&paused=1');
+        // It stands still, so that nothing but its return draws it anew.
+        await until(page, () => window.skvalp.state.value.paused, 'it stands still');
+        for (let i = 0; (await blue(page)).share < 0.2; i++) {
+            assert.ok(i < 50, 'no water shows');
+            await page.waitForTimeout(50);
+        }
+        const before = await blue(page);
         const worker = page.workers().find((other) => other.url().includes('simulation.worker'));
         await worker.evaluate(() => {
             self.extension = self.context.getExtension('WEBGL_lose_context');
@@ -280,9 +287,10 @@ const trials = {
         await said.waitFor();
         await worker.evaluate(() => self.extension.restoreContext());
         await said.waitFor({ state: 'detached' });
-        for (let i = 0; (await blue(page)).share < 0.2; i++) {
-            assert.ok(i < 50, 'nothing is drawn once it is back');
+        for (let i = 0, now; now?.share !== before.share; i++) {
+            assert.ok(i < 100, `once it is back ${now?.share} is water, and was ${before.share}`);
             await page.waitForTimeout(50);
+            now = await blue(page);
         }
     },
 };

@@ -70,9 +70,15 @@ const trials = {
         const chip = page.locator('.chip');
         await chip.filter({ hasText: /Pressure.*\d+\.\d cm of water/ }).waitFor();
         const before = (await stateOf(page)).worlds[0].probes[0].x0;
-        await chip.press('ArrowRight');
-        await page.waitForFunction(
-            (x) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - x - 0.01) < 1e-6, before);
+        await chip.focus();
+        await page.evaluate(() => { // a held key, between two states
+            for (const repeat of [false, true, true, true, true]) {
+                const event = new KeyboardEvent('keydown', { key: 'ArrowRight', repeat, bubbles: true });
+                document.activeElement.dispatchEvent(event);
+            }
+        });
+        await until(page, (x) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - x) < 1e-6,
+            'each step of a held key counts', before + 0.05);
         const { probes: [{ x0 }], camera: { scale } } = (await stateOf(page)).worlds[0];
         const { x, y, width, height } = await page.locator('.grip .disc').boundingBox();
         await page.mouse.move(x + width / 2, y + height / 2);
@@ -172,6 +178,115 @@ const trials = {
         const inside = page.frameLocator('iframe');
         await inside.getByRole('button', { name: 'Play', exact: true }).waitFor();
         assert.equal(await inside.getByRole('toolbar').count(), 0);
+    },
+
+    async 'the address says how it begins'(browser) {
+        const still = { ...small, more: { reducedMotion: 'reduce' } };
+        const plays = (page, what) => until(page, () => window.skvalp.state.value.moment > 5, `${what}: it plays`);
+        let page;
+        const begun = async (view, query) => {
+            await page?.context().close();
+            return begin(browser, view, query);
+        };
+
+        page = await begun(small, '');
+        await plays(page, 'nothing');
+        assert.equal((await stateOf(page)).worlds[0].name, 'dam-break');
+
+        page = await begun(small, '?paused=1&scene=pool&view=pressure&lang=sv');
+        await button(page, 'Spela').waitFor();
+        await until(page, () => window.skvalp.state.value.style.view === 'pressure', 'the view');
+        await page.waitForTimeout(500);
+        const { moment, paused, worlds: [{ name }] } = await stateOf(page);
+        assert.deepEqual([moment, paused, name], [0, true, 'pool']);
+
+        page = await begun(small, '?scene=nowhere');
+        await page.getByRole('alert').filter({ hasText: 'no scene of this name' }).waitFor();
+        await plays(page, 'an unknown scene');
+        assert.equal((await stateOf(page)).worlds[0].name, 'dam-break');
+
+        page = await begun(still, '?paused=0');
+        await plays(page, 'less motion, but asked for');
+
+        page = await begun(still, '?controls=none&scene=pool');
+        await plays(page, 'less motion, and nobody could tell it to');
+        assert.equal(await page.locator('button:visible').count(), 0);
+        await page.mouse.move(200, 300);
+        await page.mouse.down();
+        await page.mouse.move(210, 280);
+        await until(page, () => window.skvalp.state.value.worlds[0].hands === 1, 'a hand');
+    },
+
+    async 'a page around it can ask for all that a player can, and nobody else'(browser) {
+        const page = await browser.open('/empty.html', desk);
+        await page.evaluate(async () => {
+            const frame = document.createElement('iframe');
+            frame.src = '/index.html?embed=1&scene=pool&paused=1';
+            Object.assign(frame, { width: 640, height: 400 });
+            window.told = [];
+            let last = 0;
+            const answers = new Map();
+            const ready = new Promise((resolve) => addEventListener('message', ({ data }) => {
+                window.told.push(data);
+                answers.get(data.id)?.(data);
+                if (data.skvalp === 'ready') {
+                    resolve();
+                }
+            }));
+            window.ask = (skvalp, more) => new Promise((resolve) => {
+                answers.set(++last, ({ result, error }) => resolve(error ?? result));
+                frame.contentWindow.postMessage({ skvalp, id: last, ...more }, '*');
+            });
+            window.frame = frame;
+            document.body.append(frame);
+            await ready;
+        });
+        const inside = page.frames()[1];
+        const ask = (name, more) => page.evaluate(([name, more]) => window.ask(name, more), [name, more]);
+        const holds = (test, what) => inside.waitForFunction(test).catch(() => assert.fail(`in vain: ${what}`));
+        const does = async (name, more, test) => {
+            assert.equal(await ask(name, more), null, name);
+            await holds(test, name);
+        };
+        await holds(() => window.skvalp?.state.value?.worlds[0].name === 'pool', 'the scene of the address');
+        await does('step', {}, () => window.skvalp.state.value.moment === 1);
+        await does('seek', { frame: 0 }, () => window.skvalp.state.value.moment === 0);
+        await does('speed', { speed: 0.5 }, () => window.skvalp.state.value.speed === 0.5);
+        await does('gravity', { x: 0.6, y: -0.8 }, () => Math.abs(window.skvalp.state.value.gravity.x - 0.6) < 1e-3);
+        await does('view', { view: 'speed' }, () => window.skvalp.state.value.style.view === 'speed');
+        await does('set', { path: 'fluid.material', value: 'honey' },
+            () => window.skvalp.state.value.canUndo);
+        await does('play', {}, () => window.skvalp.state.value.moment > 10);
+        const [before, after] = await page.evaluate(async () => {
+            const before = window.told.length;
+            await new Promise((resolve) => setTimeout(resolve, 2000));
+            return [before, window.told.length];
+        });
+        assert.ok(after - before > 0 && after - before < 12, `${after - before} states in two seconds`);
+        const link = await ask('share');
+        assert.match(link, /^1\./);
+        await does('open', { scene: 'waves' }, () => window.skvalp.state.value.worlds[0].name === 'waves');
+        await does('link', { link }, () => window.skvalp.state.value.worlds[0].name === 'pool');
+        await does('pause', {}, () => window.skvalp.state.value.paused);
+        await does('reset', {}, () => window.skvalp.state.value.moment === 0);
+        assert.match(await ask('nonsense'), /no request 'nonsense'/);
+
+        await until(page, () => window.told.at(-1).moment === 0, 'it is told that it is back');
+        const told = await page.evaluate(() => window.told.filter(({ skvalp }) => skvalp === 'state'));
+        const { scene, title, time, paused, particles, readings } = told.at(-1);
+        assert.deepEqual([scene, time, paused, readings], ['pool', 0, true, []]);
+        assert.ok(title.length > 0 && particles > 100);
+
+        // What the frame itself, or another one, says to it is not heard.
+        await inside.evaluate(() => window.postMessage({ skvalp: 'step', id: 1 }, '*'));
+        await page.evaluate(async () => {
+            const other = document.createElement('iframe');
+            document.body.append(other);
+            other.contentWindow.eval('parent.frame.contentWindow.postMessage({ skvalp: "step", id: 1 }, "*")');
+        });
+        await ask('speed', { speed: 1 });
+        await page.waitForTimeout(300);
+        assert.equal(await inside.evaluate(() => window.skvalp.state.value.moment), 0, 'a stranger steps it');
     },
 
     async 'a slow device says what it chose, and how slow it is'(browser) {
@@ -275,6 +390,60 @@ const trials = {
         const { moment } = await stateOf(page);
         await until(page, ([moment]) => window.skvalp.state.value.moment > moment + 20, 'time goes on', [moment]);
         assert.equal((await stateOf(page)).worlds[0].hands, 0);
+    },
+
+    async 'held keys tilt and step, and what is switched is switched once'(browser) {
+        const page = await begin(browser, desk, '?paused=1');
+        const pulls = (x, y) => until(page, ([x, y]) => {
+            const { gravity } = window.skvalp.state.value;
+            return Math.hypot(gravity.x - x, gravity.y - y) < 1e-3;
+        }, `gravity (${x}, ${y})`, [x, y]);
+        await page.keyboard.down('ArrowRight');
+        await pulls(1, 0);
+        await page.keyboard.down('ArrowUp');
+        await pulls(Math.SQRT1_2, Math.SQRT1_2);
+        await page.keyboard.up('ArrowRight');
+        await pulls(0, 1);
+        await page.keyboard.up('ArrowUp');
+        await page.keyboard.down('ArrowLeft');
+        await pulls(-1, 0);
+        await page.evaluate(() => window.dispatchEvent(new Event('blur'))); // let go where nobody sees it
+        await page.keyboard.down('ArrowDown');
+        await pulls(0, -1);
+        await page.keyboard.up('ArrowDown');
+        await page.keyboard.press('0');
+        await pulls(0, 0);
+
+        const hold = async (key, times) => {
+            for (let i = 0; i < times; i++) {
+                await page.keyboard.down(key);
+            }
+            await page.keyboard.up(key);
+        };
+        const { moment, brush } = await stateOf(page);
+        await hold('.', 3);
+        await until(page, (moment) => window.skvalp.state.value.moment === moment, 'three steps', moment + 3);
+        for (const times of [1, 2]) {
+            await page.keyboard.down(']');
+            await until(page, (brush) => Math.abs(window.skvalp.state.value.brush / brush - 1) < 1e-3,
+                `the tool grows, time ${times}`, brush * 1.25 ** times);
+        }
+        await page.keyboard.up(']');
+        await hold('w', 2);
+        await hold('.', 6);
+        await page.locator('.stopwatch').filter({ hasText: '0.10 s' }).waitFor();
+        await hold('p', 3);
+        await page.locator('.panel-properties').waitFor();
+        await close(page);
+
+        await chooseFromMenu(page, 'Preferences');
+        await page.getByRole('switch', { name: 'Keys without Ctrl' }).click();
+        await close(page);
+        await page.evaluate(() => document.activeElement.blur());
+        await page.keyboard.press('.');
+        await page.keyboard.press('ArrowRight'); // arrows are nobody's shortcut
+        await pulls(1, 0);
+        assert.equal((await stateOf(page)).moment, moment + 9, 'a key that is switched off steps');
     },
 
     async 'every screen is accessible'(browser) {

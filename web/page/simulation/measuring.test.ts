@@ -37,6 +37,18 @@ test('a probe reads what it reads natively, to the last bit', async () => {
     simulation.moveProbe(1, 0.5, 0.1, 0.5, 0.1);
     trial.run(1);
     expect(trial.state.worlds[0].probes[0]).toMatchObject({ x0: 0.5, y0: 0.1 });
+    // As a held key does, between two states; also of a world that stands still.
+    for (const paused of [false, true]) {
+        simulation.setPaused(paused);
+        for (let i = 0; i < 5; i++) {
+            simulation.shiftProbe(1, -0.01, 0.01);
+        }
+        simulation.shiftProbe(9, 1, 1); // there is none
+        trial.run(1);
+    }
+    expect(trial.state.worlds[0].probes[0].x0).toBeCloseTo(0.4, 6);
+    expect(trial.state.worlds[0].probes[0].y0).toBeCloseTo(0.2, 6);
+    expect(trial.state.worlds[0].probes[0].x1).toBeCloseTo(0.4, 6);
     simulation.removeProbe(1);
     expect(trial.state.worlds[0].probes).toEqual([]);
 });

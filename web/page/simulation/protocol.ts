@@ -75,6 +75,8 @@ export interface Simulation {
     /** In m. */
     addProbe(kind: number, x0: number, y0: number, x1: number, y1: number): void;
     moveProbe(id: number, x0: number, y0: number, x1: number, y1: number): void;
+    /** By so much; each adds to those before, though no state has told of them yet. */
+    shiftProbe(id: number, dx: number, dy: number): void;
     removeProbe(id: number): void;
     /** Whether states hold its history. */
     watchProbe(id: number, watched: boolean): void;

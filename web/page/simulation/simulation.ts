@@ -307,6 +307,16 @@ export class Simulator implements Simulation {
         this.#each((session) => this.#library.c.skv_session_move_probe(session, id, x0, y0, x1, y1));
     }
 
+    /** From where it is now: steps that come faster than states add up. */
+    shiftProbe(id: number, dx: number, dy: number) {
+        const { picture } = this.#worlds.first;
+        const probe = picture.probes.slice(0, picture.probe_count).find((known) => known.id === id);
+        if (probe) {
+            const { x0, y0, x1, y1 } = probe.def;
+            this.moveProbe(id, x0 + dx, y0 + dy, x1 + dx, y1 + dy);
+        }
+    }
+
     removeProbe(id: number) {
         this.#each((session) => this.#library.c.skv_session_remove_probe(session, id));
     }

@@ -1,6 +1,6 @@
 // Chips: readings in a row below the picture; each opens the card with its plot.
 import type { Probe } from '../simulation/protocol';
-import { channelOf, kindOf, moveProbe } from './instruments';
+import { channelOf, kindOf } from './instruments';
 import { panel, showPanel, simulation, state, subject } from './model';
 import { _, readingText, word } from './words';
 
@@ -12,7 +12,7 @@ function onKey(event: KeyboardEvent, probe: Probe): void {
     if (event.key === 'Delete')
         simulation.removeProbe(probe.id);
     else if (dx || dy)
-        moveProbe(probe, dx * distance, dy * distance);
+        simulation.shiftProbe(probe.id, dx * distance, dy * distance);
     else
         return;
     event.preventDefault();
