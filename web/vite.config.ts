@@ -45,7 +45,10 @@ export default defineConfig(({ mode }) => {
         root: 'page',
         base: './',
         resolve: { alias },
-        build: { outDir: '../dist', target: 'es2022', modulePreload: false, ...build },
+        build: {
+            outDir: '../dist', target: 'es2022', modulePreload: false, minify: 'terser',
+            terserOptions: { ecma: 2020, module: true, compress: { passes: 3 } }, ...build,
+        },
         plugins: [...plugins, words(here('../po'), here('page'))],
         worker: { format: 'es' },
         test: { testTimeout: longest, hookTimeout: longest },
