@@ -1,5 +1,6 @@
 /* Fingers and keys for the windows of a headless compositor: Mutter's remote control by D-Bus.
- * Reads commands, one a line, and answers each with a line "done" once the compositor has it:
+ * Reads commands, some on a line with semicolons between, which come without a wait, and answers
+ * each line with a line "done" once the compositor has it:
  *
  *     down SLOT X Y     move SLOT X Y     up SLOT     key KEYVAL...
  *
@@ -61,9 +62,26 @@ static void begin(void)
     g_variant_unref(call(REMOTE, remote, REMOTE ".Session", "Start", NULL));
 }
 
+static int waiting; /* calls that are not answered */
+
+static void end_call(GObject *source, GAsyncResult *result, gpointer data)
+{
+    (void)source;
+    GError *error = NULL;
+    GVariant *answer = g_dbus_connection_call_finish(bus, result, &error);
+    if (!answer) {
+        fprintf(stderr, "%s: %s\n", (const char *)data, error->message);
+        exit(1);
+    }
+    g_variant_unref(answer);
+    waiting--;
+}
+
 static void control(const char *method, GVariant *arguments)
 {
-    g_variant_unref(call(REMOTE, remote, REMOTE ".Session", method, arguments));
+    waiting++;
+    g_dbus_connection_call(bus, REMOTE, remote, REMOTE ".Session", method, arguments, NULL,
+                           G_DBUS_CALL_FLAGS_NONE, 60000, NULL, end_call, (gpointer)method);
 }
 
 static void press(char **keys)
@@ -112,7 +130,12 @@ int main(void)
     puts("done");
     fflush(stdout);
     while (fgets(line, sizeof line, stdin)) {
-        act(g_strstrip(line));
+        char **commands = g_strsplit(line, ";", -1);
+        for (char **command = commands; *command; command++)
+            act(g_strstrip(*command));
+        g_strfreev(commands);
+        while (waiting > 0)
+            g_main_context_iteration(NULL, TRUE);
         puts("done");
         fflush(stdout);
     }

@@ -11,10 +11,13 @@ done
 
 work=$(mktemp -d)
 server='' app='' manager=''
+# What does not end when it is asked to, is ended: a compositor was seen to spin for ever.
 finish() {
-    [[ -z $app ]] || kill "$app" 2>/dev/null || true
-    [[ -z $manager ]] || kill "$manager" 2>/dev/null || true
-    [[ -z $server ]] || kill "$server" 2>/dev/null || true
+    local one
+    for one in $app $manager $server; do
+        kill "$one" 2>/dev/null || continue
+        timeout 10 tail --pid="$one" -s 0.1 -f /dev/null || kill -KILL "$one" 2>/dev/null || true
+    done
     wait
     rm -rf "$work"
 }

@@ -66,7 +66,7 @@ shoot() {
     }
     key ctrl+p
     sleep 1
-    await 20 saved "$1" || { # fail() looks, too
+    await 120 saved "$1" || { # fail() looks, too
         [[ $1 == failed ]] || fail "Ctrl+P saved no picture"
         return 1
     }
@@ -95,9 +95,19 @@ glide() {
 
 "$build/skvalp-play" pool >"$work/app.log" 2>&1 &
 app=$!
-# Without a keyboard and a touch screen the app asks for none: the first press only makes it do so.
-sleep 2
+# Without a keyboard and a touch screen the app asks for none: the first press only makes it do so. It is
+# there when it saves a picture.
 key ctrl
+there() {
+    key ctrl+p
+    sleep 1
+    key Return
+    sleep 1
+    [[ -s pool.png ]]
+}
+await 120 there || fail "the app takes no keys"
+sleep 2
+rm pool.png
 drive down 0 639 479
 drive up 0
 sleep 1
@@ -126,8 +136,7 @@ shoot lifted
 
 # 2. Two together zoom about the air between the two lumps, so that no water shows; no wall is drawn.
 key 2
-drive down 0 $((rail + 270)) 130
-drive down 1 $((rail + 310)) 130
+drive "down 0 $((rail + 270)) 130; down 1 $((rail + 310)) 130"
 glide 0 $((rail + 270)) 130 $((rail + 90)) 130 1 $((rail + 310)) 130 $((rail + 490)) 130
 drive up 0
 drive up 1
@@ -143,8 +152,9 @@ glide 0 $((rail + 250)) 115 $((rail + 340)) 115
 drive up 0
 shoot walled
 differ again walled 45 24 57 30 || fail "a finger drew no wall"
-for finger in 0 1 2; do drive down $finger $((rail + 200 + 80 * finger)) 300; done
-for finger in 0 1 2; do drive up $finger; done
+tap=''
+for finger in 0 1 2; do tap+="down $finger $((rail + 200 + 80 * finger)) 300; "; done
+drive "${tap}up 0; up 1; up 2"
 shoot undone
 ! differ again undone 2 22 80 78 || fail "a tap of three fingers did not undo"
 
