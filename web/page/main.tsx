@@ -45,8 +45,11 @@ async function start(): Promise<void> {
     begin(simulation, await simulation.catalogue());
     Object.assign(window, { skvalp: { simulation, state } }); // for scripts, see docs/embed.md
     follow();
-    requestAnimationFrame(() => requestAnimationFrame(address.open)); // once the stage has its size
-    serveEmbedding();
+    // Once the stage has its size; what a page around this one asks for comes after what it opens with.
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+        address.open();
+        serveEmbedding();
+    }));
 }
 
 start().catch((error: unknown) => complain(error instanceof Error ? error.message : String(error)));

@@ -240,6 +240,7 @@ const trials = {
             window.frame = frame;
             document.body.append(frame);
             await ready;
+            await window.ask('set', { path: 'fluid.material', value: 'oil' }); // at once
         });
         const inside = page.frames()[1];
         const ask = (name, more) => page.evaluate(([name, more]) => window.ask(name, more), [name, more]);
@@ -249,6 +250,7 @@ const trials = {
             await holds(test, name);
         };
         await holds(() => window.skvalp?.state.value?.worlds[0].name === 'pool', 'the scene of the address');
+        await holds(() => window.skvalp.state.value.canUndo, 'what was asked for at once');
         await does('step', {}, () => window.skvalp.state.value.moment === 1);
         await does('seek', { frame: 0 }, () => window.skvalp.state.value.moment === 0);
         await does('speed', { speed: 0.5 }, () => window.skvalp.state.value.speed === 0.5);
@@ -271,7 +273,8 @@ const trials = {
         await does('reset', {}, () => window.skvalp.state.value.moment === 0);
         assert.match(await ask('nonsense'), /no request 'nonsense'/);
 
-        await until(page, () => window.told.at(-1).moment === 0, 'it is told that it is back');
+        await until(page, () => window.told.findLast(({ skvalp }) => skvalp === 'state').moment === 0,
+            'it is told that it is back');
         const told = await page.evaluate(() => window.told.filter(({ skvalp }) => skvalp === 'state'));
         const { scene, title, time, paused, particles, readings } = told.at(-1);
         assert.deepEqual([scene, time, paused, readings], ['pool', 0, true, []]);
