@@ -10,7 +10,7 @@ import { carryOut } from './trials.js';
 const [folder] = process.argv.slice(2);
 const axe = createRequire(new URL('../../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
 
-/** What axe-core finds wrong with what shows now. */
+/** What axe-core finds wrong with what shows now; and what can be read only by scrolling sideways. */
 async function faults(page, what) {
     if (!(await page.evaluate(() => 'axe' in window))) {
         await page.addScriptTag({ path: axe });
@@ -20,7 +20,10 @@ async function faults(page, what) {
         const { violations } = await window.axe.run(document, { runOnly: tags });
         return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 160)).join(' | ')}`);
     });
-    return found.map((fault) => `${what}: ${fault}`);
+    const wide = await page.locator('.panel-body').evaluateAll((bodies) => bodies
+        .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth + 1)
+        .map(({ scrollWidth, clientWidth }) => `${scrollWidth} px wide in ${clientWidth}`));
+    return [...found, ...wide].map((fault) => `${what}: ${fault}`);
 }
 
 const trials = {
