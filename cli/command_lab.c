@@ -1,7 +1,8 @@
 /* skvalp lab: runs experiments and sets what was measured against theory.
  *
- * Invariant: names, settings and the folder for plots are checked before anything is computed, and
- * a row that misses what it must reach is printed like any other; the exit status tells.
+ * Invariant: names, settings and the folder for plots are checked before anything is computed; a
+ * row that misses what it must reach is printed like any other, and an experiment that the settings
+ * do not fit keeps no other from running; the exit status tells.
  */
 #include "commands.h"
 
@@ -27,6 +28,8 @@ typedef struct lab_run {
     int at; /* which of them is running */
     progress_line progress;
     int rows, missed;
+    int refused;       /* experiments that the settings do not fit */
+    skv_error refusal; /* of the first of them */
 } lab_run;
 
 static skv_result find_experiment(const char *name, int *found, skv_error *error)
@@ -178,7 +181,7 @@ static skv_result print_json(const lab_run *run, const skv_report *report, skv_e
     for (int i = 0; skv_report_row(report, i) && result == SKV_OK; i++) {
         const skv_lab_row *row = skv_report_row(report, i);
         /* clang-format off */
-        result = output_list_add(run->at + i, json_pack("{so so so so so so so sb}",
+        result = output_list_add(run->rows + i, json_pack("{so so so so so so so sb}",
             "experiment", output_text(row->experiment),
             "quantity", output_text(row->quantity),
             "unit", output_text(row->unit),
@@ -192,11 +195,28 @@ static skv_result print_json(const lab_run *run, const skv_report *report, skv_e
     return result;
 }
 
+/* Notes an experiment whose set-up cannot be built from the settings. Alone it has no table to
+ * stand in: what conclude() says is enough. */
+static void refuse(lab_run *run, const skv_error *why)
+{
+    progress_end(&run->progress);
+    if (run->refused++ == 0)
+        run->refusal = *why;
+    if (run->count > 1 && !run->options->json && !run->options->quiet)
+        printf("%s%s: not run; %s\n", run->at ? "\n" : "",
+               skv_experiment_info(run->chosen[run->at])->title, why->text);
+    fflush(stdout);
+}
+
 static skv_result run_one(lab_run *run, skv_error *error)
 {
     int number = run->chosen[run->at];
     skv_report *report;
     skv_result result = skv_experiment_run(number, &run->lab, &report, error);
+    if (result == SKV_ERROR_VALUE || result == SKV_ERROR_LIMIT) {
+        refuse(run, error);
+        return SKV_OK;
+    }
     if (result != SKV_OK)
         return result;
     progress_end(&run->progress);
@@ -237,6 +257,27 @@ static void print_cards(const lab_run *run)
     }
 }
 
+/* The exit status, and the line that goes with it. */
+static int conclude(const lab_run *run, skv_error *error)
+{
+    if (run->refused && run->count == 1) {
+        *error = run->refusal;
+        return STATUS_BAD;
+    }
+    if (run->refused) {
+        skv_fail(error, SKV_ERROR_VALUE, "lab: %d of %d experiments not run; %s", run->refused,
+                 run->count, run->refusal.text);
+        return STATUS_BAD;
+    }
+    if (run->missed) {
+        skv_fail(error, SKV_ERROR_VALUE,
+                 "lab: %d of %d figures miss what they must reach; see docs/lab.md", run->missed,
+                 run->rows);
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
 int lab_command(const cli_options *options, skv_error *error)
 {
     lab_run run = {.options = options};
@@ -256,13 +297,5 @@ int lab_command(const cli_options *options, skv_error *error)
         if (options->json)
             output_list_end();
     }
-    if (result != SKV_OK)
-        return STATUS_BAD;
-    if (run.missed) {
-        skv_fail(error, SKV_ERROR_VALUE,
-                 "lab: %d of %d figures miss what they must reach; see docs/lab.md", run.missed,
-                 run.rows);
-        return STATUS_FAILED;
-    }
-    return STATUS_DONE;
+    return result == SKV_OK ? conclude(&run, error) : STATUS_BAD;
 }

@@ -77,6 +77,32 @@ static void test_status(void **state)
     program_free(&bad);
 }
 
+/* A slot too narrow for its particles stops the orifice alone: those before and after it run. */
+static void test_a_refusal_stops_one_experiment_only(void **state)
+{
+    program_result table = SKVALP(*state, "lab", "orifice", "momentum", "--set", "particles=400");
+    assert_int_equal(table.status, 2);
+    assert_int_equal(count_lines(table.err), 1);
+    assert_non_null(strstr(table.err, "lab: 1 of 2 experiments not run; orifice.slot: 0.1 m"));
+    assert_non_null(strstr(table.out, "Jet from an orifice: not run; orifice.slot: 0.1 m"));
+    assert_non_null(strstr(table.out, "momentum drift"));
+    program_free(&table);
+    program_result rows = SKVALP(*state, "lab", "orifice", "momentum", "vessels", "--set",
+                                 "particles=400", "--set", "vessels.head=1", "--json");
+    assert_int_equal(rows.status, 2);
+    assert_non_null(strstr(rows.err, "lab: 2 of 3 experiments not run; orifice.slot: 0.1 m"));
+    json_t *array = parse(&rows);
+    assert_int_equal(json_array_size(array), 1);
+    json_decref(array);
+    program_free(&rows);
+    /* Alone it says why, and nothing else. */
+    program_result alone = SKVALP(*state, "lab", "orifice", "--set", "particles=400");
+    assert_int_equal(alone.status, 2);
+    assert_string_equal(alone.out, "");
+    assert_int_equal(strncmp(alone.err, "skvalp: orifice.slot: 0.1 m", 27), 0);
+    program_free(&alone);
+}
+
 static void test_same_on_any_number_of_threads(void **state)
 {
     program_result one =
@@ -128,6 +154,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_contract, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_status, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_a_refusal_stops_one_experiment_only, folder_setup,
+                                        folder_teardown),
         cmocka_unit_test_setup_teardown(test_same_on_any_number_of_threads, folder_setup,
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_plots, folder_setup, folder_teardown),
