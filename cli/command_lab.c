@@ -7,25 +7,28 @@
 #include "commands.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "cleanup.h"
+#include "lab_starts.h"
 #include "output_file.h"
 #include "output_json.h"
+#include "output_lab.h"
 #include "progress.h"
 #include "skvalp/experiments.h"
 
-enum { MAX_EXPERIMENTS = 64 };
+enum { MAX_EXPERIMENTS = 64, MAX_FIGURES = 16 };
 
 typedef struct lab_run {
     const cli_options *options;
     skv_lab_options lab;
+    lab_starts starts;
     int chosen[MAX_EXPERIMENTS], count;
-    int at; /* which of them is running */
+    int at;    /* which of them is running, */
+    int start; /* and from which of its starts */
     progress_line progress;
     int rows, missed;
     int refused;       /* experiments that the settings do not fit */
@@ -75,7 +78,8 @@ static bool show_progress(const skv_lab_moment *moment, void *user)
 {
     lab_run *run = user;
     char text[128];
-    snprintf(text, sizeof text, "lab  %3.0f %%  %s", 100 * (run->at + moment->share) / run->count,
+    double done = run->at + (run->start + moment->share) / run->options->starts;
+    snprintf(text, sizeof text, "lab  %3.0f %%  %s", 100 * done / run->count,
              skv_experiment_info(run->chosen[run->at])->title);
     progress_show(&run->progress, text);
     return true;
@@ -109,6 +113,8 @@ static skv_result prepare(lab_run *run, skv_error *error)
     run->lab.observe = show_progress;
     run->lab.user = run;
     result = skv_lab_check(&run->lab, error);
+    if (result == SKV_OK)
+        result = lab_starts_open(&run->starts, options, error);
     return result == SKV_OK && options->plot ? prepare_folder(options->plot, error) : result;
 }
 
@@ -139,59 +145,13 @@ static skv_result write_file(const char *folder, const char *name, const char *e
     return result;
 }
 
-static void print_number(double value)
+static skv_result write_plots(const lab_run *run, const skv_report *report, skv_error *error)
 {
-    if (isnan(value))
-        printf("%11s", "-");
-    else
-        printf("%11.4g", value);
-}
-
-static void print_row(const skv_lab_row *row)
-{
-    printf("  %-36s", row->quantity);
-    print_number(row->measured);
-    print_number(row->theory);
-    if (isnan(row->ratio)) {
-        printf("%9s", "-");
-        printf("   up to %-9.3g", row->tolerance);
-    } else {
-        printf("%9.3f   +-%5.2g %%    ", row->ratio, 100 * row->tolerance);
-    }
-    printf("  %-5s %s\n", row->pass ? "pass" : "MISS", row->unit);
-}
-
-static void print_report(const lab_run *run, const skv_report *report)
-{
-    int particles, substeps;
-    double spacing, seconds;
-    skv_report_facts(report, &particles, &spacing, &substeps, &seconds);
-    const skv_experiment *info = skv_experiment_info(run->chosen[run->at]);
-    printf("%s%s: %d particles of %.3g mm, %d substeps a frame, %.3g s\n", run->at ? "\n" : "",
-           info->title, particles, 1000 * spacing, substeps, seconds);
-    printf("  %-36s%11s%11s%9s   %s\n", info->name, "measured", "theory", "ratio",
-           "must reach         unit");
-    for (int i = 0; skv_report_row(report, i); i++)
-        print_row(skv_report_row(report, i));
-}
-
-static skv_result print_json(const lab_run *run, const skv_report *report, skv_error *error)
-{
-    skv_result result = SKV_OK;
-    for (int i = 0; skv_report_row(report, i) && result == SKV_OK; i++) {
-        const skv_lab_row *row = skv_report_row(report, i);
-        /* clang-format off */
-        result = output_list_add(run->rows + i, json_pack("{so so so so so so so sb}",
-            "experiment", output_text(row->experiment),
-            "quantity", output_text(row->quantity),
-            "unit", output_text(row->unit),
-            "measured", output_number(row->measured),
-            "theory", output_number(row->theory),
-            "ratio", output_number(row->ratio),
-            "tolerance", output_number(row->tolerance),
-            "pass", row->pass), error);
-        /* clang-format on */
-    }
+    const char *folder = run->options->plot;
+    const char *name = skv_experiment_info(run->chosen[run->at])->name;
+    skv_result result = write_file(folder, name, ".svg", skv_report_plot, report, error);
+    if (result == SKV_OK)
+        result = write_file(folder, name, ".csv", skv_report_csv, report, error);
     return result;
 }
 
@@ -208,32 +168,58 @@ static void refuse(lab_run *run, const skv_error *why)
     fflush(stdout);
 }
 
+/* Runs the experiment from each start; gives its figures, and the report of the first start. */
+static skv_result run_starts(lab_run *run, lab_figure *figures, skv_report **first,
+                             skv_error *error)
+{
+    *first = NULL;
+    for (run->start = 0; run->start < run->options->starts; run->start++) {
+        skv_report *report;
+        lab_starts_choose(&run->starts, run->start, &run->lab);
+        skv_result result = skv_experiment_run(run->chosen[run->at], &run->lab, &report, error);
+        if (result != SKV_OK)
+            return result;
+        for (int i = 0; i < MAX_FIGURES && skv_report_row(report, i); i++)
+            lab_figure_add(&figures[i], skv_report_row(report, i));
+        if (*first)
+            skv_report_destroy(report);
+        else
+            *first = report;
+    }
+    return SKV_OK;
+}
+
+static skv_result print_report(lab_run *run, const skv_report *report, const lab_figure *figures,
+                               skv_error *error)
+{
+    skv_result result = SKV_OK;
+    if (!run->options->json && !run->options->quiet) {
+        fputs(run->at ? "\n" : "", stdout);
+        lab_table(skv_experiment_info(run->chosen[run->at]), report, figures);
+    }
+    for (int i = 0; i < MAX_FIGURES && figures[i].starts > 0 && result == SKV_OK; i++) {
+        if (run->options->json)
+            result = lab_json(run->rows, &figures[i], error);
+        run->rows++;
+        run->missed += !figures[i].row.pass;
+    }
+    fflush(stdout);
+    return result;
+}
+
 static skv_result run_one(lab_run *run, skv_error *error)
 {
-    int number = run->chosen[run->at];
+    lab_figure figures[MAX_FIGURES] = {0};
     skv_report *report;
-    skv_result result = skv_experiment_run(number, &run->lab, &report, error);
+    skv_result result = run_starts(run, figures, &report, error);
     if (result == SKV_ERROR_VALUE || result == SKV_ERROR_LIMIT) {
         refuse(run, error);
-        return SKV_OK;
-    }
-    if (result != SKV_OK)
-        return result;
-    progress_end(&run->progress);
-    if (run->options->json)
-        result = print_json(run, report, error);
-    else if (!run->options->quiet)
-        print_report(run, report);
-    fflush(stdout);
-    for (int i = 0; skv_report_row(report, i); i++) {
-        run->rows++;
-        run->missed += !skv_report_row(report, i)->pass;
-    }
-    if (run->options->plot && result == SKV_OK) {
-        const char *folder = run->options->plot, *name = skv_experiment_info(number)->name;
-        result = write_file(folder, name, ".svg", skv_report_plot, report, error);
-        if (result == SKV_OK)
-            result = write_file(folder, name, ".csv", skv_report_csv, report, error);
+        result = SKV_OK;
+    } else if (result == SKV_OK) {
+        progress_end(&run->progress);
+        result = print_report(run, report, figures, error);
+        if (run->options->plot && result == SKV_OK)
+            result = write_plots(run, report, error);
     }
     skv_report_destroy(report);
     return result;
@@ -278,24 +264,33 @@ static int conclude(const lab_run *run, skv_error *error)
     return STATUS_DONE;
 }
 
+static int run_all(lab_run *run, skv_error *error)
+{
+    const cli_options *options = run->options;
+    skv_result result = SKV_OK;
+    run->progress = progress_start("lab", 0, options->quiet);
+    if (options->json)
+        output_list_begin();
+    for (run->at = 0; run->at < run->count && result == SKV_OK; run->at++)
+        result = run_one(run, error);
+    progress_end(&run->progress);
+    if (options->json)
+        output_list_end();
+    return result == SKV_OK ? conclude(run, error) : STATUS_BAD;
+}
+
 int lab_command(const cli_options *options, skv_error *error)
 {
     lab_run run = {.options = options};
+    int status = STATUS_BAD;
     cleanup_install();
-    skv_result result = prepare(&run, error);
-    if (result == SKV_OK && options->cards) {
-        print_cards(&run);
-        return STATUS_DONE;
+    if (prepare(&run, error) == SKV_OK) {
+        status = STATUS_DONE;
+        if (options->cards)
+            print_cards(&run);
+        else
+            status = run_all(&run, error);
     }
-    if (result == SKV_OK) {
-        run.progress = progress_start("lab", 0, options->quiet);
-        if (options->json)
-            output_list_begin();
-        for (run.at = 0; run.at < run.count && result == SKV_OK; run.at++)
-            result = run_one(&run, error);
-        progress_end(&run.progress);
-        if (options->json)
-            output_list_end();
-    }
-    return result == SKV_OK ? conclude(&run, error) : STATUS_BAD;
+    lab_starts_close(&run.starts);
+    return status;
 }

@@ -103,6 +103,75 @@ static void test_a_refusal_stops_one_experiment_only(void **state)
     program_free(&alone);
 }
 
+/* The rows of droplet with a number of particles, and with further arguments. */
+static json_t *droplet(void **state, const char *particles, const char *option, const char *value)
+{
+    program_result result =
+        SKVALP(*state, "lab", "droplet", "--json", "--set", particles, option, value);
+    json_t *array = parse(&result);
+    assert_int_equal(json_array_size(array), 2);
+    program_free(&result);
+    return array;
+}
+
+static double number_of(const json_t *array, const char *key)
+{
+    return json_number_value(json_object_get(json_array_get(array, 0), key));
+}
+
+/* Three starts are the runs with 300, 303 and 297 particles: their mean and standard deviation. */
+static void test_starts(void **state)
+{
+    static const char *const particles[] = {"particles=300", "particles=303", "particles=297"};
+    double measured[3], ratio[3], mean = 0, squares = 0, misses = 0;
+    int passed = 0;
+    json_t *all = droplet(state, particles[0], "--starts", "3");
+    for (int i = 0; i < 3; i++) {
+        json_t *one = droplet(state, particles[i], "--starts", "1");
+        json_t *plain = droplet(state, particles[i], "--threads", "1");
+        assert_true(json_equal(one, plain));
+        assert_int_equal(json_object_size(json_array_get(one, 0)), 8);
+        measured[i] = number_of(one, "measured");
+        ratio[i] = number_of(one, "ratio");
+        mean += measured[i] / 3;
+        misses += (ratio[i] - 1) * (ratio[i] - 1);
+        passed += json_is_true(json_object_get(json_array_get(one, 0), "pass"));
+        json_decref(one);
+        json_decref(plain);
+    }
+    for (int i = 0; i < 3; i++)
+        squares += (measured[i] - mean) * (measured[i] - mean);
+    const json_t *row = json_array_get(all, 0);
+    assert_int_equal(json_object_size(row), 12);
+    assert_true(number_of(all, "starts") == 3 && number_of(all, "passed") == passed);
+    assert_true(squares > 0);
+    assert_true(fabs(number_of(all, "measured") - mean) < 1e-9);
+    assert_true(fabs(number_of(all, "measured_deviation") - sqrt(squares / 2)) < 1e-9);
+    /* Its theory is 1. */
+    assert_true(fabs(number_of(all, "ratio_deviation") - sqrt(squares / 2)) < 1e-9);
+    assert_true(json_is_true(json_object_get(row, "pass")) ==
+                (sqrt(misses / 3) <= number_of(all, "tolerance")));
+    /* Nothing escapes, and there is no ratio to that. */
+    assert_true(json_is_null(json_object_get(json_array_get(all, 1), "ratio_deviation")));
+    json_decref(all);
+}
+
+/* Starts that would all be the same, or of which one cannot be, are refused before any runs. */
+static void test_starts_that_cannot_be(void **state)
+{
+    static const char *const settings[] = {"fluid.spacing=0.01", "particles=200"};
+    static const char *const said[] = {"--starts: they differ in their number of particles",
+                                       "particles: 198 is out of range"};
+    for (int i = 0; i < 2; i++) {
+        program_result result =
+            SKVALP(*state, "lab", "droplet", "--starts", "3", "--set", settings[i], "--json");
+        assert_int_equal(result.status, 2);
+        assert_string_equal(result.out, "");
+        assert_non_null(strstr(result.err, said[i]));
+        program_free(&result);
+    }
+}
+
 static void test_same_on_any_number_of_threads(void **state)
 {
     program_result one =
@@ -156,6 +225,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_status, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_a_refusal_stops_one_experiment_only, folder_setup,
                                         folder_teardown),
+        cmocka_unit_test_setup_teardown(test_starts, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_starts_that_cannot_be, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_same_on_any_number_of_threads, folder_setup,
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_plots, folder_setup, folder_teardown),
