@@ -10,7 +10,7 @@ static const PlayChoice choices[] = {
     {"oil", N_("Oil"), "fluid.material", "oil", 0},
     {"honey", N_("Honey"), "fluid.material", "honey", 0},
     {"mercury", N_("Mercury"), "fluid.material", "mercury", 0},
-    {"clavet", N_("The pressure law of 2005"), "fluid.law", "clavet", 0},
+    {"clavet", N_("The pressure law as in the thesis"), "fluid.law", "clavet", 0},
     {"finer", N_("Four times as many particles"), NULL, NULL, 4},
     {"coarser", N_("A quarter of the particles"), NULL, NULL, 0.25},
 };

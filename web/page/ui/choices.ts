@@ -24,7 +24,7 @@ export const choices: Choice[] = [
     { label: N_('Oil'), settings: liquid('oil') },
     { label: N_('Honey'), settings: liquid('honey') },
     { label: N_('Mercury'), settings: liquid('mercury') },
-    { label: N_('The pressure law of 2005'), settings: () => ({ 'fluid.law': 'clavet' }) },
+    { label: N_('The pressure law as in the thesis'), settings: () => ({ 'fluid.law': 'clavet' }) },
     { label: N_('Four times as many particles'), settings: particles(4) },
     { label: N_('A quarter of the particles'), settings: particles(0.25) },
 ];
