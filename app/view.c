@@ -225,8 +225,11 @@ static gboolean on_news(gpointer data)
     look(view);
     take_outcomes(view);
     update_tick(view);
-    if (!moved || !view->tick) /* else a few times a second will do */
-        changed(view);
+    if (moved && view->tick) /* a few times a second will do */
+        return G_SOURCE_REMOVE;
+    changed(view);
+    if (view->twin && view->follows) /* what can be undone is said for both */
+        changed(view->twin);
     return G_SOURCE_REMOVE;
 }
 
