@@ -86,6 +86,8 @@ V8_INLINE v8 v8_and(v8 a, v8 b)
 #elif !defined(SKV_SIMD_SCALAR) &&                                                                 \
     (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 
+/* Besides each lane's own operations: ANY_BELOW, whether a lane of a is below b's or one of c below
+ * d's; MIX, the lower or higher two lanes of both, in turn; JOIN, the same, a's before b's. */
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #define V8_NAME  "sse2"
@@ -97,6 +99,12 @@ typedef __m128 v4;
 #define V4_MAX   _mm_max_ps
 #define V4_MIN   _mm_min_ps
 #define V4_AND   _mm_and_ps
+#define V4_ANY_BELOW(a, b, c, d)                                                                   \
+    (_mm_movemask_ps(_mm_cmplt_ps(a, b)) | _mm_movemask_ps(_mm_cmplt_ps(c, d)))
+#define V4_MIX_LOW         _mm_unpacklo_ps
+#define V4_MIX_HIGH        _mm_unpackhi_ps
+#define V4_JOIN_LOW        _mm_movelh_ps
+#define V4_JOIN_HIGH(a, b) _mm_movehl_ps(b, a)
 #elif defined(__aarch64__)
 #include <arm_neon.h>
 #define V8_NAME      "neon"
@@ -109,6 +117,11 @@ typedef float32x4_t v4;
 #define V4_MIN(a, b) vbslq_f32(vcltq_f32(a, b), a, b)
 #define V4_AND(a, b)                                                                               \
     vreinterpretq_f32_u32(vandq_u32(vreinterpretq_u32_f32(a), vreinterpretq_u32_f32(b)))
+#define V4_ANY_BELOW(a, b, c, d) (vmaxvq_u32(vorrq_u32(vcltq_f32(a, b), vcltq_f32(c, d))) != 0)
+#define V4_MIX_LOW               vzip1q_f32
+#define V4_MIX_HIGH              vzip2q_f32
+#define V4_JOIN_LOW(a, b)        vcombine_f32(vget_low_f32(a), vget_low_f32(b))
+#define V4_JOIN_HIGH(a, b)       vcombine_f32(vget_high_f32(a), vget_high_f32(b))
 #else
 #include <wasm_simd128.h>
 #define V8_NAME      "wasm"
@@ -120,6 +133,12 @@ typedef v128_t v4;
 #define V4_MAX(a, b) wasm_f32x4_pmax(b, a)
 #define V4_MIN(a, b) wasm_f32x4_pmin(b, a)
 #define V4_AND       wasm_v128_and
+#define V4_ANY_BELOW(a, b, c, d)                                                                   \
+    wasm_v128_any_true(wasm_v128_or(wasm_f32x4_lt(a, b), wasm_f32x4_lt(c, d)))
+#define V4_MIX_LOW(a, b)   wasm_i32x4_shuffle(a, b, 0, 4, 1, 5)
+#define V4_MIX_HIGH(a, b)  wasm_i32x4_shuffle(a, b, 2, 6, 3, 7)
+#define V4_JOIN_LOW(a, b)  wasm_i32x4_shuffle(a, b, 0, 1, 4, 5)
+#define V4_JOIN_HIGH(a, b) wasm_i32x4_shuffle(a, b, 2, 3, 6, 7)
 #endif
 
 #if defined(__wasm_simd128__)
@@ -280,8 +299,8 @@ V8_INLINE int v8_any_below(v8 a, v8 b)
 {
 #if !defined(SKV_SIMD_SCALAR) && defined(__AVX2__)
     return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ));
-#elif !defined(SKV_SIMD_SCALAR) && defined(__SSE2__)
-    return _mm_movemask_ps(_mm_cmplt_ps(a.lo, b.lo)) | _mm_movemask_ps(_mm_cmplt_ps(a.hi, b.hi));
+#elif defined(V4_ANY_BELOW)
+    return V4_ANY_BELOW(a.lo, b.lo, a.hi, b.hi);
 #else
     float x[8], y[8];
     int below = 0;
@@ -325,11 +344,12 @@ V8_INLINE void v8_sum4(v8 a, v8 b, v8 c, v8 d, float out[4])
     sum = _mm256_add_ps(sum, other);
     _mm_storel_pi((__m64 *)(void *)out, _mm256_castps256_ps128(sum));
     _mm_storel_pi((__m64 *)(void *)(out + 2), _mm256_extractf128_ps(sum, 1));
-#elif !defined(SKV_SIMD_SCALAR) && defined(__SSE2__)
-    __m128 a4 = a.lo + a.hi, b4 = b.lo + b.hi, c4 = c.lo + c.hi, d4 = d.lo + d.hi;
-    __m128 ab = _mm_unpacklo_ps(a4, b4) + _mm_unpackhi_ps(a4, b4);
-    __m128 cd = _mm_unpacklo_ps(c4, d4) + _mm_unpackhi_ps(c4, d4);
-    _mm_storeu_ps(out, _mm_movelh_ps(ab, cd) + _mm_movehl_ps(cd, ab));
+#elif defined(V4_MIX_LOW)
+    v4 a4 = V4_ADD(a.lo, a.hi), b4 = V4_ADD(b.lo, b.hi);
+    v4 c4 = V4_ADD(c.lo, c.hi), d4 = V4_ADD(d.lo, d.hi);
+    v4 ab = V4_ADD(V4_MIX_LOW(a4, b4), V4_MIX_HIGH(a4, b4));
+    v4 cd = V4_ADD(V4_MIX_LOW(c4, d4), V4_MIX_HIGH(c4, d4));
+    V4_STORE(out, V4_ADD(V4_JOIN_LOW(ab, cd), V4_JOIN_HIGH(ab, cd)));
 #else
     out[0] = v8_sum(a);
     out[1] = v8_sum(b);

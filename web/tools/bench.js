@@ -44,11 +44,16 @@ class Runner {
     }
 }
 
-/** The shortest and the median. @param {number[]} values */
-function summary(values) {
-    const sorted = values.toSorted((a, b) => a - b);
-    return { least: sorted[0], median: sorted[sorted.length >> 1] };
-}
+/** @param {number[]} values */
+const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
+
+/** How much longer one takes than the other: the median of what frames say one by one, since a machine
+ * changes its speed from second to second, and the same frame of both is taken within one.
+ * @param {number[]} one @param {number[]} other */
+const ratio = (one, other) => median(one.map((time, frame) => time / other[frame])).toFixed(2);
+
+/** The least, and in brackets the median. @param {number[]} times */
+const told = (times) => `${Math.min(...times).toFixed(1)} (${median(times).toFixed(1)})`;
 
 /** @param {string} law @param {number} particles */
 async function measure(law, particles) {
@@ -66,25 +71,21 @@ async function measure(law, particles) {
             await runner.step();
         }
     }
-    const result = {};
-    for (const [name, runner] of Object.entries(runners)) {
+    return Object.fromEntries(Object.entries(runners).map(([name, runner]) => {
         runner.end();
         const kept = runner.times.slice(warm);
-        result[name] = { passed: summary(kept.map(([passed]) => passed)), busy: summary(kept.map(([, busy]) => busy)) };
-    }
-    return result;
+        return [name, { passed: kept.map(([passed]) => passed), busy: kept.map(([, busy]) => busy) }];
+    }));
 }
 
 console.log('| law | particles | SSE2 | AVX2 | wasm | to SSE2 | to AVX2 | two threads | speed-up |');
 console.log('|-----|----------:|-----:|-----:|-----:|--------:|--------:|------------:|---------:|');
 for (const [law, particles] of cases) {
-    const all = await measure(String(law), Number(particles));
-    const pair = ({ least, median }) => `${least.toFixed(1)} (${median.toFixed(1)})`;
-    const { SSE2, AVX2, wasm, 'wasm, threads': two, against } = all;
-    const ratio = (other) => (wasm.busy.least / other.busy.least).toFixed(2);
-    console.log(`| ${law} | ${particles} | ${pair(SSE2.busy)} | ${pair(AVX2.busy)} | ${pair(wasm.busy)} | ${ratio(SSE2)} | `
-        + `${ratio(AVX2)} | ${pair(two.passed)} | ${(wasm.passed.least / two.passed.least).toFixed(2)} |`);
+    const { SSE2, AVX2, wasm, 'wasm, threads': two, against } = await measure(String(law), Number(particles));
+    console.log(`| ${law} | ${particles} | ${told(SSE2.busy)} | ${told(AVX2.busy)} | ${told(wasm.busy)} | `
+        + `${ratio(wasm.busy, SSE2.busy)} | ${ratio(wasm.busy, AVX2.busy)} | ${told(two.passed)} | `
+        + `${ratio(wasm.passed, two.passed)} |`);
     if (against) {
-        console.log(`against: ${pair(against.busy)}, ratio ${ratio(against)}`);
+        console.log(`against: ${told(against.busy)}, ratio ${ratio(wasm.busy, against.busy)}`);
     }
 }
