@@ -154,6 +154,7 @@ typedef v128_t v4;
 #endif
 
 /* An explicit pair: compilers split an 8-wide vector type badly. */
+#define V8_IS_PAIR
 typedef struct v8 {
     v4 lo, hi;
 } v8;

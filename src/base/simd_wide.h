@@ -1,7 +1,8 @@
-/* Eights of floats side by side in one register: two where it holds sixteen floats (AVX-512), else
- * one.
+/* What one register holds: two eights of floats side by side (AVX-512), one, or a half of one.
  *
- * Invariant: what is done to them is done to each eight as base/simd.h does it, so how many there
+ * A `wide` is that register, an `eight_part` as much of an eight as it holds: PARTS parts of
+ * PART_LEN floats make an eight, and a wide has WIDE_PARTS of them, each of another eight.
+ * Invariant: what is done to them is done to each lane as base/simd.h does it, so how many there
  * are makes no difference to the bits.
  */
 #ifndef SKV_BASE_SIMD_WIDE_H
@@ -11,21 +12,23 @@
 
 #if defined(V8_HAS_SIXTEEN)
 
-#define WIDE_EIGHTS 2
+#define WIDE_PARTS 2
+#define PARTS      1
 typedef __m512 wide;
+typedef v8 eight_part;
 
 V8_INLINE wide wide_of(v8 first, v8 second)
 {
     return _mm512_insertf32x8(_mm512_castps256_ps512(first), second, 1);
 }
 
-/* The same eight, as often as there is room. */
-V8_INLINE wide wide_each(v8 a)
+/* The same part, as often as there is room. */
+V8_INLINE wide wide_each(eight_part a)
 {
     return _mm512_broadcast_f32x8(a);
 }
 
-V8_INLINE v8 wide_eight(wide a, int which)
+V8_INLINE eight_part wide_part(wide a, int which)
 {
     return which ? _mm512_extractf32x8_ps(a, 1) : _mm512_castps512_ps256(a);
 }
@@ -87,20 +90,30 @@ V8_INLINE wide wide_and(wide a, wide b)
 
 #else
 
-#define WIDE_EIGHTS 1
+#define WIDE_PARTS 1
+
+#if defined(V8_IS_PAIR)
+
+#define PARTS      2
+typedef v4 wide;
+typedef v4 eight_part;
+#define wide_load  V4_LOAD
+#define wide_store V4_STORE
+#define wide_set   V4_SET
+#define wide_add   V4_ADD
+#define wide_sub   V4_SUB
+#define wide_mul   V4_MUL
+#define wide_div   V4_DIV
+#define wide_sqrt  V4_SQRT
+#define wide_max   V4_MAX
+#define wide_min   V4_MIN
+#define wide_and   V4_AND
+
+#else
+
+#define PARTS      1
 typedef v8 wide;
-
-V8_INLINE wide wide_each(v8 a)
-{
-    return a;
-}
-
-V8_INLINE v8 wide_eight(wide a, int which)
-{
-    (void)which;
-    return a;
-}
-
+typedef v8 eight_part;
 #define wide_load  v8_load
 #define wide_store v8_store
 #define wide_set   v8_set
@@ -115,22 +128,64 @@ V8_INLINE v8 wide_eight(wide a, int which)
 
 #endif
 
-/* Every eight filled with one number: p[0], and p[apart] in the second. */
-V8_INLINE wide wide_spread(const float *p, int apart)
+V8_INLINE wide wide_each(eight_part a)
 {
-#if WIDE_EIGHTS == 2
-    return wide_of(v8_set(p[0]), v8_set(p[apart]));
+    return a;
+}
+
+V8_INLINE eight_part wide_part(wide a, int which)
+{
+    (void)which;
+    return a;
+}
+
+#endif
+
+#define PART_LEN (8 / PARTS)
+
+#if PARTS == 2
+#define part_load  wide_load
+#define part_store wide_store
+#define part_add   wide_add
+#define part_sub   wide_sub
 #else
-    (void)apart;
-    return v8_set(p[0]);
+#define part_load  v8_load
+#define part_store v8_store
+#define part_add   v8_add
+#define part_sub   v8_sub
+#endif
+
+/* The eight of its first and its last part, which may be one. */
+V8_INLINE v8 eight_of(eight_part first, eight_part last)
+{
+#if PARTS == 2
+    return (v8){first, last};
+#else
+    (void)last;
+    return first;
 #endif
 }
 
-/* v8_mask_from, of `first` in the first eight and of `first + apart` in the second. */
+/* Every part filled with one number: p[0], and p[apart] in the second. */
+V8_INLINE wide wide_spread(const float *p, int apart)
+{
+#if WIDE_PARTS == 2
+    return wide_of(v8_set(p[0]), v8_set(p[apart]));
+#else
+    (void)apart;
+    return wide_set(p[0]);
+#endif
+}
+
+/* v8_mask_from of an eight's first part: `first` in the first one, `first + apart` in the second.
+ */
 V8_INLINE wide wide_mask_from(int first, int apart)
 {
-#if WIDE_EIGHTS == 2
+#if WIDE_PARTS == 2
     return wide_of(v8_mask_from(first), v8_mask_from(first + apart));
+#elif PARTS == 2
+    (void)apart;
+    return v8_mask_from(first).lo;
 #else
     (void)apart;
     return v8_mask_from(first);

@@ -16,17 +16,21 @@
 #define TINY_SQUARED 1e-12f
 
 #define TILE ROW_TILE
-/* A tile's particles lie in so many `wide`s: particle k in number k % WIDES, eight k / WIDES. */
-#define WIDES    (TILE / WIDE_EIGHTS)
-#define WIDE_LEN (WIDE_EIGHTS * ROW_LANES)
+/* A tile's particles lie in so many `wide`s: particle k in number k % WIDES, part k / WIDES. */
+#define WIDES    (TILE / WIDE_PARTS)
+#define WIDE_LEN (WIDE_PARTS * PART_LEN)
+/* Pairs of a tile with a part of its partners. */
+#define PART_PAIRS (TILE * PART_LEN)
 /* The pair loops are inlined into each of their variants and unrolled over the tile. The scalar
  * build, which is for checking and not for speed, does without: it would take compilers minutes. */
 #if defined(SKV_SIMD_SCALAR)
-#define VARIANT static __attribute__((noinline))
-#define EACH(k) for (int k = 0; k < WIDES; k++)
+#define VARIANT      static __attribute__((noinline))
+#define EACH(k)      for (int k = 0; k < WIDES; k++)
+#define EACH_PART(n) for (int n = 0; n < PARTS; n++)
 #else
-#define VARIANT V8_INLINE
-#define EACH(k) _Pragma("GCC unroll 8") for (int k = 0; k < WIDES; k++)
+#define VARIANT      V8_INLINE
+#define EACH(k)      _Pragma("GCC unroll 8") for (int k = 0; k < WIDES; k++)
+#define EACH_PART(n) _Pragma("GCC unroll 2") for (int n = 0; n < PARTS; n++)
 #endif
 
 /* Compile-time variants of the pair loops. SMOOTH: the kernel of base/kernels.h, else the spiky
@@ -59,7 +63,7 @@ typedef struct pushes {
     bool has_gradient; /* that of one of them is not 0 */
 } pushes;
 
-/* The sums for the tile's own particles. */
+/* The sums for the tile's own particles, over the same part of all partners. */
 typedef struct density_sums {
     wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES], u[WIDES],
         v[WIDES];
@@ -68,25 +72,31 @@ typedef struct move_sums {
     wide x[WIDES], y[WIDES], virial[WIDES];
 } move_sums;
 
-V8_INLINE void add_at(float *p, v8 a)
+V8_INLINE void add_at(float *p, eight_part a)
 {
-    v8_store(p, v8_add(v8_load(p), a));
+    part_store(p, part_add(part_load(p), a));
 }
 
 /* Adds up a tile's contributions to the partners, in the order of the tile. */
-V8_INLINE v8 over_tile(const wide *a)
+V8_INLINE eight_part over_tile(const wide *a)
 {
     wide first = wide_add(a[0], a[1]);
-    v8 second = WIDE_EIGHTS == 2 ? wide_eight(first, 1)
-                                 : wide_eight(wide_add(a[2 % WIDES], a[3 % WIDES]), 0);
-    return v8_add(wide_eight(first, 0), second);
+    eight_part second =
+        WIDE_PARTS == 2 ? wide_part(first, 1) : wide_part(wide_add(a[2 % WIDES], a[3 % WIDES]), 0);
+    return part_add(wide_part(first, 0), second);
 }
 
-/* The sums over the lanes of a quantity of the tile's particles, in their order. */
-V8_INLINE void store_sums(float *to, const wide *a)
+V8_INLINE v8 lanes_of(const wide *first, const wide *last, int k)
 {
-    v8_sum4(wide_eight(a[0], 0), wide_eight(a[1], 0), wide_eight(a[2 % WIDES], 2 / WIDES),
-            wide_eight(a[3 % WIDES], 3 / WIDES), to);
+    return eight_of(wide_part(first[k % WIDES], k / WIDES), wide_part(last[k % WIDES], k / WIDES));
+}
+
+/* The sums over the lanes of a quantity of the tile's particles, in their order; of its first and
+ * its last part. */
+V8_INLINE void store_sums(float *to, const wide *first, const wide *last)
+{
+    v8_sum4(lanes_of(first, last, 0), lanes_of(first, last, 1), lanes_of(first, last, 2),
+            lanes_of(first, last, 3), to);
 }
 
 /* The boundary if a thin wall is near one of the particles of a tile, else null: most worlds have
@@ -109,10 +119,10 @@ static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int
 {
     for (int k = 0; k < TILE; k++) {
         float clear = p->clearance[i + k];
-        float *seen = q + ROW_LANES * (k % WIDES * WIDE_EIGHTS + k / WIDES);
+        float *seen = q + PART_LEN * (k % WIDES * WIDE_PARTS + k / WIDES);
         if (clear >= 1)
             continue;
-        for (int l = 0; l < ROW_LANES; l++) {
+        for (int l = 0; l < PART_LEN; l++) {
             float *at = &seen[l];
             if (*at > 0 && clear + p->clearance[j + l] < ROW_WALL_SLOPE * (1 - *at) &&
                 skv_boundary_occluded(boundary, p->x[i + k], p->y[i + k], clear, p->x[j + l],
@@ -122,13 +132,13 @@ static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int
     }
 }
 
-/* Differences to eight partners at j, their distance and q. In the first block of a tile the
- * partners before and at particle k itself are masked out: j + lane > i + k. */
+/* Differences to a part of the partners, at j, their distance and q. At the beginning of a tile's
+ * first block the partners before and at particle k itself are masked out: j + lane > i + k. */
 VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *t, wide *dx,
                      wide *dy, wide *r, wide *q)
 {
     const wide one = wide_set(1), zero = wide_set(0), tiny = wide_set(TINY_SQUARED);
-    wide xj = wide_each(v8_load(p->x + j)), yj = wide_each(v8_load(p->y + j));
+    wide xj = wide_each(part_load(p->x + j)), yj = wide_each(part_load(p->y + j));
     EACH(k) dx[k] = wide_sub(xj, t->x[k]);
     EACH(k) dy[k] = wide_sub(yj, t->y[k]);
     EACH(k) r[k] = wide_add(wide_mul(dy[k], dy[k]), tiny);
@@ -136,11 +146,11 @@ VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *
     EACH(k) r[k] = wide_sqrt(r[k]);
     EACH(k) q[k] = wide_max(wide_sub(one, r[k]), zero);
     if (first) {
-        EACH(k) q[k] = k == 0 && WIDE_EIGHTS == 1 ? q[k] : wide_and(q[k], wide_mask_from(k, WIDES));
+        EACH(k) q[k] = k == 0 && WIDE_PARTS == 1 ? q[k] : wide_and(q[k], wide_mask_from(k, WIDES));
     }
     if (__builtin_expect(t->beside != NULL, 0)) {
         /* A copy, so that q itself stays in registers. */
-        float seen[TILE * ROW_LANES];
+        float seen[PART_PAIRS];
         EACH(k) wide_store(seen + WIDE_LEN * k, q[k]);
         part_pairs(p, t->place, j, t->beside, seen);
         EACH(k) q[k] = wide_load(seen + WIDE_LEN * k);
@@ -153,7 +163,7 @@ VARIANT void viscosity(const skv_row_particles *p, int j, unsigned with, const v
                        wide sigma, wide beta, density_sums *sums, const skv_row_sums *to)
 {
     const wide zero = wide_set(0), one = wide_set(1), half = wide_set(0.5f);
-    wide uj = wide_each(v8_load(p->u + j)), vj = wide_each(v8_load(p->v + j)), w[WIDES],
+    wide uj = wide_each(part_load(p->u + j)), vj = wide_each(part_load(p->v + j)), w[WIDES],
          share[WIDES], ix[WIDES], iy[WIDES];
     EACH(k)
     w[k] = wide_add(wide_mul(wide_sub(t->u[k], uj), dx[k]), wide_mul(wide_sub(t->v[k], vj), dy[k]));
@@ -170,10 +180,10 @@ VARIANT void viscosity(const skv_row_particles *p, int j, unsigned with, const v
     add_at(to->viscous_v + j, over_tile(iy));
 }
 
-/* Pass A for a tile and eight partners. */
-VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
-                           const tile *t, const velocities *moving, wide sigma, wide beta,
-                           density_sums *sums, const skv_row_sums *to, float *keep)
+/* Pass A for a tile and a part of eight partners. */
+VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigned with,
+                          const tile *t, const velocities *moving, wide sigma, wide beta,
+                          density_sums *sums, const skv_row_sums *to, float *keep)
 {
     wide dx[WIDES], dy[WIDES], r[WIDES], q[WIDES], q2[WIDES], q3[WIDES], w[WIDES];
     measure(p, j, first, t, dx, dy, r, q);
@@ -208,9 +218,19 @@ VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsign
         if (with & TILE_ONLY)
             return;
         float *gx = to->gradient_x + j, *gy = to->gradient_y + j;
-        v8_store(gx, v8_sub(v8_load(gx), over_tile(dx)));
-        v8_store(gy, v8_sub(v8_load(gy), over_tile(dy)));
+        part_store(gx, part_sub(part_load(gx), over_tile(dx)));
+        part_store(gy, part_sub(part_load(gy), over_tile(dy)));
     }
+}
+
+/* The same for all eight. */
+VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
+                           const tile *t, const velocities *moving, wide sigma, wide beta,
+                           density_sums *sums, const skv_row_sums *to, float *keep)
+{
+    EACH_PART(n)
+    density_part(p, j + n * PART_LEN, first && n == 0, with, t, moving, sigma, beta, &sums[n], to,
+                 with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
 static void zero_row(const skv_rows *s, float *array, int row)
@@ -236,15 +256,16 @@ static void zero_sums(const skv_rows *s, const skv_row_sums *sums, int row, unsi
 /* Stores the sums of the tile at i. */
 VARIANT void store_densities(const skv_row_sums *to, int i, unsigned with, const density_sums *sums)
 {
-    store_sums(to->density + i, sums->density);
-    store_sums(to->near_density + i, sums->near_density);
+    const density_sums *last = &sums[PARTS - 1];
+    store_sums(to->density + i, sums->density, last->density);
+    store_sums(to->near_density + i, sums->near_density, last->near_density);
     if (with & WITH_GRADIENT) {
-        store_sums(to->gradient_x + i, sums->gradient_x);
-        store_sums(to->gradient_y + i, sums->gradient_y);
+        store_sums(to->gradient_x + i, sums->gradient_x, last->gradient_x);
+        store_sums(to->gradient_y + i, sums->gradient_y, last->gradient_y);
     }
     if (with & WITH_VISCOSITY) {
-        store_sums(to->viscous_u + i, sums->u);
-        store_sums(to->viscous_v + i, sums->v);
+        store_sums(to->viscous_u + i, sums->u, last->u);
+        store_sums(to->viscous_v + i, sums->v, last->v);
     }
 }
 
@@ -264,8 +285,9 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, int i
         t.y[k] = wide_spread(p->y + i + k, WIDES);
         moving.u[k] = wide_spread(p->u + i + k, WIDES);
         moving.v[k] = wide_spread(p->v + i + k, WIDES);
-        sums->density[k] = sums->near_density[k] = sums->gradient_x[k] = sums->gradient_y[k] =
-            sums->u[k] = sums->v[k] = wide_set(0);
+        EACH_PART(n)
+        sums[n].density[k] = sums[n].near_density[k] = sums[n].gradient_x[k] =
+            sums[n].gradient_y[k] = sums[n].u[k] = sums[n].v[k] = wide_set(0);
     }
     /* First the partners in the own row, then those in the next: one loop for both, which is
      * unrolled once. */
@@ -315,10 +337,10 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
     zero_sums(s, &next, row + 1, with);
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += TILE) {
-        density_sums sums;
-        keep = density_tile(s, p, i, end, with, c, boundary, &own, &next, keep, &sums);
+        density_sums sums[PARTS];
+        keep = density_tile(s, p, i, end, with, c, boundary, &own, &next, keep, sums);
         if (stores)
-            store_densities(&in_tile.sums, i - in_tile.begin, with, &sums);
+            store_densities(&in_tile.sums, i - in_tile.begin, with, sums);
     }
 }
 
@@ -328,11 +350,11 @@ static void sum_tiles_again(const skv_rows *s, int i, int end, const skv_row_con
 {
     const skv_row_particles *p = &s->set[s->current];
     const skv_row_sums none = {0};
-    density_sums sums;
+    density_sums sums[PARTS];
     for (int t = i; t < end && t < i + ROW_LANES; t += TILE) {
         density_tile(s, p, t, end, SIX_SUMS | TILE_ONLY, c, boundary, &none, &none, to->density,
-                     &sums);
-        store_densities(to, t - i, SIX_SUMS, &sums);
+                     sums);
+        store_densities(to, t - i, SIX_SUMS, sums);
     }
 }
 
@@ -394,8 +416,8 @@ VARIANT void tension(const partners *others, int j, const pushes *t, const wide 
                      const wide *q2, const wide *ratio, wide *ex, wide *ey, wide *along)
 {
     const wide two = wide_set(2);
-    wide gx = wide_each(v8_load(others->gradient_x + j)),
-         gy = wide_each(v8_load(others->gradient_y + j));
+    wide gx = wide_each(part_load(others->gradient_x + j)),
+         gy = wide_each(part_load(others->gradient_y + j));
     EACH(k) ex[k] = wide_sub(t->gradient_x[k], gx);
     EACH(k) ey[k] = wide_sub(t->gradient_y[k], gy);
     EACH(k) along[k] = wide_add(wide_mul(ex[k], dx[k]), wide_mul(ey[k], dy[k]));
@@ -404,15 +426,16 @@ VARIANT void tension(const partners *others, int j, const pushes *t, const wide 
     EACH(k) ey[k] = wide_mul(ey[k], q2[k]);
 }
 
-/* Pass B for a tile and eight partners. Where q is kept, r is 1 - q. */
-VARIANT void displacement_block(const skv_row_particles *p, const partners *others, int j,
-                                bool first, unsigned with, const tile *t, const pushes *pressed,
-                                move_sums *sums, const skv_row_moves *to, const float *keep)
+/* Pass B for a tile and a part of eight partners. Where q is kept, r is 1 - q. */
+VARIANT void displacement_part(const skv_row_particles *p, const partners *others, int j,
+                               bool first, bool has_gradient, unsigned with, const tile *t,
+                               const pushes *pressed, move_sums *sums, const skv_row_moves *to,
+                               const float *keep)
 {
     const wide one = wide_set(1);
     wide dx[WIDES], dy[WIDES], r[WIDES], q[WIDES], ratio[WIDES], size[WIDES];
     if (with & KEEP_PAIRS) {
-        wide xj = wide_each(v8_load(p->x + j)), yj = wide_each(v8_load(p->y + j));
+        wide xj = wide_each(part_load(p->x + j)), yj = wide_each(part_load(p->y + j));
         EACH(k) dx[k] = wide_sub(xj, t->x[k]);
         EACH(k) dy[k] = wide_sub(yj, t->y[k]);
         EACH(k) q[k] = wide_load(keep + WIDE_LEN * k);
@@ -421,10 +444,10 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
     }
     EACH(k) r[k] = wide_sub(one, q[k]);
     EACH(k) ratio[k] = wide_div(q[k], r[k]);
-    wide push = wide_each(v8_load(others->push + j)),
-         near_push = wide_each(v8_load(others->near_push + j));
+    wide push = wide_each(part_load(others->push + j)),
+         near_push = wide_each(part_load(others->near_push + j));
     EACH(k) size[k] = wide_mul(wide_add(pressed->near_push[k], near_push), q[k]);
-    wide q2[WIDES], ex[WIDES], ey[WIDES], along[WIDES];
+    wide q2[WIDES], ex[WIDES] = {0}, ey[WIDES] = {0}, along[WIDES];
     EACH(k) q2[k] = wide_mul(q[k], q[k]);
     if (with & SMOOTH) {
         EACH(k) size[k] = wide_mul(size[k], ratio[k]);
@@ -432,9 +455,6 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
     } else {
         EACH(k) size[k] = wide_mul(wide_add(wide_add(pressed->push[k], push), size[k]), ratio[k]);
     }
-    /* Inside the fluid there is none to be had. */
-    bool has_gradient =
-        with & WITH_GRADIENT && (pressed->has_gradient || has_gradient_at(others, j));
     if (has_gradient) {
         tension(others, j, pressed, dx, dy, q2, ratio, ex, ey, along);
         EACH(k) size[k] = wide_add(size[k], along[k]);
@@ -462,6 +482,19 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
     add_at(to->y + j, over_tile(dy));
 }
 
+/* The same for all eight. */
+VARIANT void displacement_block(const skv_row_particles *p, const partners *others, int j,
+                                bool first, unsigned with, const tile *t, const pushes *pressed,
+                                move_sums *sums, const skv_row_moves *to, const float *keep)
+{
+    /* Inside the fluid there is none to be had. */
+    bool has_gradient =
+        with & WITH_GRADIENT && (pressed->has_gradient || has_gradient_at(others, j));
+    EACH_PART(n)
+    displacement_part(p, others, j + n * PART_LEN, first && n == 0, has_gradient, with, t, pressed,
+                      &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
+}
+
 static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, unsigned with)
 {
     zero_row(s, moves->x, row);
@@ -472,10 +505,11 @@ static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, u
 
 VARIANT void store_moves(const skv_row_moves *to, int i, unsigned with, const move_sums *sums)
 {
-    store_sums(to->x + i, sums->x);
-    store_sums(to->y + i, sums->y);
+    const move_sums *last = &sums[PARTS - 1];
+    store_sums(to->x + i, sums->x, last->x);
+    store_sums(to->y + i, sums->y, last->y);
     if (with & WITH_GAUGE)
-        store_sums(to->virial + i, sums->virial);
+        store_sums(to->virial + i, sums->virial, last->virial);
 }
 
 VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
@@ -493,15 +527,14 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
         if (!(with & KEEP_PAIRS))
             t.beside = find_thin_wall(p, i, end, boundary);
         pushes pressed = {.has_gradient = false};
-        move_sums sums;
-        const wide zero = wide_set(0);
+        move_sums sums[PARTS];
         EACH(k)
         {
             t.x[k] = wide_spread(p->x + i + k, WIDES);
             t.y[k] = wide_spread(p->y + i + k, WIDES);
             pressed.push[k] = wide_spread(others.push + i + k, WIDES);
             pressed.near_push[k] = wide_spread(others.near_push + i + k, WIDES);
-            sums.x[k] = sums.y[k] = sums.virial[k] = zero;
+            EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].virial[k] = wide_set(0);
             if (with & WITH_GRADIENT) {
                 pressed.gradient_x[k] = wide_spread(others.gradient_x + i + k, WIDES);
                 pressed.gradient_y[k] = wide_spread(others.gradient_y + i + k, WIDES);
@@ -512,19 +545,19 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
                 pressed.has_gradient || others.gradient_x[k] != 0 || others.gradient_y[k] != 0;
         skv_row_moves to = own;
         int j = i + 1, last = s->own_end[i / TILE];
-        displacement_block(p, &others, j, true, with, &t, &pressed, &sums, &to, keep);
+        displacement_block(p, &others, j, true, with, &t, &pressed, sums, &to, keep);
         keep += step;
         j += ROW_LANES;
         for (bool in_own = true;; in_own = false) {
             for (; j < last; j += ROW_LANES, keep += step)
-                displacement_block(p, &others, j, false, with, &t, &pressed, &sums, &to, keep);
+                displacement_block(p, &others, j, false, with, &t, &pressed, sums, &to, keep);
             if (!in_own)
                 break;
             j = s->next_begin[i / TILE];
             last = s->next_end[i / TILE];
             to = next;
         }
-        store_moves(&in_tile, i, with, &sums);
+        store_moves(&in_tile, i, with, sums);
     }
 }
 
