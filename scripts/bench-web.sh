@@ -14,14 +14,18 @@ Usage: scripts/bench-web.sh [BUILD] [--frames N] [--against MODULES]
 
 Takes N frames (default: 150) of the dam break in turn: with SSE2, with AVX2, in WebAssembly, and there
 on two threads. Prints a Markdown table of ns a particle and substep, the least and in brackets the
-median: processor time, for two threads time passed. BUILD (default: build/release) has web_reference,
-which comes with the tests; the modules are those of build/web. --against: modules to compare with, too.
+median: processor time, for two threads time passed; and the medians of the frames' ratios. BUILD
+(default: build/release) has web_reference, which comes with the tests; the modules are those of
+build/web. --against: modules to compare with, too. The node is the one that npm brings for the page's
+build: its engine is about as new as browsers'.
 
 If web/dist is built and there is a Chromium, a first visit follows: seconds until the simulation is there
 and until water is, how far the first second keeps up with real time, and the bytes of each file.
        scripts/bench-web.sh --visit   measures the visit alone.
 END
 }
+
+export PATH=$PWD/web/node_modules/.bin:$PATH
 
 measure_visit() {
     node tests/web/browser/visit.js web/dist

@@ -1,6 +1,6 @@
 // What a particle and substep costs in WebAssembly beside what it costs natively, on this machine, in
-// one run: all take their frames in turn, so that whatever disturbs the machine meets all of them,
-// and have the same worlds to the last bit. scripts/bench-web.sh calls it.
+// one run: all take their frames in turn, each time another one first, so that whatever disturbs the
+// machine meets all of them, and have the same worlds to the last bit. scripts/bench-web.sh calls it.
 //   node bench.js NATIVE-BUILD MODULES [--frames N] [--against MODULES]
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
@@ -66,9 +66,10 @@ async function measure(law, particles) {
         'wasm, threads': inWasm(modules, '2'),
         ...(values.against && { against: inWasm(values.against, '1') }),
     };
+    const row = Object.values(runners);
     for (let i = 0; i < warm + frames; i++) {
-        for (const runner of Object.values(runners)) {
-            await runner.step();
+        for (let turn = 0; turn < row.length; turn++) {
+            await row[(i + turn) % row.length].step();
         }
     }
     return Object.fromEntries(Object.entries(runners).map(([name, runner]) => {
@@ -78,6 +79,7 @@ async function measure(law, particles) {
     }));
 }
 
+console.log(`In node ${process.versions.node} (V8 ${process.versions.v8}):\n`);
 console.log('| law | particles | SSE2 | AVX2 | wasm | to SSE2 | to AVX2 | two threads | speed-up |');
 console.log('|-----|----------:|-----:|-----:|-----:|--------:|--------:|------------:|---------:|');
 for (const [law, particles] of cases) {
