@@ -50,7 +50,7 @@ tidy() {
 }
 
 install_packages "${packages_build[@]}" "${packages_lint[@]}" libcmocka-dev
-mapfile -t all_c < <(find . -path ./build -prune -o -name '*.[ch]' -print | sort)
+mapfile -t all_c < <(find . \( -path ./build -o -name node_modules \) -prune -o -name '*.[ch]' -print | sort)
 # src/base/wasm and windows are not part of a native build, so clang-tidy has no flags for them.
 mapfile -t product_c < <(printf '%s\n' "${all_c[@]}" |
     grep -E '^\./(src|bench|cli|app)/.*\.c$' | grep -vE '^\./src/base/(wasm|windows)/')

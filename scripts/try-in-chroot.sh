@@ -53,6 +53,8 @@ if [[ ! -x $root/bin/bash ]]; then
     debootstrap --variant=minbase bookworm "$root" "${DEBIAN_MIRROR:-http://deb.debian.org/debian}"
 fi
 cp -L /etc/resolv.conf "$root/etc/resolv.conf"
+# What every installed system knows and debootstrap leaves to whoever runs it.
+[[ -e $root/etc/hosts ]] || printf '127.0.0.1 localhost\n' >"$root/etc/hosts"
 rm -rf "$root/skvalp"
 git clone -q --no-hardlinks "$source" "$root/skvalp"
 

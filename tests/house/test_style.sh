@@ -15,7 +15,8 @@ complain() {
 # The project's own text files, wherever it lies: what git would ship, or all of it without git.
 list_files() {
     git ls-files --cached --others --exclude-standard 2>/dev/null ||
-        find . -type f -not -path './build/*' -not -path './out/*' -not -path './.git/*' |
+        find . -type f -not -path './build/*' -not -path './out/*' -not -path './.git/*' \
+            -not -path '*/node_modules/*' -not -path './web/dist/*' -not -path './web/lib/*' |
         sed 's|^\./||'
 }
 mapfile -t files < <(list_files | grep -E '\.(c|h|md|sh|txt|json|glsl|vert|frag|cmake)$|^\.ci/run$' |
