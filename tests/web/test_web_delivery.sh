@@ -13,7 +13,7 @@ make_modules
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 make_page "$work/page"
-if grep -rlE "node_modules|$PWD|sourceMappingURL" "$work/page"; then
+if grep -rlE "node_modules|$PWD/(app|build|include|scenes|src|web)/|sourceMappingURL" "$work/page"; then
     complain "the built page tells where it was built"
 fi
 for name in index.html skvalp.html service.js manifest.webmanifest icon.svg icon-192.png icon-512.png; do
