@@ -20,5 +20,6 @@ for name in index.html skvalp.html service.js manifest.webmanifest icon.svg icon
     [[ -s $work/page/$name ]] || complain "the built page has no $name"
 done
 in_chromium delivery.js "$work/page" "$work/other"
+found_trial
 ((bad == 0)) || exit 1
 printf 'web: the built page goes everywhere\n'

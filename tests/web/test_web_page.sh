@@ -20,3 +20,4 @@ in_chromium device.js "$work/page"
     ffmpeg -v error -f lavfi -i testsrc=size=8000x6000 -frames:v 1 "$work/photo.jpg"
 link=$("$build/skvalp" share tests/fuzz/corpus/replay/game.skvr)
 in_chromium files.js "$work/page" "$work/photo.jpg" "$link"
+found_trial

@@ -12,4 +12,5 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 SKV_MODULES=$modules bundle "$work" "$PWD/tests/web/browser/simulation.page.ts"
 in_chromium simulation.js "$work"
+found_trial
 printf 'web: the simulation plays wherever it lives\n'

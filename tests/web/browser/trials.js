@@ -72,9 +72,12 @@ async function carryOutSome(browser, left, failures) {
     }
 }
 
+/** The status of a program that has no trial of the name that was asked for; see lib.sh. */
+const noTrial = 64;
+
 /**
  * Carries out trials, by their names, all of them though some fail; SKV_TRIAL=words those alone whose
- * names have these words.
+ * names have these words, one at least.
  * @param {string[]} folders that the browser sees
  * @param {Record<string, (browser: Awaited<ReturnType<import('./harness.js').launch>>) => Promise<void>>} trials
  * @param {string[]} long names of those that are left to SKV_LONG_TESTS=1, or asked for by SKV_TRIAL
@@ -84,6 +87,9 @@ export async function carryOut(folders, trials, long = []) {
     const all = only !== '' || process.env.SKV_LONG_TESTS === '1';
     const left = Object.entries(trials).filter(([name]) => name.includes(only) && (all || !long.includes(name)));
     const failures = [];
+    if (left.length === 0) {
+        process.exitCode = noTrial;
+    }
     while (left.length > 0 && process.exitCode !== 1) {
         await run(folders, (browser) => carryOutSome(browser, left, failures));
     }
