@@ -97,6 +97,16 @@ const trials = {
         await page.locator('dialog').waitFor({ state: 'detached' });
     },
 
+    async 'a browser whose language is none has plots'(browser) {
+        const noLanguage = () => Object.defineProperties(Navigator.prototype, {
+            language: { get: () => 'C' }, languages: { get: () => ['C'] },
+        });
+        const page = await begin(browser, { ...desk, before: noLanguage });
+        await page.keyboard.press('m');
+        await page.locator('.chip').click();
+        await page.locator('.plot canvas').waitFor();
+    },
+
     async 'time goes back'(browser) {
         const page = await begin(browser, small);
         await until(page, () => window.skvalp.state.value.moment > 35, 'time passes');
