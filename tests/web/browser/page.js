@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 
 import {
     begin, beginAfter, button, chooseFromMenu, close, desk, phone, small, stateOf, touch, until,
+    water,
 } from './people.js';
 import { carryOut } from './trials.js';
 
@@ -212,6 +213,14 @@ const trials = {
         await page.waitForTimeout(500);
         const { moment, paused, worlds: [{ name }] } = await stateOf(page);
         assert.deepEqual([moment, paused, name], [0, true, 'pool']);
+        await page.keyboard.press('t'); // which is kept, and nothing with it
+        await until(page, () => window.skvalp.state.value.style.overlays.includes('tracers'), 'what was chosen');
+        await page.goto(page.url().replace(/\?.*/, ''));
+        await water(page);
+        await plays(page, 'another visit');
+        await button(page, 'Pause').waitFor();
+        const { style: { view, overlays }, worlds: [{ name: scene }] } = await stateOf(page);
+        assert.deepEqual([view, overlays, scene], ['water', ['tracers'], 'dam-break']);
 
         page = await begun(small, '?scene=nowhere');
         await page.getByRole('alert').filter({ hasText: 'no scene of this name' }).waitFor();
@@ -269,6 +278,8 @@ const trials = {
         await does('speed', { speed: 0.5 }, () => window.skvalp.state.value.speed === 0.5);
         await does('gravity', { x: 0.6, y: -0.8 }, () => Math.abs(window.skvalp.state.value.gravity.x - 0.6) < 1e-3);
         await does('view', { view: 'speed' }, () => window.skvalp.state.value.style.view === 'speed');
+        assert.match(await ask('view', { view: 'nonsense' }), /no view 'nonsense'/);
+        assert.equal(await inside.evaluate(() => localStorage.getItem('skvalp')), null, 'what nobody chose is kept');
         await does('set', { path: 'fluid.material', value: 'honey' },
             () => window.skvalp.state.value.canUndo);
         await does('play', {}, () => window.skvalp.state.value.moment > 10);
@@ -286,8 +297,10 @@ const trials = {
         await does('reset', {}, () => window.skvalp.state.value.moment === 0);
         assert.match(await ask('nonsense'), /no request 'nonsense'/);
 
-        await until(page, () => window.told.findLast(({ skvalp }) => skvalp === 'state').moment === 0,
-            'it is told that it is back');
+        await until(page, () => {
+            const { moment, paused } = window.told.findLast(({ skvalp }) => skvalp === 'state');
+            return paused && moment === 0;
+        }, 'it is told that it is back');
         const told = await page.evaluate(() => window.told.filter(({ skvalp }) => skvalp === 'state'));
         const { scene, title, time, paused, particles, readings } = told.at(-1);
         assert.deepEqual([scene, time, paused, readings], ['pool', 0, true, []]);

@@ -78,13 +78,26 @@ export function toggleKeyboardHand(): void {
 
 // Views
 
-export function setView(view: string): void {
-    prefer({ view });
+function numberOfView(name: unknown): number {
+    return catalogue.views.findIndex((view) => view.name === name);
+}
+
+/** @param keeps as in prefer */
+export function setView(view: string, keeps = true): void {
+    prefer({ view }, keeps);
     simulation.setStyle({ view, range: 0 });
 }
 
+/** For this visit, what another than the reader asks for; whether there is such a view. */
+export function showView(name: unknown): boolean {
+    const isKnown = numberOfView(name) >= 0;
+    if (isKnown)
+        setView(name as string, false);
+    return isKnown;
+}
+
 export function nextView(): void {
-    const at = catalogue.views.findIndex((view) => view.name === state.value?.style.view);
+    const at = numberOfView(preferences.value.view);
     setView(catalogue.views[(at + 1) % catalogue.views.length].name);
 }
 

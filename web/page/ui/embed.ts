@@ -2,7 +2,7 @@
 // Invariant: whoever embeds can do no more than who plays; nothing is read from here that is not in
 // the picture or its figures.
 import { effect } from '@preact/signals';
-import { FIRST_SCENE, openScene, setView } from './actions';
+import { FIRST_SCENE, openScene, showView } from './actions';
 import { catalogue, complain, controls, embedded, showPanel, simulation, state, toast } from './model';
 import { lessMotion } from './preferences';
 import { payloadOf } from './sharing';
@@ -30,9 +30,7 @@ export function readAddress() {
             openScene(isKnown ? scene : FIRST_SCENE);
         if (!isKnown)
             complain(_('There is no scene of this name.'));
-        const view = asked.get('view');
-        if (view && catalogue.views.some(({ name }) => name === view))
-            setView(view);
+        showView(asked.get('view'));
         if (asked.has('bench'))
             showPanel('bench');
         if (asked.get('paused') === '1')
@@ -59,7 +57,10 @@ const requests: Record<string, (data: Record<string, unknown>) => unknown> = {
     speed: ({ speed }) => simulation.setSpeed(Number(speed)),
     gravity: ({ x, y }) => simulation.setGravity(Number(x), Number(y)),
     set: ({ path, value }) => simulation.set(String(path), String(value)),
-    view: ({ view }) => setView(String(view)),
+    view: ({ view }) => {
+        if (!showView(view))
+            throw new Error(`there is no view '${String(view)}'`);
+    },
     share: () => simulation.share(),
 };
 

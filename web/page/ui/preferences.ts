@@ -47,12 +47,18 @@ function load(): Preferences {
     return loaded as unknown as Preferences;
 }
 
-export const preferences = signal(load());
+let kept = load();
+/** What counts now: what is kept, but for what was said for this visit alone. */
+export const preferences = signal(kept);
 
-export function prefer(changes: Partial<Preferences>): void {
+/** @param keeps whether it outlives the visit: what the address or a page around this one says does not */
+export function prefer(changes: Partial<Preferences>, keeps = true): void {
     preferences.value = { ...preferences.value, ...changes };
+    if (!keeps)
+        return;
+    kept = { ...kept, ...changes };
     try {
-        localStorage.setItem(KEY, JSON.stringify(preferences.value));
+        localStorage.setItem(KEY, JSON.stringify(kept));
     } catch {
         // It holds until the page is left.
     }
