@@ -475,6 +475,42 @@ const trials = {
         assert.equal((await stateOf(page)).moment, moment + 9, 'a key that is switched off steps');
     },
 
+    async 'of keys that come faster than states each counts'(browser) {
+        const page = await begin(browser, desk, '?paused=1');
+        const pressed = (text) => page.evaluate((keys) => {
+            for (const key of keys) {
+                document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+            }
+        }, [...text]);
+        const told = (member, value, what) => until(page, ([member, value]) =>
+            Math.abs(window.skvalp.state.value[member] / value - 1) < 1e-3, what, [member, value]);
+        const { brush } = await stateOf(page);
+        await pressed('[[[[[]]');
+        await told('brush', brush * 0.8 ** 5 * 1.25 ** 2, 'the size of the tool');
+        await pressed('--');
+        await told('speed', 0.25, 'twice slower');
+        await pressed('++++');
+        await told('speed', 2, 'faster, as far as it goes');
+        await pressed('.'.repeat(40));
+        await told('moment', 40, '40 steps');
+        await pressed(',,,,,');
+        await told('moment', 35, 'five steps back');
+        const { views, tools, dyes } = await page.evaluate(() => window.skvalp.simulation.catalogue());
+        await pressed('vvv');
+        await until(page, (name) => window.skvalp.state.value.style.view === name, 'the view', views[3].name);
+        const dyeing = tools.find((tool) => tool.dyes);
+        await pressed(dyeing.key);
+        const dyed = (dye) => until(page, ([tool, dye]) =>
+            window.skvalp.state.value.tool === tool && window.skvalp.state.value.dye === dye, `dye ${dye}`,
+        [tools.indexOf(dyeing), dye]);
+        const { dye } = await stateOf(page);
+        await dyed(dye);
+        await pressed(dyeing.key.repeat(3));
+        await dyed((dye + 3) % dyes.length);
+        await pressed('   ');
+        await until(page, () => !window.skvalp.state.value.paused, 'it plays after three times Space');
+    },
+
     async 'every screen is accessible'(browser) {
         const found = [];
         const still = { reducedMotion: 'reduce' };

@@ -43,7 +43,6 @@ export class Playing {
     readonly style: skv_render_style;
     /** What it was set to. */
     styleNames: Style = { view: 'water', overlays: [], palette: 'dark', detail: 'auto', range: 0 };
-    dye;
     #library;
     #surroundings;
     #frames;
@@ -69,7 +68,6 @@ export class Playing {
         this.reader = new Reader(library);
         this.#outcome = library.make('skv_outcome');
         this.style = c.skv_default_render_style();
-        this.dye = c.skv_session_dye(this.worlds.first.session);
     }
 
     #amount(name: string) {
@@ -228,7 +226,7 @@ export class Playing {
             gravity: { x: picture.tilt_x, y: picture.tilt_y },
             tool: picture.tool,
             brush: picture.brush,
-            dye: this.dye,
+            dye: this.#library.c.skv_session_dye(this.worlds.first.session),
             linked: this.worlds.linked,
             threads: this.#surroundings.threads,
             chosen: this.#chosen,

@@ -30,6 +30,12 @@ export interface Simulation {
     stepOnce(): void;
     setSpeed(speed: number): void;
     seek(frame: number): void;
+    // Each of these goes on from those before, though no state has told of them yet.
+    togglePaused(): void;
+    /** To the next of the speeds that people choose from, in either direction. */
+    shiftSpeed(direction: number): void;
+    /** Waits so many frames from where it is, or is on its way to, and at most `reach` before the end. */
+    seekBy(frames: number, reach: number): void;
     undo(): void;
     redo(): void;
 
@@ -66,7 +72,10 @@ export interface Simulation {
     setTool(tool: number): void;
     /** Radius in m; 0: the default. */
     setBrush(radius: number): void;
+    /** As seekBy: each goes on from those before. */
+    scaleBrush(factor: number, least: number, most: number): void;
     setDye(dye: number): void;
+    nextDye(): void;
     pointer(event: PointerMessage): void;
     cancelPointers(): void;
     keyboard(right: number, up: number, down: boolean): void;

@@ -12,6 +12,8 @@ import { Pointers } from './pointers';
 import type { FileFormat, PointerMessage, Settings, Side, Simulation, Style } from './protocol';
 import { Tilt } from './tilt';
 
+/** What people choose from. */
+const speeds = [0.1, 0.25, 0.5, 1, 2];
 /** What a session takes. */
 const strongest = 2, fastestPush = 10, widestBrush = 100, longestWay = 1e9, largestView = 16384;
 
@@ -147,6 +149,10 @@ export class Simulator implements Simulation {
         this.#ask(c.skv_pair_set_paused, c.skv_session_set_paused, paused);
     }
 
+    togglePaused() {
+        this.setPaused(!this.#worlds.first.picture.paused);
+    }
+
     stepOnce() {
         const { c } = this.#library;
         this.#ask(c.skv_pair_step_once, c.skv_session_step_once);
@@ -159,9 +165,25 @@ export class Simulator implements Simulation {
         }
     }
 
+    shiftSpeed(direction: number) {
+        const { speed } = this.#worlds.first.picture;
+        const at = speeds.findIndex((known) => known >= speed - 1e-9) + Math.sign(direction);
+        this.setSpeed(speeds[bounded(at, 0, speeds.length - 1)]);
+    }
+
     seek(frame: number) {
         const { c } = this.#library;
-        this.#ask(c.skv_pair_seek, c.skv_session_seek, BigInt(Math.round(bounded(frame, 0, longestWay))));
+        const goal = Math.round(bounded(frame, 0, longestWay));
+        this.#worlds.goal = goal;
+        this.#ask(c.skv_pair_seek, c.skv_session_seek, BigInt(goal));
+    }
+
+    seekBy(frames: number, reach: number) {
+        const { moment, end, paused } = this.#worlds.first.picture, last = Number(end);
+        if (!paused) { // a message, for which whatever follows would wait while it seeks
+            this.setPaused(true);
+        }
+        this.seek(Math.min(last, Math.max(last - reach, (this.#worlds.goal ?? Number(moment)) + frames)));
     }
 
     undo() {
@@ -266,11 +288,20 @@ export class Simulator implements Simulation {
         this.#each((session) => c.skv_session_set_brush(session, bounded(radius, 0, widestBrush)));
     }
 
+    scaleBrush(factor: number, least: number, most: number) {
+        this.setBrush(bounded(this.#worlds.first.picture.brush * factor, least, most));
+    }
+
     setDye(dye: number) {
         const { c } = this.#library;
         if (Number.isInteger(dye) && dye >= 0 && c.skv_dye_name(dye)) {
             this.#each((session) => c.skv_session_set_dye(session, dye));
         }
+    }
+
+    nextDye() {
+        const { c } = this.#library, next = c.skv_session_dye(this.#worlds.first.session) + 1;
+        this.setDye(c.skv_dye_name(next) ? next : 0);
     }
 
     pointer(event: PointerMessage) {

@@ -13,6 +13,8 @@ export class Worlds {
     second: World | null = null;
     /** Hands and gravity are for both. */
     linked = true;
+    /** The moment that was asked for last, until it is reached. */
+    goal: number | null = null;
     #pair = 0;
     #library;
     #threads;
@@ -72,7 +74,11 @@ export class Worlds {
 
     /** Takes the newest pictures; whether there is another one. */
     look() {
-        return this.all.map((world) => world.look()).some((newer) => newer);
+        const newer = this.all.map((world) => world.look()).some((another) => another);
+        if (!this.first.picture.seeking) {
+            this.goal = null;
+        }
+        return newer;
     }
 
     // ---- The view --------------------------------------------------------------------------------

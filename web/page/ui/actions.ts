@@ -8,7 +8,7 @@ import { _ } from './words';
 // Time
 
 export function togglePause(): void {
-    simulation.setPaused(!(state.value?.paused ?? false));
+    simulation.togglePaused();
 }
 
 export function step(): void {
@@ -29,16 +29,7 @@ export function seekTo(frame: number): void {
 
 /** Frames back or forth in time. */
 export function go(frames: number): void {
-    seekTo((state.value?.moment ?? 0) + frames);
-}
-
-const speeds = [0.1, 0.25, 0.5, 1, 2];
-
-/** The next of the speeds in either direction. */
-export function changeSpeed(direction: number): void {
-    const now = state.value?.speed ?? 1;
-    const at = speeds.findIndex((speed) => speed >= now - 1e-9);
-    simulation.setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, at + direction))]);
+    simulation.seekBy(frames, REACH);
 }
 
 // Tools
@@ -47,7 +38,7 @@ export function changeSpeed(direction: number): void {
 export function chooseTool(index: number): void {
     const now = state.value;
     if (now && index === now.tool && catalogue.tools[index].dyes)
-        simulation.setDye((now.dye + 1) % catalogue.dyes.length);
+        simulation.nextDye();
     simulation.setTool(index);
 }
 
@@ -66,7 +57,8 @@ export function setBrush(radius: number): void {
 }
 
 export function scaleBrush(factor: number): void {
-    setBrush((state.value?.brush ?? 0) * factor);
+    const side = longerSide();
+    simulation.scaleBrush(factor, SMALLEST * side, LARGEST * side);
 }
 
 export function toggleKeyboardHand(): void {

@@ -3,7 +3,7 @@
 // that are pressed without Ctrl.
 import { effect } from '@preact/signals';
 import {
-    changeSpeed, chooseTool, go, nextView, scaleBrush, step, toggleKeyboardHand, toggleOverlay,
+    chooseTool, go, nextView, scaleBrush, step, toggleKeyboardHand, toggleOverlay,
     togglePause, zoom,
 } from './actions';
 import { catalogue, compared, dismiss, keyboardHand, message, panel, showPanel, simulation } from './model';
@@ -22,9 +22,9 @@ const plain: Record<string, () => void> = {
     s: step,
     ',': () => go(-1),
     r: () => simulation.reset(),
-    '-': () => changeSpeed(-1),
-    '+': () => changeSpeed(1),
-    '=': () => changeSpeed(1),
+    '-': () => simulation.shiftSpeed(-1),
+    '+': () => simulation.shiftSpeed(1),
+    '=': () => simulation.shiftSpeed(1),
     '0': () => simulation.setGravity(0, 0),
     t: () => toggleOverlay('tracers'),
     v: nextView,
