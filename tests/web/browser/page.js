@@ -91,6 +91,9 @@ const trials = {
         await page.mouse.up();
         await until(page, (place) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - place) < 0.01,
             'the probe is where it was dragged', x0 + 120 / scale);
+        assert.deepEqual(await page.evaluate(() => ['.grip .disc', '.ball circle', '.status', '.canvas'].filter((name) =>
+            document.querySelector(name).dispatchEvent(new Event('selectstart', { bubbles: true, cancelable: true })))),
+        [], 'what is dragged selects text, as WebKit does it');
         await chip.click();
         await page.locator('.plot canvas').waitFor();
         await button(page, 'Remove').click();

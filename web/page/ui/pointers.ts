@@ -122,6 +122,8 @@ export function attachPointers(element: HTMLElement): () => void {
     element.addEventListener('pointerleave', onCancel, { signal });
     element.addEventListener('wheel', onWheel, { signal, passive: false });
     element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+    // WebKit selects what lies around that which is dragged, also the ball, and takes a later drag for the selection's.
+    element.parentElement!.addEventListener('selectstart', (event) => event.preventDefault(), { signal });
     window.addEventListener('blur', onLost, { signal });
     return () => ending.abort();
 }
