@@ -1,0 +1,96 @@
+/* Tiles of the pair passes: four particles that are computed beside each other, what is known of
+ * them and the sums that they collect; and the variants of the loops over them. Included by
+ * pair_passes.h alone. Invariant: sums over a tile, and over lanes, are added up in the order of
+ * the particles.
+ */
+#ifndef SKV_ROW_TILES_H
+#define SKV_ROW_TILES_H
+
+#include "base/simd_wide.h"
+#include "solver/rows/rows_internal.h"
+
+#define TILE ROW_TILE
+/* A tile's particles lie in so many `wide`s: particle k in number k % WIDES, part k / WIDES. */
+#define WIDES    (TILE / WIDE_PARTS)
+#define WIDE_LEN (WIDE_PARTS * PART_LEN)
+/* Pairs of a tile with a part of its partners. */
+#define PART_PAIRS (TILE * PART_LEN)
+/* The pair loops are inlined into each of their variants and unrolled over the tile. The scalar
+ * build, which is for checking and not for speed, does without: it would take compilers minutes. */
+#if defined(SKV_SIMD_SCALAR)
+#define VARIANT      static __attribute__((noinline))
+#define EACH(k)      for (int k = 0; k < WIDES; k++)
+#define EACH_PART(n) for (int n = 0; n < PARTS; n++)
+#else
+#define VARIANT      V8_INLINE
+#define EACH(k)      _Pragma("GCC unroll 8") for (int k = 0; k < WIDES; k++)
+#define EACH_PART(n) _Pragma("GCC unroll 2") for (int n = 0; n < PARTS; n++)
+#endif
+
+/* Compile-time variants of the pair loops. SMOOTH: the kernel of base/kernels.h, else the spiky
+ * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
+ * evens it out; both know the smooth kernel's alone. WITH_GAUGE: the displacement sums up the
+ * virial as well. TILE_ONLY: the density adds nothing to the partners' sums. */
+enum {
+    SMOOTH = 1,
+    WITH_GRADIENT = 2,
+    WITH_VISCOSITY = 4,
+    KEEP_PAIRS = 8,
+    WITH_GAUGE = 16,
+    TILE_ONLY = 32,
+    SIX_SUMS = SMOOTH | WITH_GRADIENT | WITH_VISCOSITY
+};
+
+/* Where the four particles of a tile are, each in all lanes. */
+typedef struct tile {
+    wide x[WIDES], y[WIDES];
+    int place;                  /* of the first */
+    const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
+} tile;
+
+/* What the density and the displacement need of them besides. */
+typedef struct velocities {
+    wide u[WIDES], v[WIDES];
+} velocities;
+typedef struct pushes {
+    wide push[WIDES], near_push[WIDES], gradient_x[WIDES], gradient_y[WIDES];
+    bool has_gradient; /* that of one of them is not 0 */
+} pushes;
+
+/* The sums for the tile's own particles, over the same part of all partners. */
+typedef struct density_sums {
+    wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES], u[WIDES],
+        v[WIDES];
+} density_sums;
+typedef struct move_sums {
+    wide x[WIDES], y[WIDES], virial[WIDES];
+} move_sums;
+
+V8_INLINE void add_at(float *p, eight_part a)
+{
+    part_store(p, part_add(part_load(p), a));
+}
+
+/* Adds up a tile's contributions to the partners, in the order of the tile. */
+V8_INLINE eight_part over_tile(const wide *a)
+{
+    wide first = wide_add(a[0], a[1]);
+    eight_part second =
+        WIDE_PARTS == 2 ? wide_part(first, 1) : wide_part(wide_add(a[2 % WIDES], a[3 % WIDES]), 0);
+    return part_add(wide_part(first, 0), second);
+}
+
+V8_INLINE v8 lanes_of(const wide *first, const wide *last, int k)
+{
+    return eight_of(wide_part(first[k % WIDES], k / WIDES), wide_part(last[k % WIDES], k / WIDES));
+}
+
+/* The sums over the lanes of a quantity of the tile's particles, in their order; of its first and
+ * its last part. */
+V8_INLINE void store_sums(float *to, const wide *first, const wide *last)
+{
+    v8_sum4(lanes_of(first, last, 0), lanes_of(first, last, 1), lanes_of(first, last, 2),
+            lanes_of(first, last, 3), to);
+}
+
+#endif
