@@ -12,10 +12,10 @@ usage() {
     cat <<END
 Usage: scripts/bench-web.sh [BUILD] [--frames N] [--against MODULES]
 
-Takes N frames (default: 150) of the dam break in turn: with SSE2, with AVX2, in WebAssembly, and there
-on two threads. Prints a Markdown table of ns a particle and substep, the least and in brackets the
-median: processor time, for two threads time passed; and the medians of the frames' ratios. BUILD
-(default: build/release) has web_reference, which comes with the tests; the modules are those of
+Takes N frames (default: 150) of the dam break in turn: with SSE2, with AVX2 and in WebAssembly; then
+there on one thread and on two. Prints a Markdown table of ns a particle and substep, the least and in
+brackets the median (processor time, for two threads time passed), and the medians of the frames' ratios.
+BUILD (default: build/release) has web_reference, which comes with the tests; the modules are those of
 build/web. --against: modules to compare with, too. The node is the one that npm brings for the page's
 build: its engine is about as new as browsers'.
 
