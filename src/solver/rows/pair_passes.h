@@ -138,18 +138,16 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     }
 }
 
-/* The same for eight, of which those from `last` on are no partners: a part of such alone is left
- * out. */
-VARIANT void density_block(const skv_row_particles *p, int j, int last, bool first, unsigned with,
+/* The same for all eight, though the last may lie beyond the tile's partners: those were found by
+ * the sort, and what has moved since may be near. A half left out there gave other bits than an
+ * eight does. */
+VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
                            const tile *t, const velocities *moving, wide sigma, wide beta,
                            density_sums *sums, const skv_row_sums *to, float *keep)
 {
     EACH_PART(n)
-    {
-        if (n == 0 || j + n * PART_LEN < last)
-            density_part(p, j + n * PART_LEN, first && n == 0, with, t, moving, sigma, beta,
-                         &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
-    }
+    density_part(p, j + n * PART_LEN, first && n == 0, with, t, moving, sigma, beta, &sums[n], to,
+                 with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
 static void zero_row(const skv_rows *s, float *array, int row)
@@ -212,12 +210,12 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, int i
      * unrolled once. */
     skv_row_sums to = *own;
     int j = i + 1, last = s->own_end[i / TILE];
-    density_block(p, j, last, true, with, &t, &moving, sigma, beta, sums, &to, keep);
+    density_block(p, j, true, with, &t, &moving, sigma, beta, sums, &to, keep);
     keep += step;
     j += ROW_LANES;
     for (bool in_own = true;; in_own = false) {
         for (; j < last; j += ROW_LANES, keep += step)
-            density_block(p, j, last, false, with, &t, &moving, sigma, beta, sums, &to, keep);
+            density_block(p, j, false, with, &t, &moving, sigma, beta, sums, &to, keep);
         if (!in_own)
             return keep;
         j = s->next_begin[i / TILE];
@@ -401,8 +399,8 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
     add_at(to->y + j, over_tile(dy));
 }
 
-/* As density_block. */
-VARIANT void displacement_block(const skv_row_particles *p, const partners *others, int j, int last,
+/* The same for all eight. */
+VARIANT void displacement_block(const skv_row_particles *p, const partners *others, int j,
                                 bool first, unsigned with, const tile *t, const pushes *pressed,
                                 move_sums *sums, const skv_row_moves *to, const float *keep)
 {
@@ -410,12 +408,8 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
     bool has_gradient =
         with & WITH_GRADIENT && (pressed->has_gradient || has_gradient_at(others, j));
     EACH_PART(n)
-    {
-        if (n == 0 || j + n * PART_LEN < last)
-            displacement_part(p, others, j + n * PART_LEN, first && n == 0, has_gradient, with, t,
-                              pressed, &sums[n], to,
-                              with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
-    }
+    displacement_part(p, others, j + n * PART_LEN, first && n == 0, has_gradient, with, t, pressed,
+                      &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
 static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, unsigned with)
@@ -468,12 +462,12 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
                 pressed.has_gradient || others.gradient_x[k] != 0 || others.gradient_y[k] != 0;
         skv_row_moves to = own;
         int j = i + 1, last = s->own_end[i / TILE];
-        displacement_block(p, &others, j, last, true, with, &t, &pressed, sums, &to, keep);
+        displacement_block(p, &others, j, true, with, &t, &pressed, sums, &to, keep);
         keep += step;
         j += ROW_LANES;
         for (bool in_own = true;; in_own = false) {
             for (; j < last; j += ROW_LANES, keep += step)
-                displacement_block(p, &others, j, last, false, with, &t, &pressed, sums, &to, keep);
+                displacement_block(p, &others, j, false, with, &t, &pressed, sums, &to, keep);
             if (!in_own)
                 break;
             j = s->next_begin[i / TILE];
