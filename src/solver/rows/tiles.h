@@ -80,13 +80,13 @@ V8_INLINE eight_part over_tile(const wide *a)
     return part_add(wide_part(first, 0), second);
 }
 
+/* Particle k's eight lanes of a quantity, of its first and its last part. */
 V8_INLINE v8 lanes_of(const wide *first, const wide *last, int k)
 {
     return eight_of(wide_part(first[k % WIDES], k / WIDES), wide_part(last[k % WIDES], k / WIDES));
 }
 
-/* The sums over the lanes of a quantity of the tile's particles, in their order; of its first and
- * its last part. */
+/* The same added up, for each of the tile's particles in their order. */
 V8_INLINE void store_sums(float *to, const wide *first, const wide *last)
 {
     v8_sum4(lanes_of(first, last, 0), lanes_of(first, last, 1), lanes_of(first, last, 2),
