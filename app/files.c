@@ -184,27 +184,60 @@ static void on_save(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant 
     g_free(name);
 }
 
-/* The picture as it is shown, with all that lies over it. */
-static void save_picture(PlayWindow *window, const char *path)
+/* The picture as it is shown, with all that lies over it; NULL when none is drawn. */
+static GskRenderNode *drawn(GtkWidget *stage)
 {
-    GtkWidget *stage = GTK_WIDGET(play_window_worlds(window)); /* both, of two */
-    int width = gtk_widget_get_width(stage), height = gtk_widget_get_height(stage);
     GdkPaintable *paintable = gtk_widget_paintable_new(stage);
     GtkSnapshot *snapshot = gtk_snapshot_new();
-    gdk_paintable_snapshot(paintable, snapshot, width, height);
-    GskRenderNode *node = gtk_snapshot_free_to_node(snapshot);
+    gdk_paintable_snapshot(paintable, snapshot, gtk_widget_get_width(stage),
+                           gtk_widget_get_height(stage));
+    g_object_unref(paintable);
+    return gtk_snapshot_free_to_node(snapshot);
+}
+
+typedef struct {
+    PlayWindow *window;
+    char *path;
+} picture_to_save;
+
+static void forget_picture(gpointer to_save, G_GNUC_UNUSED GClosure *closure)
+{
+    g_free(((picture_to_save *)to_save)->path);
+    g_free(to_save);
+}
+
+static void save_drawn(GdkFrameClock *clock, picture_to_save *to_save)
+{
+    GtkWidget *stage = GTK_WIDGET(play_window_worlds(to_save->window)); /* both, of two */
+    GskRenderNode *node = drawn(stage);
+    if (!node)
+        return;
     GskRenderer *renderer = gtk_native_get_renderer(gtk_widget_get_native(stage));
-    GdkTexture *texture = node ? gsk_renderer_render_texture(renderer, node, NULL) : NULL;
-    if (texture && gdk_texture_save_to_png(texture, path)) {
-        play_window_toast(window, _("The picture was saved"));
+    GdkTexture *texture = gsk_renderer_render_texture(renderer, node, NULL);
+    if (gdk_texture_save_to_png(texture, to_save->path)) {
+        play_window_toast(to_save->window, _("The picture was saved"));
     } else {
-        char *text = g_strdup_printf(_("%s cannot be written; choose another folder."), path);
-        play_window_complain(window, text);
+        char *text =
+            g_strdup_printf(_("%s cannot be written; choose another folder."), to_save->path);
+        play_window_complain(to_save->window, text);
         g_free(text);
     }
-    g_clear_object(&texture);
-    g_clear_pointer(&node, gsk_render_node_unref);
-    g_object_unref(paintable);
+    g_object_unref(texture);
+    gsk_render_node_unref(node);
+    g_signal_handlers_disconnect_by_data(clock, to_save);
+}
+
+/* After the next frame: from when something in it is to change until it is drawn again, the stage
+ * has no picture. */
+static void save_picture(PlayWindow *window, const char *path)
+{
+    picture_to_save *to_save = g_new(picture_to_save, 1);
+    *to_save = (picture_to_save){.window = window, .path = g_strdup(path)};
+    GClosure *closure = g_cclosure_new(G_CALLBACK(save_drawn), to_save, forget_picture);
+    g_object_watch_closure(G_OBJECT(window), closure);
+    g_signal_connect_closure(gtk_widget_get_frame_clock(GTK_WIDGET(window)), "after-paint", closure,
+                             FALSE);
+    gtk_widget_queue_draw(GTK_WIDGET(play_window_worlds(window)));
 }
 
 static void on_screenshot(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
