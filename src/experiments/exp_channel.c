@@ -70,24 +70,29 @@ static void add_layers(stage *s, flume *f)
                           middle + half, f->channel * (i + 1) / LAYERS, WATCH);
 }
 
-/* Least squares of v = a + b e^2, e from -1 at the floor to 1 at the block; returns R^2. */
-static double fit_parabola(const double *v, int count, double *a, double *b)
+/* A place across the channel, -1 at the floor to 1 at the block, and the speed there. */
+typedef struct sample {
+    double e, v;
+} sample;
+
+/* Least squares of v = a + b e^2; returns R^2. */
+static double fit_parabola(const sample *samples, int count, double *a, double *b)
 {
     double s1 = 0, s2 = 0, v0 = 0, v1 = 0;
     for (int i = 0; i < count; i++) {
-        double e = 2 * (i + 0.5) / count - 1, square = e * e;
+        double square = samples[i].e * samples[i].e;
         s1 += square;
         s2 += square * square;
-        v0 += v[i];
-        v1 += square * v[i];
+        v0 += samples[i].v;
+        v1 += square * samples[i].v;
     }
     *b = (count * v1 - s1 * v0) / (count * s2 - s1 * s1);
     *a = (v0 - *b * s1) / count;
     double miss = 0, spread = 0;
     for (int i = 0; i < count; i++) {
-        double e = 2 * (i + 0.5) / count - 1, error = v[i] - *a - *b * e * e;
+        double error = samples[i].v - *a - *b * samples[i].e * samples[i].e;
         miss += error * error;
-        spread += (v[i] - v0 / count) * (v[i] - v0 / count);
+        spread += (samples[i].v - v0 / count) * (samples[i].v - v0 / count);
     }
     return 1 - miss / spread;
 }
@@ -95,13 +100,17 @@ static double fit_parabola(const double *v, int count, double *a, double *b)
 static void draw(const stage *s, const void *set_up, findings *found)
 {
     const flume *f = set_up;
-    double speeds[LAYERS];
+    sample samples[LAYERS];
+    int count = 0;
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
     for (int i = 0; i < LAYERS; i++) {
-        speeds[i] = skv_stage_read(s, f->layers[i], 4);
-        skv_plot_point(&found->plot, (i + 0.5) / LAYERS, speeds[i]);
+        double height = (i + 0.5) / LAYERS, speed = skv_stage_read(s, f->layers[i], 4);
+        skv_plot_point(&found->plot, height, speed);
+        /* A layer may lie between two rows of particles, and nothing pass through it. */
+        if (!isnan(speed))
+            samples[count++] = (sample){2 * height - 1, speed};
     }
-    found->measured[0] = fit_parabola(speeds, LAYERS, &found->condition[0], &found->condition[1]);
+    found->measured[0] = fit_parabola(samples, count, &found->condition[0], &found->condition[1]);
 }
 
 static void measure(stage *s, findings *found)
