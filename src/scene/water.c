@@ -158,13 +158,12 @@ static void bisect(const skv_water *water, const skv_terrain *terrain, int wante
     }
 }
 
-/* The number changes by whole rows at some spacings, so a few too many may remain. Cutting them off
- * the top could take half a droplet; instead every surface gives up some of its particles. */
-static void thin_surface(skv_water *water, const skv_terrain *terrain, int wanted, float spacing,
-                         int *count)
+/* Gives up as much of the surfaces as leaves `wanted`, or a few more. */
+static void thin_surface_by(skv_water *water, const skv_terrain *terrain, int wanted, float spacing,
+                            float step, int *count)
 {
     double enough = 0.0, high = 1.0;
-    water->surface_step = spacing;
+    water->surface_step = step;
     for (int i = 0; i < 20 && *count != wanted; i++) {
         water->thinning = 0.5 * (enough + high);
         int there = skv_water_count(water, terrain, spacing);
@@ -176,6 +175,22 @@ static void thin_surface(skv_water *water, const skv_terrain *terrain, int wante
         }
     }
     water->thinning = enough;
+}
+
+/* The number changes by whole rows at some spacings, so a few too many may remain. Cutting them off
+ * the top could take half a droplet; instead every surface gives up some of its particles. A step
+ * just below the height of the lattice's rows, 0.93 spacings, finds the highest row alone; just
+ * above it, the next one as well, which leaves two ragged rows, but a row that lies lower, too. */
+static void thin_surface(skv_water *water, const skv_terrain *terrain, int wanted, float spacing,
+                         int *count)
+{
+    int all = *count;
+    thin_surface_by(water, terrain, wanted, spacing, 0.9f * spacing, count);
+    if (*count == wanted)
+        return;
+    water->thinning = 0;
+    *count = all;
+    thin_surface_by(water, terrain, wanted, spacing, spacing, count);
 }
 
 skv_result skv_water_choose_spacing(skv_water *water, const skv_terrain *terrain, int wanted,

@@ -4,9 +4,9 @@
  * corrections of the first substeps would become velocities, the greater, the shorter a substep is.
  * Here the lattice takes on the weight above it, sinking by as much as that will compress it, and
  * takes substeps of which it keeps the places alone. Velocities last from one to the next, a little
- * less each time: so disorder travels to where it can leave instead of creeping there. They
- * begin in the longest substeps that hold the fluid, which become shorter by halves down to the
- * world's own: a stiff fluid hardly moves once its neighbours are in its way.
+ * less each time: so disorder travels to where it can leave instead of creeping there. They begin
+ * in the longest substeps that hold the fluid, which become shorter by halves down to the world's
+ * own: a stiff fluid hardly moves once its neighbours are in its way. They end when all is calm.
  *
  * Only fluid that rests has its weight meanwhile. What is going to flow or to fall is relaxed
  * without any, and so keeps its shape; it takes on the weight at last.
@@ -22,13 +22,27 @@
 #include <string.h>
 
 enum {
-    FIRST_ROUNDS = 200,   /* of the longest substeps */
-    LATER_ROUNDS = 60,    /* each time they have become shorter */
-    UNAIDED_ROUNDS = 600, /* instead of both, for a law that does not say how far to sink */
     LEAST_ROUNDS = 20,
-    MOST_WORK = 4000000 /* particles times rounds: many particles get fewer of them */
+    MOST_WORK = 5000000 /* particles times rounds of one length: many particles get fewer of them */
 };
-#define KEPT 0.97f /* share of the velocity that lasts from one round to the next */
+
+/* Rounds, at most, of the longest substeps, of each length between and of the world's own; the rms
+ * speed that is calm, as a share of that of a fall through the fluid's depth; and the share of the
+ * velocity that a round of the longest substeps takes. */
+typedef struct plan {
+    int first, later, last;
+    double calm;
+    float lost;
+    bool slows; /* shorter substeps put it in order more slowly */
+} plan;
+
+static const plan aided = {500, 60, 500, 0.006, 0.02f, true};
+/* Where nothing rests: fluid that is more relaxed is more ordered, and sets out later. */
+static const plan flowing = {200, 60, 200, 0, 0.03f, true};
+/* For a law that does not say how far to sink, and pushes as far in a substep of any length. */
+static const plan unaided = {1200, 1200, 1200, 0.002, 0.01f, false};
+
+#define FALL 9.81f /* m/s^2, of that fall; of the world's gravity nothing may be left */
 
 typedef struct settling {
     skv_world *world;
@@ -36,6 +50,8 @@ typedef struct settling {
     skv_lies lies;
     float *vx, *vy; /* what the particles had */
     double carried; /* 1/c^2 of the substeps whose weight they have taken on, s^2/m^2 */
+    double calm;    /* m/s, in the substeps that are taken */
+    float kept;     /* share of the velocity, from one round to the next */
     skv_constants constants;
 } settling;
 
@@ -68,8 +84,8 @@ static skv_result take_round(const settling *s, skv_error *error)
     float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
     for (int i = 0; i < p->count; i++) {
         float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
-        p->vx[i] = KEPT * p->vx[i] + weighs * x;
-        p->vy[i] = KEPT * p->vy[i] + weighs * y;
+        p->vx[i] = s->kept * p->vx[i] + weighs * x;
+        p->vy[i] = s->kept * p->vy[i] + weighs * y;
     }
     skv_pull pulls[SKV_SOLVER_MOST_PULLS];
     skv_solver_step step = skv_world_describe_step(world, &s->constants, pulls);
@@ -81,34 +97,60 @@ static skv_result take_round(const settling *s, skv_error *error)
     return result;
 }
 
+static bool anything_rests(const settling *s)
+{
+    for (int i = 0; i < s->world->state.count; i++)
+        if (s->lies.lie[i] == SKV_RESTS)
+            return true;
+    return false;
+}
+
+static bool is_calm(const settling *s)
+{
+    const skv_state *p = &s->world->state;
+    double squares = 0;
+    for (int i = 0; i < p->count; i++)
+        squares += (double)(p->vx[i] * p->vx[i] + p->vy[i] * p->vy[i]);
+    return squares <= s->calm * s->calm * p->count;
+}
+
 /* Relaxes in substeps of one length. */
 static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
 {
     double softness = softness_of(s, substeps);
     int most = MOST_WORK / s->world->state.count;
     most = most > LEAST_ROUNDS ? most : LEAST_ROUNDS;
-    rounds = softness > 0 ? rounds : UNAIDED_ROUNDS;
     rounds = rounds < most ? rounds : most;
     s->constants = skv_make_constants(&s->fluid, 1.0f / 60 / (float)substeps);
     sink(s, SKV_RESTS, softness - s->carried);
     s->carried = softness;
     skv_result result = SKV_OK;
-    for (int r = 0; r < rounds && result == SKV_OK; r++)
+    for (int r = 0; r < rounds && result == SKV_OK && (r < LEAST_ROUNDS || !is_calm(s)); r++)
         result = take_round(s, error);
     return result;
 }
 
+/* Relaxes in all lengths. The shorter the substeps, the less has a round done about a speed, and
+ * the less is calm. */
 static skv_result relax_all(settling *s, skv_error *error)
 {
     const skv_world *world = s->world;
+    const plan *most = anything_rests(s) ? &aided : &flowing;
+    if (!(softness_of(s, world->substeps) > 0))
+        most = &unaided;
     float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
     float depth = world->filled * skv_extent_along_gravity(world);
-    int last = world->substeps, substeps = skv_substep_rule(&s->fluid, g, depth, 0);
-    substeps = substeps < last ? substeps : last;
-    skv_result result = relax(s, substeps, FIRST_ROUNDS, error);
-    while (substeps < last && result == SKV_OK) {
-        substeps = 2 * substeps < last ? 2 * substeps : last;
-        result = relax(s, substeps, LATER_ROUNDS, error);
+    int last = world->substeps, first = skv_substep_rule(&s->fluid, g, depth, 0);
+    first = first < last ? first : last;
+    double calm = most->calm * sqrt((double)(FALL * depth));
+    skv_result result = SKV_OK;
+    for (int substeps = first, next; substeps > 0 && result == SKV_OK; substeps = next) {
+        float length = (float)first / (float)substeps;
+        next = substeps == last ? 0 : 2 * substeps < last ? 2 * substeps : last;
+        s->calm = calm * (double)length;
+        s->kept = 1 - most->lost * (most->slows ? sqrtf(length) : 1);
+        int rounds = !next ? most->last : substeps == first ? most->first : most->later;
+        result = relax(s, substeps, rounds, error);
     }
     if (result == SKV_OK)
         sink(s, SKV_LEANS, s->carried);
