@@ -40,7 +40,7 @@ static const plan aided = {500, 60, 500, 0.006, 0.02f, true};
 /* Where nothing rests: fluid that is more relaxed is more ordered, and sets out later. */
 static const plan flowing = {200, 60, 200, 0, 0.03f, true};
 /* For a law that does not say how far to sink, and pushes as far in a substep of any length. */
-static const plan unaided = {1200, 1200, 1200, 0.002, 0.01f, false};
+static const plan unaided = {1200, 1200, 1200, 0.002, 0.03f, false};
 
 #define FALL 9.81f /* m/s^2, of that fall; of the world's gravity nothing may be left */
 

@@ -78,8 +78,8 @@ static void pools_begin_at_rest(void **unused)
         {pool, 2960, "20", 0.025},
         {pool, 295, "300", 0.035},
         {clavet_pool, 295, "0", 0.01},
-        {clavet_pool, 2960, "0", 0.01},
-        {clavet_pool, 9946, "0", 0.02},
+        {clavet_pool, 2960, "0", 0.025},
+        {clavet_pool, 9946, "0", 0.03},
         {clavet_pool, 1000, "14", 0.01},
         {clavet_pool, 295, "40", 0.01},
     };
