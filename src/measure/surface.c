@@ -15,7 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { SURFACE_COOKIE = 0x73726631, GRID_MAX = 4096, NONE = -1 };
+enum { SURFACE_COOKIE = 0x73726631, GRID_MAX = 4096, NONE = -1, WALL_ROUNDS = 3 };
 
 /* How deep in a wall nodes take part, in steps: those of cells that the wall's face crosses. */
 #define DEEPEST 1.5
@@ -147,8 +147,21 @@ static bool cut_at_wall(piece *p, const skv_terrain *terrain)
         return false;
     if (a >= 0 && b >= 0)
         return true;
-    float share = a / (a - b);
-    skv_point at = {p->a.x + share * (p->b.x - p->a.x), p->a.y + share * (p->b.y - p->a.y)};
+    /* More than once: the distance bends between the centres of pixels. */
+    skv_point from = p->a, to = p->b, at = from;
+    float before = a, after = b;
+    for (int round = 0; round < WALL_ROUNDS; round++) {
+        float share = before / (before - after);
+        at = (skv_point){from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+        float here = skv_terrain_distance(terrain, at.x, at.y);
+        if ((here < 0) == (before < 0)) {
+            from = at;
+            before = here;
+        } else {
+            to = at;
+            after = here;
+        }
+    }
     if (a < 0) {
         p->a = at;
         p->from = NONE;
