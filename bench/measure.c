@@ -144,9 +144,13 @@ static void close_bench(bench *b)
 static skv_result time_step(runner *r, double *seconds, skv_error *error)
 {
     skv_world_profile(r->world, true);
+    int64_t before = skv_world_substep_count(r->world);
     double start = bench_seconds(BENCH_CLOCK);
     skv_result result = skv_world_step(r->world, r->dt, error);
-    *seconds = (bench_seconds(BENCH_CLOCK) - start) / r->substeps;
+    double took = bench_seconds(BENCH_CLOCK) - start;
+    if (result == SKV_OK)
+        r->substeps = (int)(skv_world_substep_count(r->world) - before);
+    *seconds = took / r->substeps;
     return result;
 }
 

@@ -86,7 +86,8 @@ typedef struct skv_world_def {
     float
         depth; /**< m: the deepest fluid to expect along this gravity, for the substep rule; 0: all
                   the free height. Along another gravity as much of the way counts as filled. */
-    int substeps;   /**< a 1/60 s frame, at most 1000; 0: by the rule of docs/model.md */
+    int substeps;   /**< a 1/60 s frame, at most 1000; 0: by the rule of docs/model.md,
+                       and by the load at most so many */
     int threads;    /**< 1..SKV_MAX_THREADS, 0: one per physical core */
     skv_pool *pool; /**< threads shared with other worlds; null: threads of its own. If set,
                        `threads` and `tasks` are ignored. */
@@ -263,7 +264,9 @@ SKV_API skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain,
 
 /** Advances the world by dt seconds, 1e-6f..0.1f, usually 1/60. A substep is 1/(60 substeps) long,
  * whatever dt is: as many are taken as the time owed holds, none perhaps, and the rest stays owed
- * to the next call. So frames may have any length; 1/60 s is a frame exactly. Fails with
+ * to the next call. So frames may have any length; 1/60 s is a frame exactly. Unless the definition
+ * gave their number, it follows the load after each 1/60 s, so that frames of other lengths give
+ * another, as good a flow. Fails with
  * SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY: with the fast solver nothing has
  * happened then; the reference may have taken some of the substeps, and owes the others. A warm
  * world, whose number of particles has not grown, allocates nothing. */
@@ -384,7 +387,7 @@ SKV_API skv_flow skv_world_flow(const skv_world *world);
 
 /** Sets gravity, m/s^2, each component -1000..1000, from the next substep on. Unless the definition
  * gave their number, the substeps follow it by the rule: up at once, down when a third of them can
- * be spared. */
+ * be spared; and by the load. */
 SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error);
 
 /** The same as skv_world_def_set and _get for a world that runs. What skv_world_can_change denies
@@ -400,7 +403,8 @@ SKV_API skv_result skv_world_get(const skv_world *world, const char *path, char 
 SKV_API int skv_world_particle_count(const skv_world *world);
 /** Particles that do not sleep: those that the last step moved, and those added since. */
 SKV_API int skv_world_awake_count(const skv_world *world);
-SKV_API int skv_world_substeps_per_frame(const skv_world *world); /**< of 1/60 s, at present */
+/** Of 1/60 s, at present: unless given, they follow the load. */
+SKV_API int skv_world_substeps_per_frame(const skv_world *world);
 SKV_API int skv_world_threads(const skv_world *world);
 SKV_API double skv_world_time(const skv_world *world);            /**< s, of the substeps taken */
 SKV_API int64_t skv_world_substep_count(const skv_world *world);  /**< substeps taken */

@@ -116,8 +116,7 @@ skv_result skv_force_measure(skv_force_meter *m, const skv_world *world, double 
     *force = (skv_wall_force){0};
     skv_reaction reaction = {
         skv_min(x0, x1), skv_min(y0, y1), skv_max(x0, x1), skv_max(y0, y1), 0, 0, 0};
-    const skv_constants constants =
-        skv_make_constants(&world->fluid, 1.0f / 60 / (float)world->substeps);
+    const skv_constants constants = skv_world_make_constants(world);
     skv_pull pulls[SKV_SOLVER_MOST_PULLS];
     skv_solver_step step = skv_world_describe_step(world, &constants, pulls);
     skv_result result = prepare_solver(m, world, &reaction, error);

@@ -32,9 +32,19 @@ float skv_acting_strength(const skv_acting *acting)
     return sum;
 }
 
+float skv_emitted_head(const skv_acting *acting)
+{
+    float fastest = 0;
+    for (int i = 0; i < acting->emitter_count; i++) {
+        float speed = skv_emitter_speed(&acting->emitters[i]);
+        fastest = skv_maxf(fastest, speed);
+    }
+    return fastest * fastest / 2;
+}
+
 float skv_acting_head(const skv_acting *acting, float width, float height)
 {
-    float head = 0, fastest = 0;
+    float head = 0;
     for (int i = 0; i < acting->force_count; i++) {
         const skv_force *force = &acting->forces[i];
         skv_region r = skv_area_region(&force->area);
@@ -43,11 +53,7 @@ float skv_acting_head(const skv_acting *acting, float width, float height)
         if (x > 0 && y > 0)
             head += skv_force_strength(force) * sqrtf(x * x + y * y);
     }
-    for (int i = 0; i < acting->emitter_count; i++) {
-        float speed = skv_emitter_speed(&acting->emitters[i]);
-        fastest = skv_maxf(fastest, speed);
-    }
-    return head + fastest * fastest / 2;
+    return head + skv_emitted_head(acting);
 }
 
 skv_result skv_exchange_acting(skv_port *port, skv_acting *acting, skv_error *error)

@@ -43,6 +43,8 @@ float skv_acting_strength(const skv_acting *acting);
 /* The pressure over density, m^2/s^2, that it may add to that of gravity in a world of this size:
  * each force along the longest way through its area, and where the fastest jet is stopped. */
 float skv_acting_head(const skv_acting *acting, float width, float height);
+/* That of the fastest jet alone. */
+float skv_emitted_head(const skv_acting *acting);
 
 /* Writes or reads all of it; what has been read is checked. */
 skv_result skv_exchange_acting(skv_port *port, skv_acting *acting, skv_error *error);

@@ -42,7 +42,7 @@ skv_result skv_world_find_taken(const skv_world *world, const skv_region *box, i
     return result;
 }
 
-void skv_world_say_if_overfull(const skv_world *world, int added)
+static void say_if_overfull(const skv_world *world, int added)
 {
     double s = (double)world->fluid.spacing, free = skv_terrain_free_area(world->terrain);
     double now = world->state.count * s * s / free,
@@ -52,6 +52,12 @@ void skv_world_say_if_overfull(const skv_world *world, int added)
                       "the fluid is overfull: %d particles at rest take %.2f of the free area; it "
                       "may boil; remove some or use a larger world",
                       world->state.count, now);
+}
+
+void skv_world_note_added(skv_world *world, int added)
+{
+    skv_load_add(world, added);
+    say_if_overfull(world, added);
 }
 
 /* True if a place is beyond a closed side, round a corner, or too far beyond an open side. */
@@ -143,7 +149,7 @@ skv_result skv_world_add_particles(skv_world *world, const skv_particle *particl
     skv_occupancy_destroy(&taken);
     if (placed)
         *placed = all;
-    skv_world_say_if_overfull(world, all.added);
+    skv_world_note_added(world, all.added);
     return SKV_OK;
 }
 
@@ -162,6 +168,6 @@ skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, 
     if (result != SKV_OK)
         return result;
     skv_world_append(world, x, y, vx, vy, 0);
-    skv_world_say_if_overfull(world, 1);
+    skv_world_note_added(world, 1);
     return SKV_OK;
 }

@@ -21,7 +21,8 @@ bool skv_world_is_blocked(const skv_world *world, float x, float y);
 skv_result skv_world_find_taken(const skv_world *world, const skv_region *box, int more,
                                 float spacings, skv_occupancy *taken, skv_error *error);
 
-/* Tells the host's log if the particles just added have made the world overfull. */
-void skv_world_say_if_overfull(const skv_world *world, int added);
+/* Sees to the weight of the particles just added, and tells the host's log if they have made the
+ * world overfull. */
+void skv_world_note_added(skv_world *world, int added);
 
 #endif

@@ -10,9 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Substeps are given back when less than this share of them is needed. */
-#define SPARE_SUBSTEPS (2.0f / 3)
-
 float skv_extent_along_gravity(const skv_world *world)
 {
     float gx = world->gravity_x, gy = world->gravity_y, lowest, highest;
@@ -23,27 +20,25 @@ float skv_extent_along_gravity(const skv_world *world)
     return (fabsf(gx) * skv_terrain_width(world->terrain) + fabsf(gy) * (highest - lowest)) / size;
 }
 
-int skv_substeps_needed(const skv_world *world)
+double skv_expected_load(const skv_world *world)
 {
     float gx = world->gravity_x, gy = world->gravity_y;
-    return skv_substep_rule(&world->fluid, sqrtf(gx * gx + gy * gy),
-                            world->filled * skv_extent_along_gravity(world),
-                            skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
-                                            skv_terrain_height(world->terrain)));
+    return skv_load_of_depth(sqrtf(gx * gx + gy * gy),
+                             world->filled * skv_extent_along_gravity(world),
+                             skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
+                                             skv_terrain_height(world->terrain)));
 }
 
-/* Follows the gravity and the forces that have been set. The pressure of a fluid at rest is its
- * excess of density over dt^2: where g dt^2 stays, so does the fluid. Fewer substeps only if a good
- * part can be spared, so that a gravity that trembles does not change them to and fro. */
+int skv_substeps_needed(const skv_world *world)
+{
+    return skv_substep_rule(&world->fluid, skv_expected_load(world));
+}
+
+/* Follows the gravity and the forces that have been set. */
 void skv_world_adapt_substeps(skv_world *world)
 {
-    if (world->substeps_fixed)
-        return;
-    int needed = skv_substeps_needed(world);
-    if (needed <= world->substeps && (float)needed > SPARE_SUBSTEPS * (float)world->substeps)
-        return;
-    world->due *= (double)needed / world->substeps;
-    world->substeps = needed;
+    if (!world->substeps_fixed)
+        skv_load_expect(world, skv_substeps_needed(world));
 }
 
 skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error)
@@ -142,7 +137,7 @@ const skv_drain *skv_world_drains(const skv_world *world, int *count)
 void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid)
 {
     world->fluid = *fluid;
-    world->constants_dt = 0; /* they are made anew */
+    world->constants_stale = true;
     world->boundary.contact_distance = fluid->contact_distance * fluid->spacing;
 }
 

@@ -11,9 +11,8 @@
 #include <math.h>
 
 #define FRAME            (1.0 / 60) /* s: rates "a frame" are meant for this time */
-#define EARTH_GRAVITY    9.81
-#define COMPRESSION      0.04  /* allowed at the expected depth, calibrated law */
-#define CLAVET_LOAD      0.006 /* g H dt^2 / h^2 that the clavet law carries */
+#define COMPRESSION      0.04       /* allowed at the expected depth, calibrated law */
+#define CLAVET_LOAD      0.006      /* g H dt^2 / h^2 that the clavet law carries */
 #define CLAVET_LOOSE     0.75  /* of the density at rest; P never is positive at rest, either */
 #define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
@@ -60,11 +59,10 @@ static double linear_viscosity(const skv_fluid_def *f)
     return sigma;
 }
 
-int skv_substep_rule(const skv_fluid_def *f, float gravity, float depth, float head)
+int skv_substep_rule(const skv_fluid_def *f, double load)
 {
-    double g = (double)gravity > EARTH_GRAVITY ? (double)gravity : EARTH_GRAVITY;
     double h = (double)f->spacing * (double)f->radius_ratio;
-    double load = g * (double)depth + (double)head, substeps;
+    double substeps;
     if (f->law == SKV_LAW_CLAVET) {
         substeps = FRAME / h * sqrt(load / CLAVET_LOAD);
     } else {

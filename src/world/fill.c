@@ -166,7 +166,7 @@ static skv_result settle(skv_world *world, const walk *w, skv_error *error)
         skv_world_append(world, w->x[i], w->x[w->capacity + i], w->def->vx, w->def->vy,
                          w->def->dye);
     if (result == SKV_OK)
-        skv_world_say_if_overfull(world, w->placed.added);
+        skv_world_note_added(world, w->placed.added);
     return result;
 }
 

@@ -216,7 +216,10 @@ static bool is_pressed(const skv_world *world, const skv_emitter *e, const skv_e
             count++;
         }
     }
-    return sum > MOST_PRESSURE * (double)world->constants.design_pressure * count;
+    /* Of all the substeps that there may be: more are on their way. */
+    double more = (double)world->load.most / world->substeps;
+    double design = more * more * (double)world->constants.design_pressure;
+    return sum > MOST_PRESSURE * design * count;
 }
 
 /* Lets an emitter begin anew once it may go on. */

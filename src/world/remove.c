@@ -66,7 +66,7 @@ skv_result skv_world_begin_removal(skv_world *world, int most, skv_error *error)
     int count = world->state.count;
     skv_result result = skv_events_reserve(&world->events, most < count ? most : count, error);
     if (result == SKV_OK)
-        skv_sleep_begin_disturbance(&world->sleep);
+        skv_sleep_begin_disturbance(world);
     return result;
 }
 
@@ -161,7 +161,7 @@ void skv_world_remove_drained(skv_world *world, float dt)
 {
     if (world->acting.drain_count == 0)
         return;
-    skv_sleep_begin_disturbance(&world->sleep);
+    skv_sleep_begin_disturbance(world);
     int gone = 0;
     for (int k = 0; k < world->acting.drain_count; k++)
         gone += drain(world, k, dt);
@@ -172,7 +172,7 @@ void skv_world_remove_drained(skv_world *world, float dt)
 int skv_world_remove_oldest(skv_world *world, int count, int emitter)
 {
     int gone = count < world->state.count ? count : world->state.count;
-    skv_sleep_begin_disturbance(&world->sleep);
+    skv_sleep_begin_disturbance(world);
     for (int i = 0; i < gone; i++)
         remove_one(world, i, SKV_EVENT_REPLACED, emitter);
     skv_world_end_removal(world, gone);

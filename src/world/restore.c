@@ -39,6 +39,7 @@ static void take_facts(skv_world *world, const skv_snapshot *s)
     skv_world_put_emission(world, &s->def);
     world->substeps = s->def.substeps;
     world->substeps_fixed = s->substeps_fixed;
+    world->load = s->load;
     world->filled = s->filled;
     world->due = s->due;
     world->time = s->time;

@@ -140,7 +140,7 @@ static skv_result relax_all(settling *s, skv_error *error)
         most = &unaided;
     float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
     float depth = world->filled * skv_extent_along_gravity(world);
-    int last = world->substeps, first = skv_substep_rule(&s->fluid, g, depth, 0);
+    int last = world->substeps, first = skv_substep_rule(&s->fluid, skv_load_of_depth(g, depth, 0));
     first = first < last ? first : last;
     double calm = most->calm * sqrt((double)(FALL * depth));
     skv_result result = SKV_OK;
@@ -171,6 +171,7 @@ static void finish(const settling *s)
     for (int i = 0; i < p->count; i++)
         if (s->lies.lie[i] != SKV_RESTS)
             p->pressure[i] = 0;
+    world->load.stiffness = (float)world->substeps; /* in which it has come to rest */
     skv_sleep_wake_all(world);
     skv_world_regroup(world);
 }

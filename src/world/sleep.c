@@ -27,7 +27,6 @@
 #include <math.h>
 #include <string.h>
 
-#define TILE_SIZE    2.0f  /* h */
 #define WINDOW       1.0   /* s */
 #define MOST_DRIFT   0.05f /* spacings in a window, a tile's average */
 #define MOST_WAY     0.2f  /* spacings in a window, a particle's */
@@ -44,10 +43,7 @@ skv_result skv_sleep_create(skv_world *world, bool allowed, skv_error *error)
     s->allowed = allowed;
     if (!allowed)
         return SKV_OK;
-    s->per_metre = 1 / (TILE_SIZE * world->h);
-    s->columns = (int)(skv_terrain_width(world->terrain) * s->per_metre) + 1;
-    s->rows = (int)(skv_terrain_height(world->terrain) * s->per_metre) + 1;
-    s->tiles = skv_calloc((size_t)s->columns * (size_t)s->rows, sizeof *s->tiles);
+    s->tiles = skv_calloc((size_t)skv_tile_count(&world->tiling), sizeof *s->tiles);
     return s->tiles ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for sleep");
 }
 
@@ -74,21 +70,10 @@ void skv_sleep_wake_all(skv_world *world)
         skv_sleep_wake(world, i);
 }
 
-/* A coordinate's tile; what lies outside belongs to the border's. The comparisons catch a NaN. */
-static int tile_at(float position, float per_metre, int tiles)
-{
-    float place = position * per_metre;
-    if (!(place > 0))
-        return 0;
-    return place < (float)tiles ? (int)place : tiles - 1;
-}
-
 static skv_tile *tile_of(const skv_world *world, int i)
 {
-    const skv_sleep *s = &world->sleep;
-    int column = tile_at(world->state.x[i], s->per_metre, s->columns);
-    int row = tile_at(world->state.y[i], s->per_metre, s->rows);
-    return &s->tiles[(size_t)row * (size_t)s->columns + (size_t)column];
+    const skv_state *p = &world->state;
+    return &world->sleep.tiles[skv_tile_number(&world->tiling, p->x[i], p->y[i])];
 }
 
 void skv_sleep_leave(skv_world *world, int particle)
@@ -127,30 +112,32 @@ static void wake_for_acting(skv_world *world)
  */
 static void mark_way(skv_world *world, int i, float dt, float astray)
 {
-    const skv_sleep *s = &world->sleep;
+    const skv_tiling *t = &world->tiling;
     const skv_state *p = &world->state;
     float way_x = (WAY_MARGIN * p->vx[i] + world->gravity_x * dt) * dt;
     float way_y = (WAY_MARGIN * p->vy[i] + world->gravity_y * dt) * dt;
-    int left = tile_at(p->x[i] + skv_minf(way_x, 0) - astray, s->per_metre, s->columns);
-    int right = tile_at(p->x[i] + skv_maxf(way_x, 0) + astray, s->per_metre, s->columns);
-    int bottom = tile_at(p->y[i] + skv_minf(way_y, 0) - astray, s->per_metre, s->rows);
-    int top = tile_at(p->y[i] + skv_maxf(way_y, 0) + astray, s->per_metre, s->rows);
+    int left = skv_tile_at(p->x[i] + skv_minf(way_x, 0) - astray, t->per_metre, t->columns);
+    int right = skv_tile_at(p->x[i] + skv_maxf(way_x, 0) + astray, t->per_metre, t->columns);
+    int bottom = skv_tile_at(p->y[i] + skv_minf(way_y, 0) - astray, t->per_metre, t->rows);
+    int top = skv_tile_at(p->y[i] + skv_maxf(way_y, 0) + astray, t->per_metre, t->rows);
     for (int row = bottom; row <= top; row++)
         for (int column = left; column <= right; column++)
-            s->tiles[(size_t)row * (size_t)s->columns + (size_t)column].state = RESTLESS;
+            world->sleep.tiles[row * t->columns + column].state = RESTLESS;
 }
 
 /* Raises the tiles beside those of state `from` or higher to `to`, which is lower. */
-static void spread(const skv_sleep *s, int from, int to)
+static void spread(const skv_world *world, int from, int to)
 {
-    for (int row = 0; row < s->rows; row++) {
-        for (int column = 0; column < s->columns; column++) {
-            const skv_tile *here = &s->tiles[(size_t)row * (size_t)s->columns + (size_t)column];
+    skv_tile *tiles = world->sleep.tiles;
+    const skv_tiling *t = &world->tiling;
+    for (int row = 0; row < t->rows; row++) {
+        for (int column = 0; column < t->columns; column++) {
+            const skv_tile *here = &tiles[row * t->columns + column];
             if (here->state < from)
                 continue;
-            for (int r = row ? row - 1 : 0; r <= row + 1 && r < s->rows; r++) {
-                for (int c = column ? column - 1 : 0; c <= column + 1 && c < s->columns; c++) {
-                    skv_tile *beside = &s->tiles[(size_t)r * (size_t)s->columns + (size_t)c];
+            for (int r = row ? row - 1 : 0; r <= row + 1 && r < t->rows; r++) {
+                for (int c = column ? column - 1 : 0; c <= column + 1 && c < t->columns; c++) {
+                    skv_tile *beside = &tiles[r * t->columns + c];
                     beside->state = beside->state > to ? beside->state : to;
                 }
             }
@@ -158,10 +145,17 @@ static void spread(const skv_sleep *s, int from, int to)
     }
 }
 
-void skv_sleep_begin_disturbance(skv_sleep *s)
+static void clear(const skv_world *world)
 {
-    for (int t = 0; t < s->columns * s->rows; t++)
-        s->tiles[t].state = ASLEEP;
+    int count = skv_tile_count(&world->tiling);
+    for (int t = 0; t < count; t++)
+        world->sleep.tiles[t].state = ASLEEP;
+}
+
+void skv_sleep_begin_disturbance(skv_world *world)
+{
+    if (world->sleep.allowed)
+        clear(world);
 }
 
 void skv_sleep_disturb(skv_world *world, int particle)
@@ -174,7 +168,7 @@ void skv_sleep_end_disturbance(skv_world *world)
 {
     if (world->sleep.calm == 0)
         return;
-    spread(&world->sleep, RESTLESS, AWAKE);
+    spread(world, RESTLESS, AWAKE);
     for (int i = 0; i < world->state.count; i++)
         if (tile_of(world, i)->state >= AWAKE)
             skv_sleep_wake(world, i);
@@ -219,14 +213,13 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
         stop_all(world);
         return 0;
     }
-    for (int t = 0; t < s->columns * s->rows; t++)
-        s->tiles[t].state = ASLEEP;
+    clear(world);
     float astray = skv_acting_strength(&world->acting) * dt * dt;
     for (int i = 0; i < world->state.count; i++)
         if (world->state.unrest[i] != SKV_CALM)
             mark_way(world, i, dt, astray);
-    spread(s, RESTLESS, AWAKE);
-    spread(s, AWAKE, HELD);
+    spread(world, RESTLESS, AWAKE);
+    spread(world, AWAKE, HELD);
     give_parts(world);
     return s->stepped;
 }
@@ -236,7 +229,7 @@ static void sum_up(skv_world *world)
 {
     skv_sleep *s = &world->sleep;
     const skv_state *p = &world->state;
-    for (int t = 0; t < s->columns * s->rows; t++)
+    for (int t = 0; t < skv_tile_count(&world->tiling); t++)
         s->tiles[t] = (skv_tile){0};
     for (int i = 0; i < p->count; i++) {
         skv_tile *tile = tile_of(world, i);
@@ -265,7 +258,7 @@ static void judge(const skv_world *world, bool look_round)
     const skv_sleep *s = &world->sleep;
     float spacing = world->fluid.spacing;
     float sets_out = SETS_OUT * sqrtf(FALL_GRAVITY * spacing);
-    for (int t = 0; t < s->columns * s->rows; t++) {
+    for (int t = 0; t < skv_tile_count(&world->tiling); t++) {
         skv_tile *tile = &s->tiles[t];
         bool drifts =
             look_round && is_longer(tile, tile->moved_x, tile->moved_y, MOST_DRIFT * spacing);

@@ -26,15 +26,13 @@ typedef struct skv_tile {
 
 typedef struct skv_sleep {
     bool allowed;
-    int columns, rows;
-    float per_metre; /* tiles */
     skv_tile *tiles;
     int calm;       /* particles that are */
     int stepped;    /* particles that the last substeps moved, and those added since */
     double watched; /* s since the last look round */
 } skv_sleep;
 
-/* Makes the tiles of a world whose size and smoothing radius are known. */
+/* Makes the tiles of a world whose tiling is known. */
 skv_result skv_sleep_create(skv_world *world, bool allowed, skv_error *error);
 void skv_sleep_destroy(skv_world *world);
 
@@ -47,7 +45,7 @@ void skv_sleep_leave(skv_world *world, int particle);
 
 /* Wakes what lies within h of places where something is done: between begin and end, `disturb`
  * takes the places, those of particles. */
-void skv_sleep_begin_disturbance(skv_sleep *sleep);
+void skv_sleep_begin_disturbance(skv_world *world);
 void skv_sleep_disturb(skv_world *world, int particle);
 void skv_sleep_end_disturbance(skv_world *world);
 

@@ -13,9 +13,9 @@
 #include <math.h>
 #include <string.h>
 
-enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2 };
+enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2, WITH_LOAD = 4 };
 
-static const skv_envelope kind = {"snapshot", 'V', 1, WITH_TERRAIN | SUBSTEPS_FIXED};
+static const skv_envelope kind = {"snapshot", 'V', 1, WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -51,6 +51,10 @@ static void put_facts(skv_writer *w, const skv_world *world)
     skv_put(w, world->next_id, 4);
     skv_put_double(w, world->sleep.watched);
     skv_put(w, (uint64_t)world->sleep.stepped, 4);
+    skv_put(w, (uint64_t)world->load.most, 4);
+    skv_put(w, (uint64_t)world->load.wanted, 4);
+    skv_put_float(w, world->load.stiffness);
+    skv_put_float(w, world->load.peak);
     skv_acting acting = world->acting;
     skv_exchange_acting(&(skv_port){.to = w}, &acting, NULL);
 }
@@ -118,7 +122,7 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
     skv_envelope_put(w, &kind,
-                     (with_terrain ? WITH_TERRAIN : 0u) |
+                     WITH_LOAD | (with_terrain ? WITH_TERRAIN : 0u) |
                          (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
@@ -170,6 +174,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->terrain_hash = skv_get(r, 8);
     s->with_terrain = flags & WITH_TERRAIN;
     s->substeps_fixed = flags & SUBSTEPS_FIXED;
+    s->with_load = flags & WITH_LOAD;
     return SKV_OK;
 }
 
@@ -202,6 +207,23 @@ static skv_result read_parameters(skv_reader *r, skv_snapshot *s, skv_error *err
     return skv_check_world_def(&s->def, error);
 }
 
+/* Without it a snapshot is of a world that took what the rule asks for. */
+static bool read_load(skv_reader *r, skv_snapshot *s)
+{
+    int substeps = s->def.substeps;
+    s->load = (skv_load){substeps, substeps, (float)substeps, 0};
+    if (!s->with_load)
+        return true;
+    uint64_t most = skv_get(r, 4), wanted = skv_get(r, 4);
+    s->load.stiffness = skv_get_float(r);
+    s->load.peak = skv_get_float(r);
+    s->load.most = (int)(most <= 1000 ? most : 0);
+    s->load.wanted = (int)(wanted <= most ? wanted : 0);
+    return s->load.most >= 1 && s->load.wanted >= 1 &&
+           skv_within((double)s->load.stiffness, 0.1, (double)substeps) &&
+           skv_within((double)s->load.peak, 0, 1e12);
+}
+
 static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
 {
     s->time = skv_get_double(r);
@@ -212,10 +234,11 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->next_id = (uint32_t)skv_get(r, 4);
     s->watched = skv_get_double(r);
     uint64_t stepped = skv_get(r, 4);
+    bool loads = s->def.substeps >= 1 && read_load(r, s);
     /* More substeps than a frame may have are never owed. */
     if (!skv_within(s->time, 0, 1e12) || steps > INT64_MAX / 2 || !skv_within(s->due, 0, 1000) ||
         !skv_within((double)s->filled, 0, 1e6) || !skv_within(s->watched, 0, 1e3) ||
-        stepped > SKV_MAX_PARTICLES || s->def.substeps < 1)
+        stepped > SKV_MAX_PARTICLES || !loads)
         return skv_fail(error, SKV_ERROR_VALUE, "snapshot: it holds values that no world has");
     s->stepped = (int)stepped;
     return skv_exchange_acting(&(skv_port){.from = r}, &s->acting, error);

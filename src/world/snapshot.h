@@ -9,7 +9,8 @@
 /* What a snapshot says, its particles apart. */
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
-    bool substeps_fixed;
+    bool substeps_fixed, with_load;
+    skv_load load;
     float filled;
     double due, time, watched;
     int64_t steps;

@@ -13,6 +13,13 @@
 #define LONGEST_STEP 0.1f
 #define DT_ROUNDING  1e-6 /* how far off, relatively, a sum of float dt may be */
 
+skv_constants skv_world_make_constants(const skv_world *world)
+{
+    skv_constants constants = skv_make_constants(&world->fluid, 1.0f / 60 / (float)world->substeps);
+    constants.push_scale *= skv_load_softness(world);
+    return constants;
+}
+
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
                                         skv_pull pulls[SKV_SOLVER_MOST_PULLS])
 {
@@ -121,13 +128,16 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
                         (double)LEAST_STEP, (double)LONGEST_STEP);
-    double owed = world->due;
+    double owed = world->due, began = world->time;
     world->wall_impulse = (skv_wall_impulse){0};
     int count = take_due(world, (double)dt);
-    float part = 1.0f / 60 / (float)world->substeps;
-    if (part != world->constants_dt) {
-        world->constants = skv_make_constants(&world->fluid, part);
+    float part = 1.0f / 60 / (float)world->substeps, softness = skv_load_softness(world);
+    if (world->constants_stale || part != world->constants_dt ||
+        softness != world->constants_softness) {
+        world->constants = skv_world_make_constants(world);
         world->constants_dt = part;
+        world->constants_softness = softness;
+        world->constants_stale = false;
     }
     world->stepping = true;
     skv_events_begin(&world->events);
@@ -137,6 +147,7 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
         world->due = done == 0 ? owed : world->due + count - done;
     skv_events_end(&world->events);
     world->stepping = false;
+    skv_load_follow(world, began);
     return result;
 }
 

@@ -94,6 +94,8 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     }
     if (result == SKV_OK)
         result = skv_sleep_create(world, def->sleep && type->holds, error);
+    if (result == SKV_OK)
+        result = skv_load_create(world, error);
     if (result == SKV_OK && def->capacity > 0)
         result = skv_world_reserve(world, def->capacity, error);
     return result;
@@ -134,6 +136,9 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->substeps_fixed = def->substeps > 0;
         if (!world->substeps_fixed)
             world->substeps = skv_substeps_needed(world);
+        skv_load_begin(world);
+        world->tiling = skv_make_tiling(world->h, skv_terrain_width(world->terrain),
+                                        skv_terrain_height(world->terrain));
         result = build(world, def, error);
     }
     if (result != SKV_OK) {
@@ -154,6 +159,7 @@ void skv_world_destroy(skv_world *world)
     if (!world->shares_pool)
         skv_pool_destroy(world->pool);
     skv_sleep_destroy(world);
+    skv_load_destroy(world);
     if (world->solver)
         world->solver->type->destroy(world->solver);
     skv_wall_map_destroy(world->walls);

@@ -9,8 +9,10 @@
 #include "terrain/wall_map.h"
 #include "world/acting.h"
 #include "world/events.h"
+#include "world/load.h"
 #include "world/sleep.h"
 #include "world/state.h"
+#include "world/tiling.h"
 
 /* What decides the future is in a snapshot, too: see snapshot.c. */
 struct skv_world {
@@ -32,11 +34,15 @@ struct skv_world {
     skv_state state;
     uint32_t next_id;
     uint32_t generation; /* of solver.h */
+    skv_tiling tiling;
     skv_sleep sleep;
+    skv_load load;
+    skv_tile_load *tile_loads; /* load.c */
     skv_solver *solver;
     skv_wall_impulse wall_impulse; /* of the last step */
     skv_constants constants;
-    float constants_dt; /* the dt they were made for */
+    float constants_dt, constants_softness; /* what they were made for */
+    bool constants_stale;                   /* they were of another fluid */
     skv_pool *pool;
     bool shares_pool; /* with other worlds: it is not ours to destroy */
 
@@ -52,9 +58,8 @@ struct skv_world {
     void *user;
 };
 
-/* constants.c: derives the constants of a substep. For the rule, m/s^2 and m, and what forces add
- * to their product. */
-int skv_substep_rule(const skv_fluid_def *fluid, float gravity, float depth, float head);
+/* constants.c: derives the constants of a substep. The rule: how many a frame bear a load. */
+int skv_substep_rule(const skv_fluid_def *fluid, double load);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);
 
@@ -64,7 +69,9 @@ double skv_surface_gradient(const skv_fluid_def *fluid);
 /* m/s, with substeps of dt; 0 for a law that has none. */
 double skv_speed_of_sound(const skv_fluid_def *fluid, double dt);
 
+/* Those of a fluid as stiff as dt allows, and those of a world at present. */
 skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
+skv_constants skv_world_make_constants(const skv_world *world);
 
 /* True if lo <= value <= hi; false for a NaN. */
 bool skv_within(double value, double lo, double hi);
@@ -73,8 +80,10 @@ bool skv_within(double value, double lo, double hi);
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
                                         skv_pull pulls[SKV_SOLVER_MOST_PULLS]);
 
-/* change.c: how far the free region goes along gravity, m; the substeps a 1/60 s frame that the
- * rule asks for; goes on with a fluid that differs only in what may change while a world runs. */
+/* change.c: the greatest load that the rule expects; how far the free region goes along gravity, m;
+ * the substeps a 1/60 s frame that the rule asks for; goes on with a fluid that differs only in
+ * what may change while a world runs. */
+double skv_expected_load(const skv_world *world);
 float skv_extent_along_gravity(const skv_world *world);
 int skv_substeps_needed(const skv_world *world);
 void skv_world_adapt_substeps(skv_world *world); /* to what they are needed for, if not fixed */

@@ -115,7 +115,7 @@ static twin *make_twin(skv_law law, uint32_t seed)
     f->viscosity_quadratic = (float)uniform(0, 3);
     f->wall_friction = (float)uniform(0, 0.5);
     f->wall_softness = (float)uniform(0.1, 0.9);
-    int substeps = skv_substep_rule(f, 9.81f, 0.5f, 0);
+    int substeps = skv_substep_rule(f, 9.81 * 0.5);
     t->constants = skv_make_constants(f, 1.0f / 60 / (float)substeps);
     oracle *o = &t->o;
     o->n = N;

@@ -128,9 +128,13 @@ static void both_solvers_agree_at_walls(void **unused)
 {
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
-        skv_world *fast = fixture_dam((skv_law)law, 0.014f, 2);
+        skv_world_def def = fixture_def((skv_law)law, SKV_SOLVER_REFERENCE, 0, 0.014f, 2);
+        skv_world *slow, *fast;
+        assert_int_equal(skv_world_create(&def, &slow, NULL), SKV_OK);
+        def.solver = SKV_SOLVER_FAST;
+        def.substeps = skv_world_substeps_per_frame(slow);
+        fast = fixture_dam_of(&def);
         fixture_run(fast, 20);
-        skv_world *slow = fixture_tank_with((skv_law)law, SKV_SOLVER_REFERENCE, 0.014f);
         fixture_expect_same_substep(fast, slow);
     }
 }
