@@ -42,9 +42,9 @@ struct skv_world {
     skv_wall_impulse wall_impulse; /* of the last step */
     skv_constants constants;
     float constants_dt, constants_softness; /* what they were made for */
-    bool constants_stale;                   /* they were of another fluid */
     skv_pool *pool;
-    bool shares_pool; /* with other worlds: it is not ours to destroy */
+    bool shares_pool;     /* with other worlds: it is not ours to destroy */
+    bool constants_stale; /* they were of another fluid */
 
     double time;
     int64_t steps;

@@ -274,7 +274,7 @@ static void a_sleeping_world_still_calls(void **unused)
     skv_world_destroy(world);
 }
 
-/* Adds, removes and turns gravity from within, and tries to step. */
+/* Adds, removes, turns gravity and changes the fluid from within, and tries to step. */
 static int misuses;
 
 static void count_misuse(const char *condition, const char *file, int line, void *user)
@@ -294,6 +294,8 @@ static void meddle(skv_world *world, float dt, void *user)
         assert_int_equal(skv_world_remove_area(world, &spot, NULL, NULL), SKV_OK);
     }
     assert_int_equal(skv_world_set_gravity(world, *calls % 2 ? 40.0f : 0, -9.81f, NULL), SKV_OK);
+    assert_int_equal(skv_world_set(world, "fluid.wall_friction", *calls % 3 ? "0.1" : "0.05", NULL),
+                     SKV_OK);
     assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_ERROR_VALUE);
     ++*calls;
 }
