@@ -18,6 +18,7 @@
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
+#define MOST_SUBSTEPS    1000  /* a frame, as in a definition */
 #define MOST_VISCOUS     0.5   /* sigma dt */
 #define COHESION_FROM    0.25  /* rest densities: a little more than two in one place */
 #define COHESION_FULL    0.5   /* rest densities: a little less than at a flat surface */
@@ -78,8 +79,10 @@ int skv_substep_rule(const skv_fluid_def *f, double load)
     double viscous = linear_viscosity(f) * FRAME / MOST_VISCOUS;
     if (substeps < viscous)
         substeps = viscous;
+    if (!(substeps < MOST_SUBSTEPS))
+        return MOST_SUBSTEPS; /* also of what is no number */
     int whole = (int)ceil(substeps - 1e-9);
-    return whole < 1 ? 1 : whole > 1000 ? 1000 : whole;
+    return whole < 1 ? 1 : whole;
 }
 
 double skv_speed_of_sound(const skv_fluid_def *f, double dt)

@@ -19,15 +19,18 @@
 #include <math.h>
 #include <string.h>
 
-#define EARTH_GRAVITY  9.81
-#define FRAMES         60         /* a second: how often loads are measured */
-#define LOOKS          4          /* a second */
-#define ROUNDING       1e-6       /* of a sum of substeps, relative to what is between two looks */
-#define SPARE_SUBSTEPS (2.0f / 3) /* of the rule's: given back when less is needed */
-#define MARGIN         1.2f       /* that fewer substeps must have: waves come back */
-#define SOFTER         0.995f     /* a frame: a pool of 0.45 m then sinks at 0.01 m/s */
-#define STIFFER        1.1f       /* a frame */
-#define FULL_SHARE     0.25f      /* of a tile: fewer particles press on little */
+#define EARTH_GRAVITY 9.81
+#define FRAMES        60    /* a second: how often loads are measured */
+#define LOOKS         4     /* a second */
+#define ROUNDING      1e-6  /* of a sum of substeps, relative to what is between two looks */
+#define MOST_LOAD     1e12f /* m^2/s^2: of what has blown up; a snapshot holds it */
+/* Of the rule's substeps: given back when less is needed. Fewer changes, and a gravity that
+ * trembles would change them to and fro. */
+#define SPARE_SUBSTEPS (2.0f / 3)
+#define MARGIN         1.2f   /* that fewer substeps must have: waves come back */
+#define SOFTER         0.995f /* a frame: a pool of 0.45 m then sinks at 0.01 m/s */
+#define STIFFER        1.1f   /* a frame */
+#define FULL_SHARE     0.25f  /* of a tile: fewer particles press on little */
 
 double skv_load_of_depth(float gravity, float depth, float head)
 {
@@ -106,7 +109,7 @@ static float measure(const skv_world *world)
     for (int t = 0; t < count; t++)
         if (tiles[t].count > 0)
             most = skv_maxf(most, tiles[t].load / skv_maxf((float)tiles[t].count, few));
-    return most;
+    return most < MOST_LOAD ? most : MOST_LOAD; /* also of what is no number */
 }
 
 /* Sees to it that a load is borne; the fluid becomes as stiff by and by. */
