@@ -69,7 +69,8 @@ skv_result skv_mesh_begin(skv_mesh *mesh, const skv_frame *frame, uint64_t walls
     double width = (double)skv_terrain_width(frame->terrain);
     double height = (double)skv_terrain_height(frame->terrain);
     double cell = fmax(CELL_SPACINGS * (double)frame->spacing, sqrt(width * height / MOST_CELLS));
-    int columns = (int)ceil(width / cell) + 2, rows = (int)ceil(height / cell) + 2;
+    /* One on each side, and one for values that are shifted. */
+    int columns = (int)ceil(width / cell) + 3, rows = (int)ceil(height / cell) + 3;
     skv_result result = grow(mesh, columns * rows, error);
     if (result != SKV_OK)
         return result;
@@ -90,19 +91,26 @@ skv_result skv_mesh_begin(skv_mesh *mesh, const skv_frame *frame, uint64_t walls
     return SKV_OK;
 }
 
-void skv_mesh_begin_values(skv_mesh *mesh)
+void skv_mesh_begin_values(skv_mesh *mesh, float shift)
 {
+    mesh->shift = shift;
     size_t bytes = (size_t)(mesh->columns * mesh->rows) * sizeof(float);
     memset(mesh->value, 0, bytes);
     memset(mesh->trust, 0, bytes);
 }
 
-skv_mesh_place skv_mesh_locate(const skv_mesh *mesh, float x, float y)
+static skv_mesh_place locate(const skv_mesh *mesh, float x, float y, float shift)
 {
-    float across = fminf(fmaxf(x / mesh->cell + 0.5f, 0), (float)(mesh->columns - 2));
-    float upwards = fminf(fmaxf(y / mesh->cell + 0.5f, 0), (float)(mesh->rows - 2));
+    float from = 0.5f + shift;
+    float across = fminf(fmaxf(x / mesh->cell + from, 0), (float)(mesh->columns - 2));
+    float upwards = fminf(fmaxf(y / mesh->cell + from, 0), (float)(mesh->rows - 2));
     int i = (int)across, j = (int)upwards;
     return (skv_mesh_place){j * mesh->columns + i, across - (float)i, upwards - (float)j};
+}
+
+skv_mesh_place skv_mesh_locate(const skv_mesh *mesh, float x, float y)
+{
+    return locate(mesh, x, y, 0);
 }
 
 /* The shares of the four cells. */
@@ -148,7 +156,7 @@ void skv_mesh_add_motion(skv_mesh *mesh)
 void skv_mesh_add_value(skv_mesh *mesh, float x, float y, float value, float trust)
 {
     float share[4];
-    skv_mesh_place place = skv_mesh_locate(mesh, x, y);
+    skv_mesh_place place = locate(mesh, x, y, mesh->shift);
     shares(place, share);
     add(mesh, mesh->value, place, share, value * trust);
     add(mesh, mesh->trust, place, share, trust);
@@ -157,7 +165,7 @@ void skv_mesh_add_value(skv_mesh *mesh, float x, float y, float value, float tru
 float skv_mesh_value(const skv_mesh *mesh, float x, float y, float fallback)
 {
     float share[4];
-    skv_mesh_place place = skv_mesh_locate(mesh, x, y);
+    skv_mesh_place place = locate(mesh, x, y, mesh->shift);
     shares(place, share);
     float trust = mean(mesh, mesh->trust, place, share);
     return trust > 0 ? mean(mesh, mesh->value, place, share) / trust : fallback;

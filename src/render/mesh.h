@@ -10,6 +10,7 @@ typedef struct skv_mesh {
     int columns, rows, capacity; /* cells; room for so many */
     float cell;                  /* m; cell (0, 0) is centred at half a cell outside the world */
     float per_cell;              /* particles in a cell full of fluid */
+    float shift;                 /* of the values' cells, to the left and downwards; cells */
     const skv_frame *frame;      /* while it is in use */
     uint64_t walls_key;          /* of the walls that `room` is about */
     /* A value a cell: */
@@ -36,8 +37,9 @@ skv_mesh_place skv_mesh_locate(const skv_mesh *mesh, float x, float y);
 
 /* Adds the particles' number and momentum. */
 void skv_mesh_add_motion(skv_mesh *mesh);
-/* Empties it of values; adds one particle's with a weight. */
-void skv_mesh_begin_values(skv_mesh *mesh);
+/* Empties it of values, whose cells lie `shift` of one, 0..1, to the left and below the others; adds
+ * one particle's with a weight. */
+void skv_mesh_begin_values(skv_mesh *mesh, float shift);
 void skv_mesh_add_value(skv_mesh *mesh, float x, float y, float value, float trust);
 
 /* Finds how deep the fluid is, from the cells' fill; needs the motion. */

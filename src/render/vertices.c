@@ -64,32 +64,39 @@ static bool touches_wall(const skv_frame *frame, int i)
 
 /* Pressure, averaged with the neighbours'. What is averaged is its difference from the pressure of
  * fluid at rest, p - rho g x: beside a wall the neighbours are all on one side, and the average of
- * p itself would be that of a place further in. */
+ * p itself would be that of a place further in. How layers make up for each other depends on where
+ * a cell ends; the mean over two meshes, half a cell apart, hardly does. With one the pressure
+ * beside the right wall of a tank was up to 6 % too high, at some numbers of particles. */
 static void fill_pressure(skv_vertices *vertices, const skv_frame *frame, double range)
 {
+    static const float shifts[] = {0, 0.5f};
     const skv_particles particles = frame->particles;
     skv_mesh *mesh = &vertices->mesh;
     double slope_x = (double)frame->density * (double)frame->gravity_x / range;
     double slope_y = (double)frame->density * (double)frame->gravity_y / range;
     double sum = 0, trusted = 0;
-    skv_mesh_begin_values(mesh);
     for (int i = 0; i < particles.count; i++) {
         bool touches = touches_wall(frame, i);
         double pressure = (double)particles.pressure[i] / range;
         double rest = slope_x * (double)particles.x[i] + slope_y * (double)particles.y[i];
         vertices->trusts[i] = touches ? FIRST_TRUST : 1;
-        vertices->list[i].value = (float)(pressure - rest);
+        vertices->list[i].second = (float)(pressure - rest);
         sum += (double)vertices->trusts[i] * (pressure - rest);
         trusted += (double)vertices->trusts[i];
     }
     /* The mean is taken out too: small numbers are summed up more exactly. */
     double mean = trusted > 0 ? sum / trusted : 0;
-    for (int i = 0; i < particles.count; i++)
-        skv_mesh_add_value(mesh, particles.x[i], particles.y[i],
-                           vertices->list[i].value - (float)mean, vertices->trusts[i]);
+    for (int s = 0; s < 2; s++) {
+        skv_mesh_begin_values(mesh, shifts[s]);
+        for (int i = 0; i < particles.count; i++)
+            skv_mesh_add_value(mesh, particles.x[i], particles.y[i],
+                               vertices->list[i].second - (float)mean, vertices->trusts[i]);
+        for (int i = 0; i < particles.count; i++)
+            vertices->list[i].value +=
+                0.5f * skv_mesh_value(mesh, particles.x[i], particles.y[i], 0);
+    }
     for (int i = 0; i < particles.count; i++) {
-        float value = skv_mesh_value(mesh, particles.x[i], particles.y[i], 0);
-        vertices->list[i].value = vertices->trusts[i] * value;
+        vertices->list[i].value *= vertices->trusts[i];
         vertices->list[i].second = vertices->trusts[i];
     }
     vertices->slope[0] = slope_x;
@@ -137,7 +144,7 @@ static void fill_foam(skv_vertices *vertices, const skv_frame *frame)
     const skv_particles particles = frame->particles;
     skv_mesh *mesh = &vertices->mesh;
     float to_share = (float)(1 / skv_look_speed(frame));
-    skv_mesh_begin_values(mesh);
+    skv_mesh_begin_values(mesh, 0);
     for (int i = 0; i < particles.count; i++) {
         float vx, vy;
         skv_mesh_velocity(mesh, particles.x[i], particles.y[i], &vx, &vy);
@@ -167,7 +174,7 @@ static void fill_dyes(skv_vertices *vertices, const skv_frame *frame)
         if (!has_dye(&particles, dye))
             continue;
         vertices->dyed = true;
-        skv_mesh_begin_values(mesh);
+        skv_mesh_begin_values(mesh, 0);
         for (int i = 0; i < particles.count; i++)
             skv_mesh_add_value(mesh, particles.x[i], particles.y[i], particles.dye[i] == dye, 1);
         for (int i = 0; i < particles.count; i++) {
