@@ -26,6 +26,9 @@ typedef struct skv_constants {
     float wall_virial;     /* distance times push of a smooth solid, per h R */
     float loose_push;      /* P of a particle that no wall holds up, at most; m */
     /* Calibrated law alone. */
+    float warm_start; /* share of the last substep's push with which the next one starts; 0: cold */
+    float warm_limit; /* the most of that push that counts, m */
+    float warm_slope; /* how steeply that grows to all of it with the excess of density */
     float response_slope; /* how strongly the density answers to a push, per density, ... */
     float response_floor; /* ... and at least */
     float near_share;     /* near density per density in the lattice at rest: more is a crowd */
@@ -38,7 +41,7 @@ typedef struct skv_constants {
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
-    float design_pressure; /* that the substeps are made for, Pa m */
+    float design_pressure; /* that cold substeps of this length are made for, Pa m */
 
     float softness; /* share of the penetration corrected a substep */
     float friction; /* share of the tangential displacement removed a substep */

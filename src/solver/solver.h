@@ -41,6 +41,10 @@ typedef struct skv_solver_particles {
     float *vx, *vy;
     float *clearance; /* lower bound of the distance to the nearest wall */
     float *pressure;  /* gauge pressure, Pa m; written only */
+    /* What the pressure term, without cohesion, crowding and tension, has pushed in the last
+     * substep: the sum of its P over dt^2, m/s^2. The next one starts from there. Not written with
+     * the clavet law, which does not know it. */
+    float *warm_push;
     const uint32_t *id;
     const uint8_t *part; /* skv_part; null: all move */
 } skv_solver_particles;

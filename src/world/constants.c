@@ -14,7 +14,10 @@
 #define COMPRESSION      0.04       /* allowed at the expected depth, calibrated law */
 #define CLAVET_LOAD      0.006      /* g H dt^2 / h^2 that the clavet law carries */
 #define CLAVET_LOOSE     0.75  /* of the density at rest; P never is positive at rest, either */
-#define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep */
+#define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep that starts cold */
+#define WARM_SUBSTEPS    0.75  /* as stiff as one cold one, if they start warm: fewer flicker */
+#define WARM_REACH       0.7   /* of the pressure at the expected depth: more is found cold */
+#define WARM_FULL        0.01  /* rest densities too many, from which on the start is warm */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
@@ -85,6 +88,27 @@ int skv_substep_rule(const skv_fluid_def *f, double load)
     return whole < 1 ? 1 : whole;
 }
 
+int skv_warm_substeps(const skv_fluid_def *f, int cold)
+{
+    if (f->law == SKV_LAW_CLAVET)
+        return cold;
+    /* Cohesion finds fluid that is not compressed, and so is as soft as if it started cold. */
+    int least = skv_substep_rule(f, 0), warm = (int)ceil(WARM_SUBSTEPS * cold);
+    return warm > least ? warm : least < cold ? least : cold;
+}
+
+void skv_set_stiffness(skv_constants *c, float cold)
+{
+    float square = cold * cold;
+    if (square <= 1) {
+        c->push_scale *= square;
+        return;
+    }
+    c->warm_start = 1 - 1 / square;
+    c->warm_limit = (float)(WARM_REACH * COMPRESSION) * (float)c->iterations * c->push_scale *
+                    c->rest_density / c->response_floor * square;
+}
+
 double skv_speed_of_sound(const skv_fluid_def *f, double dt)
 {
     double h = (double)f->spacing * (double)f->radius_ratio;
@@ -110,6 +134,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     /* A displacement in each iteration that amounts to half an acceleration of 1 in the bulk. */
     double half = dt * dt * lattice.response / (2 * f->iterations);
     c->rest_density = (float)rest;
+    c->warm_slope = (float)(1 / (WARM_FULL * rest));
     c->push_scale = (float)((double)f->relaxation * h / skv_kernel_gain(SKV_KERNEL_SMOOTH));
     c->response_slope = (float)(lattice.response / rest);
     c->response_floor = (float)lattice.response;

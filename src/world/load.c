@@ -7,8 +7,9 @@
  *
  * The pressure of fluid at rest is its excess of density over dt^2: with another number of substeps
  * it would find itself too dense or too loose, and breathe. So the stiffness moves in small steps,
- * and the pressure of a substep is weakened to it. Invariant: the fluid is never stiffer than its
- * substeps allow; all of this follows from the particles alone, in their order.
+ * and a substep's pressure is made as stiff: weaker, or with a warm start. Invariant: the fluid is
+ * never stiffer than its substeps allow; all of this follows from the particles alone, in their
+ * order.
  */
 #include "world/load.h"
 
@@ -50,23 +51,23 @@ static bool is_followed(const skv_world *world)
     return !world->substeps_fixed && world->fluid.law == SKV_LAW_CALIBRATED;
 }
 
-static void take(skv_world *world, int substeps)
+/* Takes what is as stiff as so many of the rule's substeps. */
+static void take(skv_world *world, int cold)
 {
+    int substeps = skv_warm_substeps(&world->fluid, cold);
     world->due *= (double)substeps / world->substeps;
     world->substeps = substeps;
 }
 
-void skv_load_begin(skv_world *world)
+void skv_load_begin(skv_world *world, int substeps)
 {
-    world->load = (skv_load){
-        .most = world->substeps, .wanted = world->substeps, .stiffness = (float)world->substeps};
+    world->load = (skv_load){.most = substeps, .wanted = substeps, .stiffness = (float)substeps};
+    world->substeps = world->substeps_fixed ? substeps : skv_warm_substeps(&world->fluid, substeps);
 }
 
-/* The pressure goes with the square of substeps per time. */
-float skv_load_softness(const skv_world *world)
+float skv_load_stiffness(const skv_world *world)
 {
-    float share = world->load.stiffness / (float)world->substeps;
-    return share * share;
+    return world->load.stiffness / (float)world->substeps;
 }
 
 /* A tile's particles, added up. */
@@ -122,8 +123,17 @@ static void bear(skv_world *world, float load)
     int needed = skv_substep_rule(&world->fluid, (double)load);
     if (needed > l->wanted)
         l->wanted = needed < l->most ? needed : l->most;
-    if (l->wanted > world->substeps)
+    if (skv_warm_substeps(&world->fluid, l->wanted) > world->substeps)
         take(world, l->wanted);
+}
+
+/* What is as dense and another time as stiff has been pushed that much more. */
+static void stiffen(skv_world *world, float stiffness)
+{
+    float times = stiffness / world->load.stiffness;
+    world->load.stiffness = stiffness;
+    for (int i = 0; times != 1 && i < world->state.count; i++)
+        world->state.warm_push[i] *= times * times;
 }
 
 /* At once, and the stiffness too: where g dt^2 stays, so does the fluid. */
@@ -138,12 +148,12 @@ void skv_load_expect(skv_world *world, int needed)
     if (needed > before && !at_most && is_followed(world)) {
         float times = (float)needed / (float)before;
         bear(world, measure(world) * times * times);
-        l->stiffness = skv_minf(l->stiffness * times, (float)world->substeps);
+        stiffen(world, skv_minf(l->stiffness * times, (float)l->wanted));
         return;
     }
     l->wanted = at_most || l->wanted > needed ? needed : l->wanted;
     take(world, l->wanted);
-    l->stiffness = (float)world->substeps;
+    stiffen(world, (float)l->wanted);
 }
 
 /* The added fluid is as deep as it reaches along gravity, and a weight that is put down at once

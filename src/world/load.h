@@ -7,11 +7,12 @@
 typedef struct skv_world skv_world;
 typedef struct skv_tile_load skv_tile_load;
 
-/* Loads are p/rho + v^2/2, m^2/s^2. All of it is in a snapshot. */
+/* Loads are p/rho + v^2/2, m^2/s^2. Substeps are those of the rule, which start cold; a frame takes
+ * fewer warm ones for them. All of it is in a snapshot. */
 typedef struct skv_load {
     int most;        /* substeps a frame for the greatest load that the rule expects */
     int wanted;      /* for the load that there is; most at most */
-    float stiffness; /* substeps as stiff as the fluid is meanwhile; at most those that it takes */
+    float stiffness; /* substeps as stiff as the fluid is meanwhile */
     float peak;      /* since the last look */
 } skv_load;
 
@@ -21,11 +22,11 @@ double skv_load_of_depth(float gravity, float depth, float head);
 skv_result skv_load_create(skv_world *world, skv_error *error);
 void skv_load_destroy(skv_world *world);
 
-/* Of a world whose number of substeps has been given or chosen: takes so many, and is as stiff. */
-void skv_load_begin(skv_world *world);
+/* Of a world to which so many substeps have been given, or by the rule. */
+void skv_load_begin(skv_world *world, int substeps);
 
-/* The weakening of a substep's pressure, a factor. */
-float skv_load_softness(const skv_world *world);
+/* How many cold substeps a substep is as stiff as. */
+float skv_load_stiffness(const skv_world *world);
 
 /* The rule asks for `needed` substeps now: at most so many are taken, and as much more than before
  * at once as may be wanted for it. */

@@ -28,7 +28,8 @@ enum {
 
 /* Rounds, at most, of the longest substeps, of each length between and of the world's own; the rms
  * speed that is calm, as a share of that of a fall through the fluid's depth; and the share of the
- * velocity that a round of the longest substeps takes. */
+ * velocity that a round of the longest substeps takes, for each iteration: the more there are, the
+ * livelier the fluid. */
 typedef struct plan {
     int first, later, last;
     double calm;
@@ -36,11 +37,11 @@ typedef struct plan {
     bool slows; /* shorter substeps put it in order more slowly */
 } plan;
 
-static const plan aided = {500, 60, 500, 0.006, 0.02f, true};
+static const plan aided = {500, 60, 500, 0.006, 0.01f, true};
 /* Where nothing rests: fluid that is more relaxed is more ordered, and sets out later. */
-static const plan flowing = {200, 60, 200, 0, 0.03f, true};
+static const plan flowing = {200, 60, 200, 0, 0.015f, true};
 /* For a law that does not say how far to sink, and pushes as far in a substep of any length. */
-static const plan unaided = {1200, 1200, 1200, 0.002, 0.03f, false};
+static const plan unaided = {1200, 1200, 1200, 0.002, 0.01f, false};
 
 #define FALL 9.81f /* m/s^2, of that fall; of the world's gravity nothing may be left */
 
@@ -136,19 +137,21 @@ static skv_result relax_all(settling *s, skv_error *error)
 {
     const skv_world *world = s->world;
     const plan *most = anything_rests(s) ? &aided : &flowing;
-    if (!(softness_of(s, world->substeps) > 0))
+    if (!(softness_of(s, world->load.wanted) > 0))
         most = &unaided;
     float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
     float depth = world->filled * skv_extent_along_gravity(world);
-    int last = world->substeps, first = skv_substep_rule(&s->fluid, skv_load_of_depth(g, depth, 0));
+    int last = world->load.wanted,
+        first = skv_substep_rule(&s->fluid, skv_load_of_depth(g, depth, 0));
     first = first < last ? first : last;
     double calm = most->calm * sqrt((double)(FALL * depth));
+    float lost = most->lost * (float)s->fluid.iterations;
     skv_result result = SKV_OK;
     for (int substeps = first, next; substeps > 0 && result == SKV_OK; substeps = next) {
         float length = (float)first / (float)substeps;
         next = substeps == last ? 0 : 2 * substeps < last ? 2 * substeps : last;
         s->calm = calm * (double)length;
-        s->kept = 1 - most->lost * (most->slows ? sqrtf(length) : 1);
+        s->kept = 1 - lost * (most->slows ? sqrtf(length) : 1);
         int rounds = !next ? most->last : substeps == first ? most->first : most->later;
         result = relax(s, substeps, rounds, error);
     }
@@ -170,8 +173,8 @@ static void finish(const settling *s)
     memcpy(p->anchor_y, p->y, bytes);
     for (int i = 0; i < p->count; i++)
         if (s->lies.lie[i] != SKV_RESTS)
-            p->pressure[i] = 0;
-    world->load.stiffness = (float)world->substeps; /* in which it has come to rest */
+            p->pressure[i] = p->warm_push[i] = 0;
+    world->load.stiffness = (float)world->load.wanted; /* in which it has come to rest */
     skv_sleep_wake_all(world);
     skv_world_regroup(world);
 }

@@ -13,9 +13,10 @@
 #include <math.h>
 #include <string.h>
 
-enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2, WITH_LOAD = 4 };
+enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2, WITH_LOAD = 4, WITH_WARM = 8 };
 
-static const skv_envelope kind = {"snapshot", 'V', 1, WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD};
+static const skv_envelope kind = {"snapshot", 'V', 1,
+                                  WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -109,7 +110,7 @@ static void put_particles(skv_writer *w, const skv_world *world)
     skv_put(w, (uint64_t)s->count, 4);
     skv_put(w, (uint64_t)count, 4);
 #define PUT(type, name, saved)                                                                     \
-    for (int i = 0; (saved) && i < s->count; i++)                                                  \
+    for (int i = 0; (saved) != SKV_SAVED_NOWHERE && i < s->count; i++)                             \
         put_##type(w, s->name[i]);
     SKV_STATE_ARRAYS(PUT)
 #undef PUT
@@ -122,7 +123,7 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
     skv_envelope_put(w, &kind,
-                     WITH_LOAD | (with_terrain ? WITH_TERRAIN : 0u) |
+                     WITH_LOAD | WITH_WARM | (with_terrain ? WITH_TERRAIN : 0u) |
                          (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
@@ -175,6 +176,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_terrain = flags & WITH_TERRAIN;
     s->substeps_fixed = flags & SUBSTEPS_FIXED;
     s->with_load = flags & WITH_LOAD;
+    s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u);
     return SKV_OK;
 }
 
@@ -219,8 +221,11 @@ static bool read_load(skv_reader *r, skv_snapshot *s)
     s->load.peak = skv_get_float(r);
     s->load.most = (int)(most <= 1000 ? most : 0);
     s->load.wanted = (int)(wanted <= most ? wanted : 0);
-    return s->load.most >= 1 && s->load.wanted >= 1 &&
-           skv_within((double)s->load.stiffness, 0.1, (double)substeps) &&
+    if (!skv_within((double)s->load.stiffness, 0.1, 1000))
+        return false;
+    int cold = (int)ceil((double)s->load.stiffness);
+    int needed = s->substeps_fixed ? cold : skv_warm_substeps(&s->def.fluid, cold);
+    return s->load.most >= 1 && s->load.wanted >= 1 && needed <= substeps &&
            skv_within((double)s->load.peak, 0, 1e12);
 }
 
@@ -297,13 +302,17 @@ static uint8_t get_uint8_t(skv_reader *r)
 
 /* ---- Particles ------------------------------------------------------------------------------- */
 
+/* m/s^2: that of a metre's displacement in the shortest substep, and more than any has. */
+#define MOST_WARM_PUSH 1e11
+
 /* What a particle may be, attribute by attribute. */
 static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_before)
 {
     return skv_within((double)*one->x, -100, 100) && skv_within((double)*one->y, -100, 100) &&
            isfinite(*one->vx) && isfinite(*one->vy) && isfinite(*one->pressure) &&
-           isfinite(*one->anchor_x) && isfinite(*one->anchor_y) && *one->id > id_before &&
-           *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS && *one->dye <= SKV_DYES &&
+           skv_within((double)*one->warm_push, 0, MOST_WARM_PUSH) && isfinite(*one->anchor_x) &&
+           isfinite(*one->anchor_y) && *one->id > id_before && *one->id < s->next_id &&
+           *one->unrest <= SKV_NEWLY_RESTLESS && *one->dye <= SKV_DYES &&
            (s->def.sleep || *one->unrest != SKV_CALM);
 }
 
@@ -311,7 +320,7 @@ static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_befo
 static size_t particle_size(const skv_snapshot *s)
 {
     size_t size = (size_t)s->memories * sizeof(float);
-#define ADD(type, name, saved) size += (saved) ? sizeof(type) : 0;
+#define ADD(type, name, saved) size += (s->holds & (saved)) ? sizeof(type) : 0;
     SKV_STATE_ARRAYS(ADD)
 #undef ADD
     return size;
@@ -323,14 +332,14 @@ static bool check_particles(const skv_snapshot *s)
     skv_reader r = s->particles;
 #define LOCATE(type, name, saved)                                                                  \
     skv_reader name##_at = r;                                                                      \
-    r.at += (saved) ? (size_t)s->count * sizeof(type) : 0;
+    r.at += (s->holds & (saved)) ? (size_t)s->count * sizeof(type) : 0;
     SKV_STATE_ARRAYS(LOCATE)
 #undef LOCATE
     int64_t id_before = -1;
     for (int i = 0; i < s->count; i++) {
         skv_state one = {0};
 #define READ(type, name, saved)                                                                    \
-    type name##_value = (saved) ? get_##type(&name##_at) : 0;                                      \
+    type name##_value = (s->holds & (saved)) ? get_##type(&name##_at) : 0;                         \
     one.name = &name##_value;
         SKV_STATE_ARRAYS(READ)
 #undef READ
@@ -349,7 +358,7 @@ void skv_snapshot_particles(const skv_snapshot *s, skv_state *state, float **mem
     skv_reader r = s->particles;
 #define READ(type, name, saved)                                                                    \
     for (int i = 0; i < s->count; i++)                                                             \
-        state->name[i] = (saved) ? get_##type(&r) : 0;
+        state->name[i] = (s->holds & (saved)) ? get_##type(&r) : 0;
     SKV_STATE_ARRAYS(READ)
 #undef READ
     for (int m = 0; m < s->memories; m++)

@@ -10,6 +10,7 @@
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
     bool substeps_fixed, with_load;
+    unsigned holds; /* of the particles' attributes: skv_saved */
     skv_load load;
     float filled;
     double due, time, watched;

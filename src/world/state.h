@@ -8,21 +8,29 @@
 
 #include "skvalp/base.h"
 
-/* X(type, name, saved): one element per particle, SI units. `saved`: a snapshot holds it; what it
- * does not is found again, from 0. */
+/* In which snapshots an attribute is; one that does not hold it is read as 0. */
+typedef enum skv_saved {
+    SKV_SAVED_NOWHERE,      /* found again, from 0 */
+    SKV_SAVED = 1,          /* in all */
+    SKV_SAVED_WITH_WARM = 2 /* in those with warm starts, docs/snapshot.md */
+} skv_saved;
+
+/* X(type, name, saved): one element per particle, SI units. */
 #define SKV_STATE_ARRAYS(X)                                                                        \
-    X(float, x, true) /* position, m */                                                            \
-    X(float, y, true)                                                                              \
-    X(float, vx, true) /* velocity, m/s */                                                         \
-    X(float, vy, true)                                                                             \
-    X(float, pressure, true)   /* gauge, of the last substep, Pa m */                              \
-    X(float, clearance, false) /* lower bound of the distance to the nearest wall, m */            \
-    X(float, anchor_x, true)   /* where it was at sleep's last look round, m */                    \
-    X(float, anchor_y, true)                                                                       \
-    X(uint32_t, id, true)    /* number at creation; ascending */                                   \
-    X(uint8_t, unrest, true) /* skv_unrest, of sleep.h */                                          \
-    X(uint8_t, part, false)  /* skv_part, of solver.h; what sleep has planned */                   \
-    X(uint8_t, dye, true)    /* its colour; 0: none */
+    X(float, x, SKV_SAVED) /* position, m */                                                       \
+    X(float, y, SKV_SAVED)                                                                         \
+    X(float, vx, SKV_SAVED) /* velocity, m/s */                                                    \
+    X(float, vy, SKV_SAVED)                                                                        \
+    X(float, pressure, SKV_SAVED)            /* gauge, of the last substep, Pa m */                \
+    X(float, warm_push, SKV_SAVED_WITH_WARM) /* what the next substep starts from, solver.h */     \
+    X(float, clearance,                                                                            \
+      SKV_SAVED_NOWHERE)          /* lower bound of the distance to the nearest wall, m */         \
+    X(float, anchor_x, SKV_SAVED) /* where it was at sleep's last look round, m */                 \
+    X(float, anchor_y, SKV_SAVED)                                                                  \
+    X(uint32_t, id, SKV_SAVED)          /* number at creation; ascending */                        \
+    X(uint8_t, unrest, SKV_SAVED)       /* skv_unrest, of sleep.h */                               \
+    X(uint8_t, part, SKV_SAVED_NOWHERE) /* skv_part, of solver.h; what sleep has planned */        \
+    X(uint8_t, dye, SKV_SAVED)          /* its colour; 0: none */
 
 typedef struct skv_state {
     int count, capacity;

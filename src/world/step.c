@@ -16,7 +16,7 @@
 skv_constants skv_world_make_constants(const skv_world *world)
 {
     skv_constants constants = skv_make_constants(&world->fluid, 1.0f / 60 / (float)world->substeps);
-    constants.push_scale *= skv_load_softness(world);
+    skv_set_stiffness(&constants, skv_load_stiffness(world));
     return constants;
 }
 
@@ -33,6 +33,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
                       .vy = s->vy,
                       .clearance = s->clearance,
                       .pressure = s->pressure,
+                      .warm_push = s->warm_push,
                       .id = s->id},
         .constants = constants,
         .gravity_x = world->gravity_x,
@@ -131,12 +132,12 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
     double owed = world->due, began = world->time;
     world->wall_impulse = (skv_wall_impulse){0};
     int count = take_due(world, (double)dt);
-    float part = 1.0f / 60 / (float)world->substeps, softness = skv_load_softness(world);
+    float part = 1.0f / 60 / (float)world->substeps, stiffness = skv_load_stiffness(world);
     if (world->constants_stale || part != world->constants_dt ||
-        softness != world->constants_softness) {
+        stiffness != world->constants_stiffness) {
         world->constants = skv_world_make_constants(world);
         world->constants_dt = part;
-        world->constants_softness = softness;
+        world->constants_stiffness = stiffness;
         world->constants_stale = false;
     }
     world->stepping = true;

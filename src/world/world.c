@@ -37,6 +37,7 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
     s->vx[i] = vx;
     s->vy[i] = vy;
     s->pressure[i] = 0;
+    s->warm_push[i] = 0;
     s->clearance[i] = 0;
     s->id[i] = world->next_id++;
     s->anchor_x[i] = x;
@@ -132,11 +133,8 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->h = def->fluid.spacing * def->fluid.radius_ratio;
         float extent = skv_extent_along_gravity(world);
         world->filled = def->depth > 0 ? def->depth / extent : 1;
-        world->substeps = def->substeps;
         world->substeps_fixed = def->substeps > 0;
-        if (!world->substeps_fixed)
-            world->substeps = skv_substeps_needed(world);
-        skv_load_begin(world);
+        skv_load_begin(world, world->substeps_fixed ? def->substeps : skv_substeps_needed(world));
         world->tiling = skv_make_tiling(world->h, skv_terrain_width(world->terrain),
                                         skv_terrain_height(world->terrain));
         result = build(world, def, error);

@@ -41,7 +41,7 @@ struct skv_world {
     skv_solver *solver;
     skv_wall_impulse wall_impulse; /* of the last step */
     skv_constants constants;
-    float constants_dt, constants_softness; /* what they were made for */
+    float constants_dt, constants_stiffness; /* what they were made for */
     skv_pool *pool;
     bool shares_pool;     /* with other worlds: it is not ours to destroy */
     bool constants_stale; /* they were of another fluid */
@@ -60,6 +60,12 @@ struct skv_world {
 
 /* constants.c: derives the constants of a substep. The rule: how many a frame bear a load. */
 int skv_substep_rule(const skv_fluid_def *fluid, double load);
+/* How many substeps are as stiff as that many of the rule's, which start cold, if they start warm
+ * (docs/model.md); with the clavet law so many. */
+int skv_warm_substeps(const skv_fluid_def *fluid, int cold);
+/* Makes a substep's pressure as stiff as that of so many substeps that start cold: weaker if they
+ * are less than one, warm if they are more. */
+void skv_set_stiffness(skv_constants *constants, float cold);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);
 

@@ -1,6 +1,8 @@
 /* Worlds that several tests use. Invariant: they depend on their arguments alone. */
 #include "support/fixture.h"
 
+#include "world/world_internal.h"
+
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -129,6 +131,9 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
     for (int i = 0; i < p.count; i++)
         assert_int_equal(skv_world_add_particle(slow, p.x[i], p.y[i], p.vx[i], p.vy[i], NULL),
                          SKV_OK);
+    memcpy(slow->state.warm_push, fast->state.warm_push, (size_t)p.count * sizeof(float));
+    slow->load = fast->load;
+    slow->substeps = fast->substeps;
     float dt = 1.0f / 60 / (float)skv_world_substeps_per_frame(fast);
     assert_int_equal(skv_world_step(fast, dt, NULL), SKV_OK);
     assert_int_equal(skv_world_step(slow, dt, NULL), SKV_OK);

@@ -174,12 +174,17 @@ static void pressure_clavet(oracle *o, int i)
 }
 
 /* Accelerations become displacements of dt^2 each, shared out over the iterations. */
-static void pressure_calibrated(oracle *o, int i)
+static void pressure_calibrated(oracle *o, int i, bool first)
 {
     double rest = oracle_rest_density(o), response = lattice_response(o->eta);
     double fill = o->density[i] / rest, softer = 1 / fmax(1, fill);
     double share = o->dt * o->dt / o->iterations * softer;
     double push = o->omega * radius_of(o) / 12 * rest * fmax(0, fill - 1) / response * softer;
+    double limit = o->iterations * o->omega * radius_of(o) / 12 * 0.7 * 0.04 * rest / response /
+                   (1 - o->warm_start);
+    double warm = o->warm_start * fmin(o->dt * o->dt * o->warm[i], limit);
+    push += first ? fmin(1, fmax(0, (fill - 1) / 0.01)) * warm : 0;
+    o->warm[i] = (first ? 0 : o->warm[i]) + push / (o->dt * o->dt);
     double held = fmin(1, fmax(0, (fill - 0.25) / 0.25));
     double pull = 3.57 * o->k_coh / 2 * rest * fmax(0, 0.95 - fill) * held;
     double usual = lattice_near_density(o->eta) / rest;
@@ -188,10 +193,10 @@ static void pressure_calibrated(oracle *o, int i)
     o->near_push[i] = share * crowd;
 }
 
-void oracle_pressure(oracle *o)
+void oracle_pressure(oracle *o, bool first)
 {
     for (int i = 0; i < o->n; i++)
-        o->clavet ? pressure_clavet(o, i) : pressure_calibrated(o, i);
+        o->clavet ? pressure_clavet(o, i) : pressure_calibrated(o, i, first);
 }
 
 /* The walls' part; a pull is freed of what holds against gravity, with clavet's law only where the

@@ -13,6 +13,8 @@ typedef struct oracle {
     double wx[ORACLE_MAX], wy[ORACLE_MAX], dx[ORACLE_MAX], dy[ORACLE_MAX];
     double density[ORACLE_MAX], near_density[ORACLE_MAX], gx[ORACLE_MAX], gy[ORACLE_MAX];
     double push[ORACLE_MAX], near_push[ORACLE_MAX], pressure[ORACLE_MAX];
+    double warm[ORACLE_MAX]; /* of the pressure term in the last substep, m/s^2 */
+    double warm_start;       /* share of it with which the next one starts */
     double wall_density[ORACLE_MAX], wall_near[ORACLE_MAX];
     double f1x[ORACLE_MAX], f1y[ORACLE_MAX], f2x[ORACLE_MAX], f2y[ORACLE_MAX];
     double depth[ORACLE_MAX], normal_x[ORACLE_MAX], normal_y[ORACLE_MAX];
@@ -37,7 +39,8 @@ void oracle_external_forces(oracle *o, const oracle_hand *hand);
 void oracle_viscosity(oracle *o);
 void oracle_advance(oracle *o, double max_speed);
 void oracle_density(oracle *o, bool gradient);
-void oracle_pressure(oracle *o);
+/* `first`: iteration, which starts warm. */
+void oracle_pressure(oracle *o, bool first);
 void oracle_displacement(oracle *o);
 void oracle_tension(oracle *o);
 void oracle_contact(oracle *o);

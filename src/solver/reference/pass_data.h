@@ -18,6 +18,7 @@ typedef struct skv_pass_data {
     float *vx, *vy;     /* velocity at the start of the substep, m/s */
     float *clearance;   /* lower bound of the distance to the nearest wall, m */
     float *pressure;    /* gauge pressure of the substep, Pa m */
+    float *warm_push;   /* what the pressure term has pushed, m/s^2 */
     const uint32_t *id; /* number at creation; names the direction of coincident pairs */
 
     /* The solver's own, meaningful within a substep. */

@@ -23,7 +23,7 @@ typedef struct skv_substep {
     int pull_count;
     const skv_neighbours *neighbours;
     const skv_boundary *boundary;
-    bool with_gradient;        /* the density pass finds the gradient, for the tension to follow */
+    bool first;                /* iteration: with gradient and tension, and the warm start */
     skv_shared_impulse *given; /* by walls, in this step */
     skv_reaction *reaction;    /* null: not wanted. Wanted: all on one thread */
 } skv_substep;
@@ -53,7 +53,7 @@ skv_pass skv_pass_walls;
 skv_pass skv_pass_density;
 
 /* Algorithm 6, lines 10-11: P and N of a particle from its densities. Two laws behind one
- * signature. */
+ * signature; the calibrated one starts warm. */
 skv_pass skv_pass_pressure_calibrated, skv_pass_pressure_clavet;
 
 /* Algorithm 6, lines 13-19: collects the displacement in dx, dy, and adds the virial to the gauge

@@ -68,12 +68,12 @@ static void take_substep(reference *r)
     run(r, ADVANCE, skv_pass_advance);
     update_neighbours(r);                     /* lists of pairs within h: 5 */
     for (int i = 0; i < c->iterations; i++) { /* until the density is right: 6 */
-        r->substep.with_gradient = i == 0 && !c->clavet;
+        r->substep.first = i == 0;
         run(r, WALLS, skv_pass_walls);     /* what the solid adds to the sums */
         run(r, DENSITY, skv_pass_density); /* rho, near density and gradient */
         run(r, PRESSURE, c->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated);
         run(r, DISPLACEMENT, skv_pass_displacement); /* along the pressure differences */
-        if (r->substep.with_gradient)
+        if (i == 0 && !c->clavet)
             run(r, DISPLACEMENT, skv_pass_tension);
         run(r, DISPLACEMENT, skv_pass_correct); /* x += dx, stopped at walls */
     }
@@ -127,6 +127,7 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
     s->vy = p->vy;
     s->clearance = p->clearance;
     s->pressure = p->pressure;
+    s->warm_push = p->warm_push;
     s->id = p->id;
     skv_shared_impulse given = {0};
     r->substep = (skv_substep){

@@ -31,7 +31,7 @@ void skv_pass_density(const skv_substep *sub, int begin, int end)
         }
         s->density[i] = density + s->wall_density[i];
         s->near_density[i] = near_density + s->wall_near[i];
-        if (sub->with_gradient) {
+        if (sub->first && !c->clavet) {
             gx -= s->f1x[i];
             gy -= s->f1y[i];
             float size = sqrtf(gx * gx + gy * gy);
@@ -46,6 +46,7 @@ void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
 {
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
+    float square = c->dt * c->dt;
     for (int i = begin; i < end; i++) {
         float density = s->density[i];
         float excess = density - c->rest_density;
@@ -54,7 +55,6 @@ void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
         /* Few neighbours do not draw together: no number of them could make up the density. */
         float held = (density - c->cohesion_from) * c->cohesion_slope;
         held = held < 0 ? 0 : held < 1 ? held : 1;
-        float push = c->push_scale * (excess > 0 ? excess : 0);
         float pull = c->cohesion_scale * (held * (missing > 0 ? missing : 0));
         float near_push = c->near_push_scale * (crowded > 0 ? crowded : 0);
         /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly
@@ -62,7 +62,19 @@ void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
         float response = c->response_slope * density;
         if (!(response > c->response_floor))
             response = c->response_floor;
-        s->push[i] = (push - pull - 4 * c->near_share * near_push) / response;
+        float push = c->push_scale * (excess > 0 ? excess : 0) / response;
+        /* The warm start: where the density is too high anyway, a share of the last substep's push
+         * comes first. What is left to find is less, and so is the density that finds it. */
+        float before = s->warm_push[i];
+        if (sub->first) {
+            float share = excess > 0 ? c->warm_slope * excess : 0;
+            float last = square * before;
+            last = last < c->warm_limit ? last : c->warm_limit;
+            push += (share < 1 ? share : 1) * (c->warm_start * last);
+            before = 0;
+        }
+        s->warm_push[i] = before + push / square;
+        s->push[i] = push - (pull + 4 * c->near_share * near_push) / response;
         s->near_push[i] = near_push / response;
     }
 }

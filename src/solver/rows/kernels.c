@@ -8,10 +8,10 @@
 #include "solver/rows/pair_passes.h"
 #include "solver/wall_push.h"
 
-/* own + next + tile: what a row's particles have collected. */
-V8_INLINE v8 collected(const float *own, const float *next, const float *in_tile)
+/* What a row's particles have collected. */
+V8_INLINE v8 collected(const float *own, const float *next)
 {
-    return v8_add(v8_add(v8_load(own), v8_load(next)), v8_load(in_tile));
+    return v8_add(v8_load(own), v8_load(next));
 }
 
 /* Adds the walls' share to particles near one, and keeps the samples for the update. */
@@ -43,16 +43,14 @@ static void sample_walls(const skv_rows *s, int row, bool gradient, const skv_bo
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
- * unevenness of the bulk, times the tension's strength. */
-static void keep_gradient(const skv_rows *s, int begin, int end, const skv_row_constants *c,
-                          const skv_row_tile_sums *in_tile)
+ * unevenness of the bulk, times the tension's strength. In the sums' place. */
+static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c)
 {
     const v8 zero = v8_set(0), scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
     const v8 tiny = v8_set(TINY_SQUARED);
-    const skv_row_sums *own = &s->own, *next = &s->next, *tiled = &in_tile->sums;
-    for (int i = begin, t = i - in_tile->begin; i < end; i += ROW_LANES, t += ROW_LANES) {
-        v8 gx = collected(own->gradient_x + i, next->gradient_x + i, tiled->gradient_x + t);
-        v8 gy = collected(own->gradient_y + i, next->gradient_y + i, tiled->gradient_y + t);
+    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
+        v8 gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
+        v8 gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
         v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
         v8 share = v8_div(v8_mul(scale, v8_max(v8_sub(size, bulk), zero)), size);
         v8_store(s->gradient_x + i, v8_mul(share, gx));
@@ -60,51 +58,56 @@ static void keep_gradient(const skv_rows *s, int begin, int end, const skv_row_c
     }
 }
 
-/* Eight particles' densities. */
-V8_INLINE void load_densities(const skv_rows *s, int i, const skv_row_tile_sums *in_tile,
-                              v8 *density, v8 *near_density)
+/* The pressure term's P of eight particles at i, which remember it. Of the first iteration's a part
+ * is the last substep's, where the density is too high anyway. */
+V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_row_constants *c, v8 excess,
+                       v8 response)
 {
-    const skv_row_sums *own = &s->own, *next = &s->next, *tiled = &in_tile->sums;
-    int t = i - in_tile->begin;
-    *density = collected(own->density + i, next->density + i, tiled->density + t);
-    *near_density =
-        collected(own->near_density + i, next->near_density + i, tiled->near_density + t);
+    float *remembered = s->set[s->current].warm_push + i;
+    v8 before = v8_load(remembered), push = v8_div(v8_mul(v8_set(c->push_scale), excess), response);
+    if (later) {
+        v8_store(remembered, v8_add(before, push));
+    } else {
+        v8 share = v8_min(v8_mul(v8_set(c->warm_slope), excess), v8_set(1));
+        v8 start = v8_mul(v8_set(c->warm_start), v8_min(before, v8_set(c->warm_limit)));
+        push = v8_add(push, v8_mul(share, start));
+        v8_store(remembered, push);
+    }
+    return push;
 }
 
-static void pressure_calibrated(const skv_rows *s, int begin, int end, const skv_row_constants *c,
-                                const skv_row_tile_sums *in_tile)
+static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_row_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), rest = v8_set(c->rest_density);
     const v8 answer = v8_set(c->response_slope), floor = v8_set(c->response_floor);
     const v8 from = v8_set(c->cohesion_from), slope = v8_set(c->cohesion_slope);
     const v8 below = v8_set(c->cohesion_below), share = v8_set(c->near_share);
-    const v8 push = v8_set(c->push_scale), near_push = v8_set(c->near_push_scale);
+    const v8 near_push = v8_set(c->near_push_scale);
     const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(4 * c->near_share);
-    for (int i = begin; i < end; i += ROW_LANES) {
-        v8 density, near_density;
-        load_densities(s, i, in_tile, &density, &near_density);
+    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
+        v8 density = collected(s->own.density + i, s->next.density + i);
+        v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
         v8 close = v8_mul(near_push, crowded);
         v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
         v8 response = v8_max(v8_mul(answer, density), floor);
-        v8 size = v8_sub(v8_mul(push, excess), v8_mul(pull, v8_mul(held, missing)));
-        size = v8_sub(size, v8_mul(balance, close));
-        v8_store(s->push + i, v8_div(size, response));
+        v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
+        v8 push = warm_push(s, i, later, c, excess, response);
+        v8_store(s->push + i, v8_sub(push, v8_div(pulled, response)));
         v8_store(s->near_push + i, v8_div(close, response));
     }
 }
 
-static void pressure_clavet(const skv_rows *s, int begin, int end, const skv_row_constants *c,
-                            const skv_row_tile_sums *in_tile)
+static void pressure_clavet(const skv_rows *s, int row, const skv_row_constants *c)
 {
     const v8 one = v8_set(1), rest = v8_set(c->rest_density), limit = v8_set(c->push_limit);
     const v8 push = v8_set(c->push_scale), near_push = v8_set(c->near_push_scale);
     const v8 tiny = v8_set(1e-30f);
-    for (int i = begin; i < end; i += ROW_LANES) {
-        v8 density, near_density;
-        load_densities(s, i, in_tile, &density, &near_density);
+    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
+        v8 density = collected(s->own.density + i, s->next.density + i);
+        v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
         v8 n = v8_mul(near_push, near_density);
         v8 strength = v8_max(v8_mul(density, n), tiny);
         v8 scale = v8_min(v8_div(limit, strength), one);
@@ -113,89 +116,27 @@ static void pressure_clavet(const skv_rows *s, int begin, int end, const skv_row
     }
 }
 
-/* Eight numbers to the particles' places in a frame's array, or from there; held ones have none. */
-static void scatter(const skv_rows *s, float *to, int i, int end, v8 a)
-{
-    const int *number = s->set[s->current].number + i;
-    float lane[ROW_LANES];
-    v8_store(lane, a);
-    for (int l = 0; l < ROW_LANES && i + l < end; l++)
-        if (!(number[l] & ROW_HELD))
-            to[number[l]] = lane[l];
-}
-
-static v8 gather(const skv_rows *s, const float *from, int i, int end)
-{
-    const int *number = s->set[s->current].number + i;
-    float lane[ROW_LANES] = {0};
-    for (int l = 0; l < ROW_LANES && i + l < end; l++)
-        lane[l] = number[l] & ROW_HELD ? 0 : from[number[l]];
-    return v8_load(lane);
-}
-
-/* Adds up what viscosity has found for the particles. */
-static void keep_impulses(const skv_rows *s, int begin, int end, const skv_row_tile_sums *in_tile)
-{
-    const skv_row_sums *own = &s->own, *next = &s->next, *tiled = &in_tile->sums;
-    for (int i = begin, t = i - in_tile->begin; i < end; i += ROW_LANES, t += ROW_LANES) {
-        v8 u = collected(own->viscous_u + i, next->viscous_u + i, tiled->viscous_u + t);
-        v8 v = collected(own->viscous_v + i, next->viscous_v + i, tiled->viscous_v + t);
-        if (skv_rows_keep_tile_sums(s)) {
-            scatter(s, s->impulse_u, i, end, u);
-            scatter(s, s->impulse_v, i, end, v);
-        } else {
-            v8_store(s->impulse_u + i, u);
-            v8_store(s->impulse_v + i, v);
-        }
-    }
-}
-
-/* What the sums of the particles at begin..end-1 amount to. Where pressures and gradients are
- * written, viscosity's sums may lie: those come first. */
-static void add_up(const skv_rows *s, int begin, int end, bool later, const skv_row_constants *c,
-                   const skv_row_tile_sums *in_tile)
-{
-    if (s->viscous && !later)
-        keep_impulses(s, begin, end, in_tile);
-    if (c->clavet)
-        pressure_clavet(s, begin, end, c, in_tile);
-    else
-        pressure_calibrated(s, begin, end, c, in_tile);
-    if (s->graded && !later)
-        keep_gradient(s, begin, end, c, in_tile);
-}
-
 static void pressure(const skv_rows *s, int row, bool later, const skv_row_constants *c,
-                     const skv_boundary *boundary, const skv_row_kept *kept,
-                     skv_row_samples *samples)
+                     const skv_boundary *boundary, skv_row_samples *samples)
 {
-    sample_walls(s, row, s->graded && !later, boundary, samples);
-    int begin = s->row_start[row], end = s->row_end[row];
-    if (kept->has_tile_sums) {
-        bool by_row = skv_rows_keep_tile_sums(s) && !later;
-        const skv_row_tile_sums in_tile = tile_sums(s, row, by_row ? SIX_SUMS : 0, kept);
-        add_up(s, begin, end, later, c, &in_tile);
-        return;
-    }
-    float memory[ROW_SUMS * ROW_LANES] = {0};
-    skv_row_tile_sums again = {sums_at(memory, ROW_LANES), begin};
-    for (; again.begin < end; again.begin += ROW_LANES) {
-        int i = again.begin, to = i + ROW_LANES < end ? i + ROW_LANES : end;
-        sum_tiles_again(s, i, end, c, boundary, &again.sums);
-        add_up(s, i, to, later, c, &again);
-    }
+    bool graded = !c->clavet && !later;
+    sample_walls(s, row, graded, boundary, samples);
+    if (c->clavet)
+        pressure_clavet(s, row, c);
+    else
+        pressure_calibrated(s, row, later, c);
+    if (graded)
+        keep_gradient(s, row, c);
 }
 
 /* Gauge pressure from the virial of the pairs and the walls, summed over the iterations. */
 static void gauge(const skv_rows *s, int row, int iteration, const skv_row_constants *c)
 {
     const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
-    const float *own = s->own_move.virial, *next = s->next_move.virial,
-                *in_tile = s->tile_move.virial;
+    const float *own = s->own_move.virial, *next = s->next_move.virial;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 before = iteration ? v8_load(s->pressure + i) : zero;
-        v8_store(s->pressure + i,
-                 v8_add(before, v8_mul(scale, collected(own + i, next + i, in_tile + i))));
+        v8_store(s->pressure + i, v8_add(before, v8_mul(scale, collected(own + i, next + i))));
     }
 }
 
@@ -262,21 +203,6 @@ static void add_wall_push(const skv_rows *s, int row, const skv_row_constants *c
     skv_impulse_add(walls, given.x, given.y, given.moment);
 }
 
-/* The displacement that a row's eight particles at i have collected. */
-V8_INLINE void collected_move(const skv_rows *s, int i, int end, bool viscous, v8 *dx, v8 *dy)
-{
-    const skv_row_moves *own = &s->own_move, *next = &s->next_move, *tiled = &s->tile_move;
-    *dx = collected(own->x + i, next->x + i, tiled->x + i);
-    *dy = collected(own->y + i, next->y + i, tiled->y + i);
-    if (!viscous)
-        return;
-    bool by_number = skv_rows_keep_tile_sums(s);
-    v8 u = by_number ? gather(s, s->impulse_u, i, end) : v8_load(s->impulse_u + i);
-    v8 v = by_number ? gather(s, s->impulse_v, i, end) : v8_load(s->impulse_v + i);
-    *dx = v8_add(*dx, u);
-    *dy = v8_add(*dy, v);
-}
-
 /* Zeroes the lanes of those of the eight particles at i that are held. */
 V8_INLINE v8 unless_held(const int *numbers, v8 a)
 {
@@ -337,11 +263,10 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
 {
     if (samples->used)
         add_wall_push(s, row, c, boundary, samples, walls);
-    bool viscous = s->viscous && iteration == 0;
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
-        v8 dx, dy;
-        collected_move(s, i, end, viscous, &dx, &dy);
+        v8 dx = collected(s->own_move.x + i, s->next_move.x + i);
+        v8 dy = collected(s->own_move.y + i, s->next_move.y + i);
         if (s->held) {
             const int *numbers = s->set[s->current].number + i;
             dx = unless_held(numbers, dx);

@@ -21,10 +21,9 @@
  * behind its first particle, and next_begin and next_end bound that in the next row. A block is a
  * tile times eight partners.
  *
- * Sums. What a pass adds up over pairs it finds in three parts, so that no two rows' tasks write to
- * one place: `own`, for the partners in the own row; `next`, for those in the next row, written by
- * the row below; `tile`, for the tile's four particles themselves. A particle's sum is own + next +
- * tile, in this order.
+ * Sums. What a pass adds up over pairs it finds in two parts, so that no two rows' tasks write to
+ * one place: `own`, for the partners in the own row and for a tile itself, and `next`, for those in
+ * the next row, written by the row below. A particle's sum is own + next.
  *
  * Buffers. What they hold through a substep, whose passes over a row are A, density; L, pressure;
  * B, displacement; U, update. Whatever lies in a column to the left has been read for the last time
@@ -33,30 +32,21 @@
  *   buffer            sort      A                    L to B          B to U         store
  *   ----------------------------------------------------------------------------------------
  *   set[current]      read      written by the sort, then turned over; U moves them  read
+ *    .warm_push                                     renewed
  *   set[!current]     written   the older set's memory, free until the next sort:
- *    .x                         tile density         P
- *    .y                         tile near density    N
- *    .u                         tile third           gradient x      gauge pressure  read
- *    .v                         tile fourth          gradient y
- *    .clearance                 next fourth                          tile move y
- *    .number                                                         tile virial
- *   spare[0]          key       own density                          own move x      place
- *    [1]                        own near density                     own move y
- *    [2]                        own third                            own virial
- *    [3]                        own fourth                           tile move x
- *    [4]                        next density                         next move x
- *    [5]                        next near density                    next move y
- *    [6]                        next third                           next virial
+ *    .x                         own density          P
+ *    .y                         own near density     N
+ *    .u                         own gradient x       gradient x      gauge pressure  read
+ *    .v                         own gradient y       gradient y
+ *    .clearance                 next density                         next move x
+ *    .warm_push                 next near density                    next move y
+ *    .number                    next gradient x                      next virial
+ *   spare[0]          key       next gradient y                      own move x      place
+ *    [1]                                                             own move y
+ *    [2]                                                             own virial
  *
- * Third and fourth are the two components of the gradient, which the calibrated law has; with
- * Clavet's they are those of viscosity's impulse. The gradient and viscosity belong to the first
- * iteration, virial and pressure to the last substep of a call.
- *
- * With both, there are six sums, and places for the own and the next ones only, viscosity's being
- * where else the tile's are. The tile's lie with what a thread keeps of the row; a row too long for
- * that has them computed again in L. What viscosity's amount to is noted in the frame's velocities,
- * which nobody reads between load and store; held particles, whose velocities stay, need none.
- * skv_rows_lend_buffers, in memory.c, is this table in code.
+ * The gradient belongs to the calibrated law and the first iteration, virial and pressure to the
+ * last substep of a call. skv_rows_lend_buffers, in memory.c, is this table in code.
  */
 #ifndef SKV_ROWS_LAYOUT_H
 #define SKV_ROWS_LAYOUT_H
@@ -69,8 +59,8 @@ enum {
     ROW_LANES = 8,
     ROW_MARGIN = 2, /* empty rows, and empty radii of cells, around the world */
     ROW_MAX_THREADS = 64,
-    ROW_SUMS = 6,  /* that the density pass adds up, at most */
-    ROW_SPARE = 7, /* buffers beside the two sets */
+    ROW_SUMS = 4,  /* that the density pass adds up, at most */
+    ROW_SPARE = 3, /* buffers beside the two sets */
     ROW_SLOTS = 3  /* rows of which a thread keeps something: two in turn, and one at its seam */
 };
 
@@ -91,21 +81,15 @@ enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
 typedef struct skv_row_particles {
     float *x, *y, *u, *v;
     float *clearance;
-    int *number; /* index in the frame, and ROW_HELD */
+    float *warm_push; /* of the last substep, then of this one: solver.h */
+    int *number;      /* index in the frame, and ROW_HELD */
 } skv_row_particles;
 
 /* One part of what the density pass adds up. */
 typedef struct skv_row_sums {
     float *density, *near_density;
-    float *gradient_x, *gradient_y; /* null with Clavet's law */
-    float *viscous_u, *viscous_v;   /* may be null without viscosity */
+    float *gradient_x, *gradient_y;
 } skv_row_sums;
-
-/* Sums of the tiles, from some place on. */
-typedef struct skv_row_tile_sums {
-    skv_row_sums sums;
-    int begin; /* the place of their first element */
-} skv_row_tile_sums;
 
 /* One part of what the displacement pass adds up. */
 typedef struct skv_row_moves {
@@ -115,12 +99,9 @@ typedef struct skv_row_moves {
 
 /* Where the pairs of one row are kept between density and displacement. */
 typedef struct skv_row_kept {
-    float *pairs;       /* ROW_TILE * ROW_LANES floats a block: q */
-    int room;           /* blocks */
-    int used;           /* blocks of the row kept now; -1: it had no room and is computed again */
-    float *tile_sums;   /* ROW_SUMS times `tile_room`, until the pressure */
-    int tile_room;      /* places; 0 where a buffer by place is lent */
-    bool has_tile_sums; /* false: the row had no room, and they are computed again */
+    float *pairs; /* ROW_TILE * ROW_LANES floats a block: q */
+    int room;     /* blocks */
+    int used;     /* blocks of the row kept now; -1: it had no room and is computed again */
 } skv_row_kept;
 
 /* A wall sample of a particle near a wall. */
@@ -164,14 +145,13 @@ struct skv_rows {
     float *spare[ROW_SPARE];
 
     /* Lent, as the table above says. */
-    int *key;                                     /* the cell a particle moves to, by old place */
-    int *place;                                   /* of a frame's particle, when it is stored */
-    skv_row_sums own, next, tile;                 /* of the density */
-    skv_row_moves own_move, next_move, tile_move; /* of the displacement */
-    float *push, *near_push;                      /* P and N of the pressure law */
-    float *gradient_x, *gradient_y;               /* that the tension evens out */
-    float *impulse_u, *impulse_v; /* of viscosity; by number where tiles' sums are kept by row */
-    float *pressure;              /* gauge */
+    int *key;                          /* the cell a particle moves to, by old place */
+    int *place;                        /* of a frame's particle, when it is stored */
+    skv_row_sums own, next;            /* of the density */
+    skv_row_moves own_move, next_move; /* of the displacement */
+    float *push, *near_push;           /* P and N of the pressure law */
+    float *gradient_x, *gradient_y;    /* that the tension evens out */
+    float *pressure;                   /* gauge */
 
     /* Per tile: its ranges of partners. */
     int *own_end, *next_begin, *next_end;
@@ -187,18 +167,11 @@ struct skv_rows {
     const struct skv_row_kernels *kernels;
     skv_row_thread *thread;
     int thread_room, threads; /* threads to have memory for, and at work in this call */
-    bool viscous, graded;     /* pair viscosity and tension, in the first iteration */
     bool held, gauged;        /* this substep computes the gauge pressure */
     void *particle_block, *grid_block, *histogram_block;
     skv_solver_memory memory;
     double seconds[ROW_PHASES];
 };
-
-/* Whether the tiles' sums are kept by row, because there are too many for the places. */
-static inline bool skv_rows_keep_tile_sums(const skv_rows *rows)
-{
-    return rows->viscous && rows->graded;
-}
 
 /* A row's places, dummies included: its end rounded up so that a block of eight that begins before
  * the end stays inside. */

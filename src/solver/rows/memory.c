@@ -12,7 +12,7 @@
 enum {
     LINE = 16, /* floats or integers in a cache line */
     LINES_A_PAGE = 64,
-    ARRAYS = 12 + ROW_SPARE, /* of an element for each place */
+    ARRAYS = 14 + ROW_SPARE, /* of an element for each place */
     FLOATS_A_BLOCK = ROW_TILE * ROW_LANES,
     ROW_NUMBERS = 7, /* integers kept for each row */
     MAX_CELLS = 1 << 26
@@ -125,31 +125,27 @@ static int fullest_row(const skv_rows *rows)
     return most < rows->capacity ? (int)most : rows->capacity;
 }
 
-/* Room for kept pairs, wall samples and tiles' sums; less than wished for costs time, not
- * correctness. */
+/* Room for kept pairs and wall samples; less than wished for costs time, not correctness. */
 static skv_result reserve_kept(skv_rows *rows, skv_error *error)
 {
     size_t a_block = FLOATS_A_BLOCK * sizeof(float);
     int fullest = fullest_row(rows), most = (int)(MOST_KEPT / ROW_SLOTS / a_block);
     int blocks = (fullest / ROW_TILE + 1) * BLOCKS_A_TILE + 2 * FLOATS_A_BLOCK;
-    int places = skv_rows_keep_tile_sums(rows) ? skv_row_padded_end(fullest) : 0;
     blocks = blocks < most ? blocks : most;
     for (int t = 0; t < rows->thread_room; t++) {
         skv_row_thread *own = &rows->thread[t];
-        if (blocks <= own->kept[0].room && fullest <= own->samples[0].room &&
-            places <= own->kept[0].tile_room)
+        if (blocks <= own->kept[0].room && fullest <= own->samples[0].room)
             continue;
-        size_t floats = (size_t)blocks * FLOATS_A_BLOCK, sums = ROW_SUMS * (size_t)places;
+        size_t floats = (size_t)blocks * FLOATS_A_BLOCK;
         size_t bytes =
-            ROW_SLOTS * ((floats + sums) * sizeof(float) + (size_t)fullest * sizeof(skv_near_wall));
+            ROW_SLOTS * (floats * sizeof(float) + (size_t)fullest * sizeof(skv_near_wall));
         float *memory = skv_calloc(bytes, 1);
         if (!memory)
             return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for kept pairs");
         skv_free(own->kept_memory);
         own->kept_memory = memory;
-        for (int slot = 0; slot < ROW_SLOTS; slot++, memory += floats + sums)
-            own->kept[slot] = (skv_row_kept){
-                .pairs = memory, .room = blocks, .tile_sums = memory + floats, .tile_room = places};
+        for (int slot = 0; slot < ROW_SLOTS; slot++, memory += floats)
+            own->kept[slot] = (skv_row_kept){.pairs = memory, .room = blocks};
         skv_near_wall *samples = (skv_near_wall *)(void *)memory;
         for (int slot = 0; slot < ROW_SLOTS; slot++, samples += fullest)
             own->samples[slot] = (skv_row_samples){samples, fullest, 0};
@@ -183,10 +179,9 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     size_t slots = (size_t)capacity + (size_t)rows->row_count * 2 * ROW_LANES + 4 * ROW_LANES;
     skv_row_particles *a = &rows->set[0], *b = &rows->set[1];
     float **floats[] = {
-        &a->x,           &a->y,           &a->u,           &a->v,           &a->clearance,
-        &b->x,           &b->y,           &b->u,           &b->v,           &b->clearance,
-        &rows->spare[0], &rows->spare[1], &rows->spare[2], &rows->spare[3], &rows->spare[4],
-        &rows->spare[5], &rows->spare[6],
+        &a->x,         &a->y,         &a->u,           &a->v,           &a->clearance,
+        &a->warm_push, &b->x,         &b->y,           &b->u,           &b->v,
+        &b->clearance, &b->warm_push, &rows->spare[0], &rows->spare[1], &rows->spare[2],
     };
     int **ints[] = {&a->number, &b->number};
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
@@ -210,11 +205,8 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     return SKV_OK;
 }
 
-skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, bool graded,
-                            skv_error *error)
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, skv_error *error)
 {
-    rows->viscous = viscous;
-    rows->graded = graded;
     skv_result result = reserve_threads(rows, threads, error);
     if (result == SKV_OK)
         result = reserve_particles(rows, count, error);
@@ -225,46 +217,20 @@ skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous
     return result;
 }
 
-/* Sums in four buffers: with the gradient, or with viscosity instead. */
-static skv_row_sums sums_in(const skv_rows *rows, float *const buffer[4])
-{
-    skv_row_sums sums = {.density = buffer[0], .near_density = buffer[1]};
-    if (rows->graded) {
-        sums.gradient_x = buffer[2];
-        sums.gradient_y = buffer[3];
-    } else {
-        sums.viscous_u = buffer[2];
-        sums.viscous_v = buffer[3];
-    }
-    return sums;
-}
-
 void skv_rows_lend_buffers(skv_rows *rows)
 {
     const skv_row_particles *older = &rows->set[!rows->current];
     float *number = (float *)(void *)older->number, **spare = rows->spare;
-    rows->own = sums_in(rows, &spare[0]);
-    rows->next = sums_in(rows, (float *[4]){spare[4], spare[5], spare[6], older->clearance});
-    rows->tile = sums_in(rows, (float *[4]){older->x, older->y, older->u, older->v});
-    if (skv_rows_keep_tile_sums(rows)) {
-        rows->own.viscous_u = older->x;
-        rows->own.viscous_v = older->y;
-        rows->next.viscous_u = older->u;
-        rows->next.viscous_v = older->v;
-    }
-    /* What the pressure turns the sums into, place by place, ... */
-    rows->push = older->x;
-    rows->near_push = older->y;
-    rows->gradient_x = older->u;
-    rows->gradient_y = older->v;
-    if (!rows->graded) {
-        rows->impulse_u = older->u;
-        rows->impulse_v = older->v;
-    }
-    /* ... so that the others are free for the displacement. */
+    rows->own = (skv_row_sums){older->x, older->y, older->u, older->v};
+    rows->next = (skv_row_sums){older->clearance, older->warm_push, number, spare[0]};
+    /* What the pressure turns the own sums into, place by place, ... */
+    rows->push = rows->own.density;
+    rows->near_push = rows->own.near_density;
+    rows->gradient_x = rows->own.gradient_x;
+    rows->gradient_y = rows->own.gradient_y;
+    /* ... so that the next row's are free for the displacement. */
+    rows->next_move = (skv_row_moves){older->clearance, older->warm_push, number};
     rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};
-    rows->next_move = (skv_row_moves){spare[4], spare[5], spare[6]};
-    rows->tile_move = (skv_row_moves){spare[3], older->clearance, number};
     rows->pressure = older->u;
     /* There are no sums while the particles are sorted, and none when they are stored. */
     rows->key = (int *)(void *)spare[0];

@@ -72,33 +72,9 @@ VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *
     }
 }
 
-/* The impulse of pairs that approach each other; dx, dy from i to j, in displacement units. */
-VARIANT void viscosity(const skv_row_particles *p, int j, unsigned with, const velocities *t,
-                       const wide *dx, const wide *dy, const wide *inverse, const wide *q,
-                       wide sigma, wide beta, density_sums *sums, const skv_row_sums *to)
-{
-    const wide zero = wide_set(0), one = wide_set(1), half = wide_set(0.5f);
-    wide uj = wide_each(part_load(p->u + j)), vj = wide_each(part_load(p->v + j)), w[WIDES],
-         share[WIDES], ix[WIDES], iy[WIDES];
-    EACH(k)
-    w[k] = wide_add(wide_mul(wide_sub(t->u[k], uj), dx[k]), wide_mul(wide_sub(t->v[k], vj), dy[k]));
-    EACH(k) w[k] = wide_mul(wide_max(w[k], zero), inverse[k]);
-    EACH(k) share[k] = wide_min(wide_mul(q[k], wide_add(sigma, wide_mul(beta, w[k]))), one);
-    EACH(k) w[k] = wide_mul(wide_mul(half, share[k]), wide_mul(w[k], inverse[k]));
-    EACH(k) ix[k] = wide_mul(w[k], dx[k]);
-    EACH(k) iy[k] = wide_mul(w[k], dy[k]);
-    EACH(k) sums->u[k] = wide_sub(sums->u[k], ix[k]);
-    EACH(k) sums->v[k] = wide_sub(sums->v[k], iy[k]);
-    if (with & TILE_ONLY)
-        return;
-    add_at(to->viscous_u + j, over_tile(ix));
-    add_at(to->viscous_v + j, over_tile(iy));
-}
-
 /* Pass A for a tile and a part of eight partners. */
 VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigned with,
-                          const tile *t, const velocities *moving, wide sigma, wide beta,
-                          density_sums *sums, const skv_row_sums *to, float *keep)
+                          const tile *t, density_sums *sums, const skv_row_sums *to, float *keep)
 {
     wide dx[WIDES], dy[WIDES], r[WIDES], q[WIDES], q2[WIDES], q3[WIDES], w[WIDES];
     measure(p, j, first, t, dx, dy, r, q);
@@ -115,23 +91,13 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     }
     EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
     EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
-    if (!(with & TILE_ONLY)) {
-        add_at(to->density + j, over_tile(w));
-        add_at(to->near_density + j, over_tile(q3));
-    }
-    if (with & WITH_VISCOSITY) {
-        const wide one = wide_set(1);
-        wide inverse[WIDES];
-        EACH(k) inverse[k] = wide_div(one, r[k]);
-        viscosity(p, j, with, moving, dx, dy, inverse, q, sigma, beta, sums, to);
-    }
+    add_at(to->density + j, over_tile(w));
+    add_at(to->near_density + j, over_tile(q3));
     if (with & WITH_GRADIENT) {
         EACH(k) dx[k] = wide_mul(dx[k], q2[k]);
         EACH(k) dy[k] = wide_mul(dy[k], q2[k]);
         EACH(k) sums->gradient_x[k] = wide_add(sums->gradient_x[k], dx[k]);
         EACH(k) sums->gradient_y[k] = wide_add(sums->gradient_y[k], dy[k]);
-        if (with & TILE_ONLY)
-            return;
         float *gx = to->gradient_x + j, *gy = to->gradient_y + j;
         part_store(gx, part_sub(part_load(gx), over_tile(dx)));
         part_store(gy, part_sub(part_load(gy), over_tile(dy)));
@@ -142,11 +108,10 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
  * the sort, and what has moved since may be near. A half left out there gave other bits than an
  * eight does. */
 VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
-                           const tile *t, const velocities *moving, wide sigma, wide beta,
-                           density_sums *sums, const skv_row_sums *to, float *keep)
+                           const tile *t, density_sums *sums, const skv_row_sums *to, float *keep)
 {
     EACH_PART(n)
-    density_part(p, j + n * PART_LEN, first && n == 0, with, t, moving, sigma, beta, &sums[n], to,
+    density_part(p, j + n * PART_LEN, first && n == 0, with, t, &sums[n], to,
                  with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
@@ -164,134 +129,90 @@ static void zero_sums(const skv_rows *s, const skv_row_sums *sums, int row, unsi
         zero_row(s, sums->gradient_x, row);
         zero_row(s, sums->gradient_y, row);
     }
-    if (with & WITH_VISCOSITY) {
-        zero_row(s, sums->viscous_u, row);
-        zero_row(s, sums->viscous_v, row);
-    }
 }
 
-/* Stores the sums of the tile at i. */
-VARIANT void store_densities(const skv_row_sums *to, int i, unsigned with, const density_sums *sums)
+VARIANT void sum_densities(tile_sums *to, unsigned with, const density_sums *sums)
 {
     const density_sums *last = &sums[PARTS - 1];
-    store_sums(to->density + i, sums->density, last->density);
-    store_sums(to->near_density + i, sums->near_density, last->near_density);
+    sum_lanes(to->sum[0], sums->density, last->density);
+    sum_lanes(to->sum[1], sums->near_density, last->near_density);
     if (with & WITH_GRADIENT) {
-        store_sums(to->gradient_x + i, sums->gradient_x, last->gradient_x);
-        store_sums(to->gradient_y + i, sums->gradient_y, last->gradient_y);
-    }
-    if (with & WITH_VISCOSITY) {
-        store_sums(to->viscous_u + i, sums->u, last->u);
-        store_sums(to->viscous_v + i, sums->v, last->v);
+        sum_lanes(to->sum[2], sums->gradient_x, last->gradient_x);
+        sum_lanes(to->sum[3], sums->gradient_y, last->gradient_y);
     }
 }
 
-/* Pass A for the tile at i and all of its partners. Returns where the next tile's pairs go. */
-VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, int i, int end,
-                            unsigned with, const skv_row_constants *c, const skv_boundary *boundary,
-                            const skv_row_sums *own, const skv_row_sums *next, float *keep,
-                            density_sums *sums)
+VARIANT void add_densities(const skv_row_sums *to, int i, unsigned with, const tile_sums *late)
 {
-    const wide sigma = wide_set(c->viscosity_linear), beta = wide_set(c->viscosity_quadratic);
-    const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
-    tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
-    velocities moving;
-    EACH(k)
-    {
-        t.x[k] = wide_spread(p->x + i + k, WIDES);
-        t.y[k] = wide_spread(p->y + i + k, WIDES);
-        moving.u[k] = wide_spread(p->u + i + k, WIDES);
-        moving.v[k] = wide_spread(p->v + i + k, WIDES);
-        EACH_PART(n)
-        sums[n].density[k] = sums[n].near_density[k] = sums[n].gradient_x[k] =
-            sums[n].gradient_y[k] = sums[n].u[k] = sums[n].v[k] = wide_set(0);
-    }
-    /* First the partners in the own row, then those in the next: one loop for both, which is
-     * unrolled once. */
-    skv_row_sums to = *own;
-    int j = i + 1, last = s->own_end[i / TILE];
-    density_block(p, j, true, with, &t, &moving, sigma, beta, sums, &to, keep);
-    keep += step;
-    j += ROW_LANES;
-    for (bool in_own = true;; in_own = false) {
-        for (; j < last; j += ROW_LANES, keep += step)
-            density_block(p, j, false, with, &t, &moving, sigma, beta, sums, &to, keep);
-        if (!in_own)
-            return keep;
-        j = s->next_begin[i / TILE];
-        last = s->next_end[i / TILE];
-        to = *next;
+    add_tile(to->density + i, late->sum[0]);
+    add_tile(to->near_density + i, late->sum[1]);
+    if (with & WITH_GRADIENT) {
+        add_tile(to->gradient_x + i, late->sum[2]);
+        add_tile(to->gradient_y + i, late->sum[3]);
     }
 }
 
-/* Six arrays for the tiles' sums. */
-static skv_row_sums sums_at(float *memory, int room)
-{
-    return (skv_row_sums){
-        memory,           memory + room, memory + 2 * room, memory + 3 * room, memory + 4 * room,
-        memory + 5 * room};
-}
-
-/* Where a row's tiles leave their sums. */
-V8_INLINE skv_row_tile_sums tile_sums(const skv_rows *s, int row, unsigned with,
-                                      const skv_row_kept *kept)
-{
-    if ((with & SIX_SUMS) != SIX_SUMS)
-        return (skv_row_tile_sums){s->tile, 0};
-    return (skv_row_tile_sums){sums_at(kept->tile_sums, kept->tile_room), s->row_start[row]};
-}
-
-VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                         const skv_boundary *boundary, const skv_row_kept *kept)
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_boundary *boundary,
+                         float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
     const skv_row_sums own = s->own, next = s->next;
-    const skv_row_tile_sums in_tile = tile_sums(s, row, with, kept);
-    bool stores = (with & SIX_SUMS) != SIX_SUMS || kept->has_tile_sums;
-    float *keep = kept->pairs;
+    const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
     zero_sums(s, &own, row, with);
     zero_sums(s, &next, row + 1, with);
-    int end = s->row_end[row];
-    for (int i = s->row_start[row]; i < end; i += TILE) {
+    int begin = s->row_start[row], end = s->row_end[row];
+    tile_sums late;
+    for (int i = begin; i < end; i += TILE) {
+        tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
         density_sums sums[PARTS];
-        keep = density_tile(s, p, i, end, with, c, boundary, &own, &next, keep, sums);
-        if (stores)
-            store_densities(&in_tile.sums, i - in_tile.begin, with, sums);
+        EACH(k)
+        {
+            t.x[k] = wide_spread(p->x + i + k, WIDES);
+            t.y[k] = wide_spread(p->y + i + k, WIDES);
+            EACH_PART(n)
+            sums[n].density[k] = sums[n].near_density[k] = sums[n].gradient_x[k] =
+                sums[n].gradient_y[k] = wide_set(0);
+        }
+        /* First the partners in the own row, then those in the next: one loop for both, which is
+         * unrolled once. */
+        skv_row_sums to = own;
+        int j = i + 1, last = s->own_end[i / TILE];
+        density_block(p, j, true, with, &t, sums, &to, keep);
+        keep += step;
+        j += ROW_LANES;
+        for (bool in_own = true;; in_own = false) {
+            for (; j < last; j += ROW_LANES, keep += step)
+                density_block(p, j, false, with, &t, sums, &to, keep);
+            if (!in_own)
+                break;
+            j = s->next_begin[i / TILE];
+            last = s->next_end[i / TILE];
+            to = next;
+        }
+        if (i > begin)
+            add_densities(&own, i - TILE, with, &late);
+        sum_densities(&late, with, sums);
     }
-}
-
-/* The sums of the tiles among eight places from i on, computed again. */
-static void sum_tiles_again(const skv_rows *s, int i, int end, const skv_row_constants *c,
-                            const skv_boundary *boundary, const skv_row_sums *to)
-{
-    const skv_row_particles *p = &s->set[s->current];
-    const skv_row_sums none = {0};
-    density_sums sums[PARTS];
-    for (int t = i; t < end && t < i + ROW_LANES; t += TILE) {
-        density_tile(s, p, t, end, SIX_SUMS | TILE_ONLY, c, boundary, &none, &none, to->density,
-                     sums);
-        store_densities(to, t - i, SIX_SUMS, sums);
-    }
+    if (begin < end)
+        add_densities(&own, (end - 1) & ~(TILE - 1), with, &late);
 }
 
 /* A row whose pairs have no room, as in the crowds of a splash. There are few: one function for all
  * variants, which looks while it runs. */
 static __attribute__((noinline)) void density_unkept(const skv_rows *s, int row, unsigned with,
-                                                     const skv_row_constants *c,
-                                                     const skv_boundary *b,
-                                                     const skv_row_kept *kept)
+                                                     const skv_boundary *b)
 {
-    density_row(s, row, with, c, b, kept);
+    density_row(s, row, with, b, NULL);
 }
 
-VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                             const skv_boundary *b, const skv_row_kept *kept)
+VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_boundary *b,
+                             const skv_row_kept *kept)
 {
     if (kept->used >= 0)
-        density_row(s, row, with | KEEP_PAIRS, c, b, kept);
+        density_row(s, row, with | KEEP_PAIRS, b, kept->pairs);
     else
-        density_unkept(s, row, with, c, b, kept);
+        density_unkept(s, row, with, b);
 }
 
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
@@ -300,24 +221,18 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     int blocks = s->row_blocks[row];
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     kept->used = blocks <= kept->room ? blocks : -1;
-    bool viscous = s->viscous && !later;
-    int places = skv_row_padded_end(s->row_end[row]) - s->row_start[row];
-    kept->has_tile_sums = !skv_rows_keep_tile_sums(s) || later || places <= kept->tile_room;
-    if (c->clavet && viscous)
-        density_variant(s, row, WITH_VISCOSITY, c, b, kept);
-    else if (c->clavet)
-        density_variant(s, row, 0, c, b, kept);
+    if (c->clavet)
+        density_variant(s, row, 0, b, kept);
     else if (later)
-        density_variant(s, row, SMOOTH, c, b, kept);
-    else if (viscous)
-        density_variant(s, row, SIX_SUMS, c, b, kept);
+        density_variant(s, row, SMOOTH, b, kept);
     else
-        density_variant(s, row, SMOOTH | WITH_GRADIENT, c, b, kept);
+        density_variant(s, row, SMOOTH | WITH_GRADIENT, b, kept);
 }
 
 /* What the displacement reads of the partners. */
 typedef struct partners {
     const float *push, *near_push, *gradient_x, *gradient_y;
+    float sigma, beta; /* of viscosity */
 } partners;
 
 /* Whether one of eight partners has a gradient. */
@@ -341,6 +256,25 @@ VARIANT void tension(const partners *others, int j, const pushes *t, const wide 
     EACH(k) along[k] = wide_mul(wide_mul(two, ratio[k]), along[k]);
     EACH(k) ex[k] = wide_mul(ex[k], q2[k]);
     EACH(k) ey[k] = wide_mul(ey[k], q2[k]);
+}
+
+/* Adds the impulse of pairs that approach each other to their displacement, which is dx, dy times
+ * size: from i to j, in displacement units. */
+VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j, const pushes *t,
+                       const wide *dx, const wide *dy, const wide *r, const wide *q, wide *size)
+{
+    const wide zero = wide_set(0), one = wide_set(1), half = wide_set(0.5f);
+    wide uj = wide_each(part_load(p->u + j)), vj = wide_each(part_load(p->v + j));
+    wide sigma = wide_set(others->sigma), beta = wide_set(others->beta);
+    wide inverse[WIDES], w[WIDES], share[WIDES];
+    EACH(k) inverse[k] = wide_div(one, r[k]);
+    EACH(k)
+    w[k] = wide_add(wide_mul(wide_sub(t->u[k], uj), dx[k]), wide_mul(wide_sub(t->v[k], vj), dy[k]));
+    EACH(k) w[k] = wide_mul(wide_max(w[k], zero), inverse[k]);
+    EACH(k)
+    share[k] = wide_min(wide_mul(q[k], wide_add(sigma, wide_mul(beta, w[k]))), one);
+    EACH(k) w[k] = wide_mul(wide_mul(half, share[k]), wide_mul(w[k], inverse[k]));
+    EACH(k) size[k] = wide_add(size[k], w[k]);
 }
 
 /* Pass B for a tile and a part of eight partners. Where q is kept, r is 1 - q. */
@@ -387,6 +321,8 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
         EACH(k) sums->virial[k] = wide_add(sums->virial[k], virial[k]);
         add_at(to->virial + j, over_tile(virial));
     }
+    if (with & WITH_VISCOSITY)
+        viscosity(p, others, j, pressed, dx, dy, r, q, size);
     EACH(k) dx[k] = wide_mul(dx[k], size[k]);
     EACH(k) dy[k] = wide_mul(dy[k], size[k]);
     if (has_gradient) {
@@ -420,26 +356,36 @@ static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, u
         zero_row(s, moves->virial, row);
 }
 
-VARIANT void store_moves(const skv_row_moves *to, int i, unsigned with, const move_sums *sums)
+VARIANT void sum_moves(tile_sums *to, unsigned with, const move_sums *sums)
 {
     const move_sums *last = &sums[PARTS - 1];
-    store_sums(to->x + i, sums->x, last->x);
-    store_sums(to->y + i, sums->y, last->y);
+    sum_lanes(to->sum[0], sums->x, last->x);
+    sum_lanes(to->sum[1], sums->y, last->y);
     if (with & WITH_GAUGE)
-        store_sums(to->virial + i, sums->virial, last->virial);
+        sum_lanes(to->sum[2], sums->virial, last->virial);
 }
 
-VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
+VARIANT void add_moves(const skv_row_moves *to, int i, unsigned with, const tile_sums *late)
+{
+    add_tile(to->x + i, late->sum[0]);
+    add_tile(to->y + i, late->sum[1]);
+    if (with & WITH_GAUGE)
+        add_tile(to->virial + i, late->sum[2]);
+}
+
+VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
                               const skv_boundary *boundary, const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
-    const partners others = {s->push, s->near_push, s->gradient_x, s->gradient_y};
-    const skv_row_moves own = s->own_move, next = s->next_move, in_tile = s->tile_move;
+    const partners others = {s->push,       s->near_push,        s->gradient_x,
+                             s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
+    const skv_row_moves own = s->own_move, next = s->next_move;
     const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
     zero_moves(s, &own, row, with);
     zero_moves(s, &next, row + 1, with);
-    int end = s->row_end[row];
-    for (int i = s->row_start[row]; i < end; i += TILE) {
+    int begin = s->row_start[row], end = s->row_end[row];
+    tile_sums late;
+    for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i};
         if (!(with & KEEP_PAIRS))
             t.beside = find_thin_wall(p, i, end, boundary);
@@ -452,6 +398,10 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
             pressed.push[k] = wide_spread(others.push + i + k, WIDES);
             pressed.near_push[k] = wide_spread(others.near_push + i + k, WIDES);
             EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].virial[k] = wide_set(0);
+            if (with & WITH_VISCOSITY) {
+                pressed.u[k] = wide_spread(p->u + i + k, WIDES);
+                pressed.v[k] = wide_spread(p->v + i + k, WIDES);
+            }
             if (with & WITH_GRADIENT) {
                 pressed.gradient_x[k] = wide_spread(others.gradient_x + i + k, WIDES);
                 pressed.gradient_y[k] = wide_spread(others.gradient_y + i + k, WIDES);
@@ -474,41 +424,57 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with,
             last = s->next_end[i / TILE];
             to = next;
         }
-        store_moves(&in_tile, i, with, sums);
+        if (i > begin)
+            add_moves(&own, i - TILE, with, &late);
+        sum_moves(&late, with, sums);
     }
+    if (begin < end)
+        add_moves(&own, (end - 1) & ~(TILE - 1), with, &late);
 }
 
 /* As density_unkept. */
 static __attribute__((noinline)) void displacement_unkept(const skv_rows *s, int row, unsigned with,
+                                                          const skv_row_constants *c,
                                                           const skv_boundary *b)
 {
-    displacement_row(s, row, with, b, NULL);
+    displacement_row(s, row, with, c, b, NULL);
 }
 
-VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with, const skv_boundary *b,
+VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
+                                  const skv_row_constants *c, const skv_boundary *b,
                                   const skv_row_kept *kept)
 {
     if (kept->used >= 0)
-        displacement_row(s, row, with | KEEP_PAIRS, b, kept->pairs);
+        displacement_row(s, row, with | KEEP_PAIRS, c, b, kept->pairs);
     else
-        displacement_unkept(s, row, with, b);
+        displacement_unkept(s, row, with, c, b);
+}
+
+/* The same with the virial, in the last substep of a call, and without. */
+VARIANT void displacement_gauged(const skv_rows *s, int row, unsigned with,
+                                 const skv_row_constants *c, const skv_boundary *b,
+                                 const skv_row_kept *kept)
+{
+    if (s->gauged)
+        displacement_variant(s, row, with | WITH_GAUGE, c, b, kept);
+    else
+        displacement_variant(s, row, with, c, b, kept);
 }
 
 static void displacement(const skv_rows *s, int row, bool later, const skv_row_constants *c,
                          const skv_boundary *b, const skv_row_kept *kept)
 {
-    if (c->clavet && s->gauged)
-        displacement_variant(s, row, WITH_GAUGE, b, kept);
+    bool viscous = !later && (c->viscosity_linear > 0 || c->viscosity_quadratic > 0);
+    if (c->clavet && viscous)
+        displacement_gauged(s, row, WITH_VISCOSITY, c, b, kept);
     else if (c->clavet)
-        displacement_variant(s, row, 0, b, kept);
-    else if (later && s->gauged)
-        displacement_variant(s, row, SMOOTH | WITH_GAUGE, b, kept);
+        displacement_gauged(s, row, 0, c, b, kept);
     else if (later)
-        displacement_variant(s, row, SMOOTH, b, kept);
-    else if (s->gauged)
-        displacement_variant(s, row, SMOOTH | WITH_GRADIENT | WITH_GAUGE, b, kept);
+        displacement_gauged(s, row, SMOOTH, c, b, kept);
+    else if (viscous)
+        displacement_gauged(s, row, SMOOTH | WITH_GRADIENT | WITH_VISCOSITY, c, b, kept);
     else
-        displacement_variant(s, row, SMOOTH | WITH_GRADIENT, b, kept);
+        displacement_gauged(s, row, SMOOTH | WITH_GRADIENT, c, b, kept);
 }
 
 #endif

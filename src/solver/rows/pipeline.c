@@ -47,11 +47,9 @@ static void clear_lowest(skv_rows *rows)
     int begin = rows->row_start[rows->first];
     size_t bytes = (size_t)(skv_row_padded_end(rows->row_end[rows->first]) - begin) * sizeof(float);
     const skv_row_sums *next = &rows->next;
-    float *sums[] = {next->density,    next->near_density, next->gradient_x,
-                     next->gradient_y, next->viscous_u,    next->viscous_v};
+    float *sums[ROW_SUMS] = {next->density, next->near_density, next->gradient_x, next->gradient_y};
     for (int a = 0; a < ROW_SUMS; a++)
-        if (sums[a])
-            memset(sums[a] + begin, 0, bytes);
+        memset(sums[a] + begin, 0, bytes);
 }
 
 void skv_row_begin(skv_row_worker *w)
@@ -101,14 +99,10 @@ void skv_row_pressure(const skv_row_worker *w, int row)
         return;
     const skv_row_run *shared = w->shared;
     skv_row_samples *samples = samples_of(w, row);
-    const skv_row_kept *kept = kept_of(w, row);
     if (row == w->first)
         await(w, w->lower, LAST_SUMMED);
-    /* Tiles' sums that are computed again read how far the next row's particles are from walls. */
-    if (row == w->last && !kept->has_tile_sums)
-        await(w, w->upper, FIRST_PRESSED);
     shared->kernels->pressure(shared->rows, row, w->iteration > 0, shared->constants,
-                              shared->boundary, kept, samples);
+                              shared->boundary, samples);
     shared->rows->row_walls[row] = samples->used;
     if (row == w->first)
         reach(w, FIRST_PRESSED);

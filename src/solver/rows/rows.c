@@ -60,9 +60,10 @@ static void take_substep(skv_row_worker *w, bool first)
         skv_row_density(w, w->last);
         for (int row = w->first; row <= w->last + 1; row++) {
             if (row != w->last)
-                skv_row_density(w, row);      /* densities, gradient; viscosity: Algorithm 3 */
+                skv_row_density(w, row);      /* densities, gradient */
             skv_row_pressure(w, row);         /* the walls' share, P and N */
-            skv_row_displacement(w, row - 1); /* pairs part or attract each other; tension */
+            skv_row_displacement(w, row - 1); /* pairs part or attract each other; tension;
+                                                 viscosity: Algorithm 3 */
             skv_row_update(w, row - 1);       /* walls push; x and v change; contact, at last:
                                                  Algorithms 7 and 8 */
         }
@@ -102,10 +103,6 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
     if (frame->count == 0)
         return (skv_impulse){0};
     rows->held = frame->part != NULL;
-    if (skv_rows_keep_tile_sums(rows)) {
-        rows->impulse_u = frame->vx;
-        rows->impulse_v = frame->vy;
-    }
     skv_row_run shared = {.rows = rows,
                           .kernels = rows->kernels,
                           .constants = constants,

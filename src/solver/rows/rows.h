@@ -7,9 +7,9 @@
  * contiguous ranges: the rest of its own row up to h ahead, and the stretch of the next row within
  * h on either side. Each pair is visited once. Tiles of four consecutive particles share the loads
  * of their partners; eight partners are handled at a time. A row's task adds what it finds for its
- * own particles to `own`, for the next row's to `next`, and the four particles' own sums to `tile`;
- * these are added up later in a fixed order. So no two tasks write the same place, and the result
- * does not depend on threads, instruction set or compiler.
+ * own particles to `own` and for the next row's to `next`; these are added up later. So no two
+ * tasks write the same place, and the result does not depend on threads, instruction set or
+ * compiler.
  *
  * Within a substep the rows run through a pipeline: density of row R, pressure of row R,
  * displacement of row R-1, update of row R-1; so a row's data is still in the cache, and its pairs'
@@ -29,7 +29,7 @@ typedef struct skv_row_constants {
     float max_speed;
     float viscosity_linear, viscosity_quadratic;
     float rest_density, push_scale, near_push_scale, push_limit, wall_virial, loose_push;
-    float response_slope, response_floor, near_share;
+    float warm_start, warm_limit, warm_slope, response_slope, response_floor, near_share;
     float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale,
         tension_from;
     float pressure_scale; /* from the virial to Pa m */
@@ -50,10 +50,8 @@ skv_result skv_rows_create(float width, float height, float per_square, skv_inst
                            skv_rows **rows, skv_error *error);
 void skv_rows_destroy(skv_rows *rows);
 
-/* Makes room for `count` particles and for `threads` threads; allocates only when it has to.
- * `viscous`: with pair viscosity; `graded`: with a gradient, which the calibrated law has. */
-skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool viscous, bool graded,
-                            skv_error *error);
+/* Makes room for `count` particles and for `threads` threads; allocates only when it has to. */
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, skv_error *error);
 
 /* The particles outside, in units of the caller's. */
 typedef struct skv_row_frame {
@@ -62,7 +60,9 @@ typedef struct skv_row_frame {
     float *x, *y, *vx, *vy;
     float *clearance;    /* lower bound of the distance to the nearest wall */
     float *pressure;     /* written only */
-    float length, speed; /* factors from the caller's units to h and h a substep */
+    float *warm_push;    /* solver.h */
+    float length, speed; /* factors from the caller's units to h, h a substep, ... */
+    float push;          /* ... and h a substep squared */
 } skv_row_frame;
 
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The

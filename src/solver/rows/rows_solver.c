@@ -32,6 +32,9 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .push_limit = c->push_limit * inv_h,
         .wall_virial = c->wall_virial,
         .loose_push = c->loose_push * inv_h,
+        .warm_start = c->warm_start,
+        .warm_limit = c->warm_limit * inv_h,
+        .warm_slope = c->warm_slope,
         .response_slope = c->response_slope,
         .response_floor = c->response_floor,
         .near_share = c->near_share,
@@ -75,8 +78,10 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .vy = r->swapped ? p->vx : p->vy,
         .clearance = p->clearance,
         .pressure = p->pressure,
+        .warm_push = p->warm_push,
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
+        .push = c->dt * c->dt * c->inv_h,
     };
     skv_impulse given =
         skv_rows_step(r->rows, &frame, step->substeps, &constants, &boundary, step->pool);
@@ -87,8 +92,7 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_error *error)
 {
     return skv_rows_reserve(((rows_solver *)solver)->rows, step->particles.count,
-                            skv_pool_threads(step->pool), skv_is_viscous(step->constants),
-                            !step->constants->clavet, error);
+                            skv_pool_threads(step->pool), error);
 }
 
 static void destroy(skv_solver *solver)

@@ -163,6 +163,7 @@ static void move_particles(skv_rows *rows, skv_row_thread *own)
             to->u[place] = from->u[i];
             to->v[place] = from->v[i];
             to->clearance[place] = from->clearance[i];
+            to->warm_push[place] = from->warm_push[i];
             to->number[place] = from->number[i];
         }
     }
@@ -176,7 +177,7 @@ static void put_dummies(skv_rows *rows, int row)
     const skv_row_particles *p = &rows->set[!rows->current];
     for (int i = rows->new_end[row]; i < skv_row_padded_end(rows->new_end[row]); i++) {
         p->x[i] = p->y[i] = p->clearance[i] = ROW_FAR;
-        p->u[i] = p->v[i] = 0;
+        p->u[i] = p->v[i] = p->warm_push[i] = 0;
     }
 }
 

@@ -18,28 +18,22 @@
 /* The pair loops are inlined into each of their variants and unrolled over the tile. The scalar
  * build, which is for checking and not for speed, does without: it would take compilers minutes. */
 #if defined(SKV_SIMD_SCALAR)
-#define VARIANT      static __attribute__((noinline))
-#define EACH(k)      for (int k = 0; k < WIDES; k++)
-#define EACH_PART(n) for (int n = 0; n < PARTS; n++)
+#define VARIANT         static __attribute__((noinline))
+#define EACH(k)         for (int k = 0; k < WIDES; k++)
+#define EACH_PART(n)    for (int n = 0; n < PARTS; n++)
+#define EACH_OF_TILE(k) for (int k = 0; k < TILE; k++)
 #else
-#define VARIANT      V8_INLINE
-#define EACH(k)      _Pragma("GCC unroll 8") for (int k = 0; k < WIDES; k++)
-#define EACH_PART(n) _Pragma("GCC unroll 2") for (int n = 0; n < PARTS; n++)
+#define VARIANT         V8_INLINE
+#define EACH(k)         _Pragma("GCC unroll 8") for (int k = 0; k < WIDES; k++)
+#define EACH_PART(n)    _Pragma("GCC unroll 2") for (int n = 0; n < PARTS; n++)
+#define EACH_OF_TILE(k) _Pragma("GCC unroll 4") for (int k = 0; k < TILE; k++)
 #endif
 
 /* Compile-time variants of the pair loops. SMOOTH: the kernel of base/kernels.h, else the spiky
  * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
- * evens it out; both know the smooth kernel's alone. WITH_GAUGE: the displacement sums up the
- * virial as well. TILE_ONLY: the density adds nothing to the partners' sums. */
-enum {
-    SMOOTH = 1,
-    WITH_GRADIENT = 2,
-    WITH_VISCOSITY = 4,
-    KEEP_PAIRS = 8,
-    WITH_GAUGE = 16,
-    TILE_ONLY = 32,
-    SIX_SUMS = SMOOTH | WITH_GRADIENT | WITH_VISCOSITY
-};
+ * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
+ * pairs that approach. WITH_GAUGE: it sums up the virial as well. */
+enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_GAUGE = 16 };
 
 /* Where the four particles of a tile are, each in all lanes. */
 typedef struct tile {
@@ -48,19 +42,16 @@ typedef struct tile {
     const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
 } tile;
 
-/* What the density and the displacement need of them besides. */
-typedef struct velocities {
-    wide u[WIDES], v[WIDES];
-} velocities;
+/* What the displacement needs of them besides. */
 typedef struct pushes {
     wide push[WIDES], near_push[WIDES], gradient_x[WIDES], gradient_y[WIDES];
+    wide u[WIDES], v[WIDES];
     bool has_gradient; /* that of one of them is not 0 */
 } pushes;
 
 /* The sums for the tile's own particles, over the same part of all partners. */
 typedef struct density_sums {
-    wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES], u[WIDES],
-        v[WIDES];
+    wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES];
 } density_sums;
 typedef struct move_sums {
     wide x[WIDES], y[WIDES], virial[WIDES];
@@ -87,10 +78,22 @@ V8_INLINE v8 lanes_of(const wide *first, const wide *last, int k)
 }
 
 /* The same added up, for each of the tile's particles in their order. */
-V8_INLINE void store_sums(float *to, const wide *first, const wide *last)
+V8_INLINE void sum_lanes(float to[TILE], const wide *first, const wide *last)
 {
     v8_sum4(lanes_of(first, last, 0), lanes_of(first, last, 1), lanes_of(first, last, 2),
             lanes_of(first, last, 3), to);
+}
+
+/* What a tile's particles have collected, to be added to what they have collected as partners of
+ * the tiles before; no later tile of the row adds to that. It is added a tile later, when what was
+ * stored there has left the processor: a load that waited for it cost 3 to 5 %. */
+typedef struct tile_sums {
+    float sum[ROW_SUMS][TILE];
+} tile_sums;
+
+V8_INLINE void add_tile(float *to, const float sum[TILE])
+{
+    EACH_OF_TILE(k) to[k] += sum[k];
 }
 
 #endif
