@@ -37,8 +37,8 @@ skv_mesh_place skv_mesh_locate(const skv_mesh *mesh, float x, float y);
 
 /* Adds the particles' number and momentum. */
 void skv_mesh_add_motion(skv_mesh *mesh);
-/* Empties it of values, whose cells lie `shift` of one, 0..1, to the left and below the others; adds
- * one particle's with a weight. */
+/* Empties it of values, whose cells lie `shift` of one, 0..1, to the left and below the others;
+ * adds one particle's with a weight. */
 void skv_mesh_begin_values(skv_mesh *mesh, float shift);
 void skv_mesh_add_value(skv_mesh *mesh, float x, float y, float value, float trust);
 

@@ -16,6 +16,7 @@
 #define CLAVET_LOOSE     0.75  /* of the density at rest; P never is positive at rest, either */
 #define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep that starts cold */
 #define WARM_SUBSTEPS    0.75  /* as stiff as one cold one, if they start warm: fewer flicker */
+#define MOST_LIVELY      3.2   /* omega eta^2 of a fluid that starts warm */
 #define WARM_REACH       0.7   /* of the pressure at the expected depth: more is found cold */
 #define WARM_FULL        0.01  /* rest densities too many, from which on the start is warm */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
@@ -88,9 +89,18 @@ int skv_substep_rule(const skv_fluid_def *f, double load)
     return whole < 1 ? 1 : whole;
 }
 
+/* Whether a fluid has the margin that warm starts need. What an iteration takes of the liveliest
+ * waves, in the lattice at rest, is 0.49 omega eta^2 of them, 1.5 by default; more, or a single
+ * iteration, throws the fluid apart in an impact. */
+static bool may_start_warm(const skv_fluid_def *f)
+{
+    double liveliest = (double)f->relaxation * (double)f->radius_ratio * (double)f->radius_ratio;
+    return f->law == SKV_LAW_CALIBRATED && f->iterations > 1 && liveliest <= MOST_LIVELY;
+}
+
 int skv_warm_substeps(const skv_fluid_def *f, int cold)
 {
-    if (f->law == SKV_LAW_CLAVET)
+    if (!may_start_warm(f))
         return cold;
     /* Cohesion finds fluid that is not compressed, and so is as soft as if it started cold. */
     int least = skv_substep_rule(f, 0), warm = (int)ceil(WARM_SUBSTEPS * cold);
