@@ -64,7 +64,7 @@ app=''
 start_app "$work/kept.skvr"
 await 120 more 98 fluid 15 65 85 90 || fail "the replay shows no pool"
 # One that goes another way than when it was recorded says so.
-"$build/skewed_replay" "$work/skewed.skvr"
+"$build/write_replays" "$work"
 quit_app
 start_app "$work/skewed.skvr"
 await 60 more 10 red 10 0 60 4 || fail "no message about a replay that goes another way"

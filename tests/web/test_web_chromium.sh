@@ -20,7 +20,8 @@ if [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
     experiments='.*'
     runs=20
 fi
-replays=(tests/fuzz/corpus/replay/{game,scene,wind}.skvr)
+"$build/write_replays" "$work"
+replays=("$work"/{game,skewed,wind}.skvr)
 
 awk -v frames="$frames" '$2 == frames' tests/bits/golden.txt >"$work/bits"
 played "${replays[@]}" >"$work/replay"

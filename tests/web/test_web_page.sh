@@ -18,6 +18,7 @@ in_chromium page.js "$work/page"
 in_chromium device.js "$work/page"
 [[ ${SKV_LONG_TESTS:-0}${SKV_TRIAL:-} == 0 ]] ||
     ffmpeg -v error -f lavfi -i testsrc=size=8000x6000 -frames:v 1 "$work/photo.jpg"
-link=$("$build/skvalp" share tests/fuzz/corpus/replay/game.skvr)
+"$build/write_replays" "$work"
+link=$("$build/skvalp" share "$work/game.skvr")
 in_chromium files.js "$work/page" "$work/photo.jpg" "$link"
 found_trial

@@ -16,7 +16,8 @@ for threads in 1 2 3; do
 done
 cmp -s "$work/1.skvr" "$work/3.skvr" || complain "a game on 3 threads gives another file than on one"
 "$build/skvalp" share dam-break --particles 300 >"$work/link"
-sources=(tests/fuzz/corpus/replay/{game,scene,wind}.skvr "$work"/[123].skvr)
+"$build/write_replays" "$work"
+sources=("$work"/{skewed,game,wind,[123]}.skvr)
 played "${sources[@]}" >"$work/native"
 grep -c same "$work/native" | grep -qx 5 || complain "natively not all went as recorded: $(cat "$work/native")"
 for threads in 1 2 3; do

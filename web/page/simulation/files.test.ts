@@ -1,15 +1,18 @@
 // Files and links: what is made elsewhere opens here, and the other way round; what is broken does not,
 // and what is open goes on.
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 
 import { decode } from 'fast-png';
-import { expect, test } from 'vitest';
+import { afterAll, expect, test } from 'vitest';
 
 import { paintedPicture, threshold } from './photo';
 import { makeTrial, native } from './testing';
 
-const corpus = new URL('../../../tests/fuzz/corpus/', import.meta.url);
+const folder = mkdtempSync(`${tmpdir()}/replays-`);
+execFileSync(`${native}/write_replays`, [folder]);
+afterAll(() => rmSync(folder, { recursive: true }));
 const skvalp = (...given: string[]) => execFileSync(`${native}/skvalp`, given, { encoding: 'utf8' }).trim();
 
 /** What the native program says of a link's end. */
@@ -19,7 +22,7 @@ function playNatively(link: string) {
 
 test('a link made natively plays to its end, with the same hash', () => {
     const trial = makeTrial();
-    const link = skvalp('share', new URL('replay/wind.skvr', corpus).pathname);
+    const link = skvalp('share', `${folder}/wind.skvr`);
     trial.simulation.openLink(link.replace('skvalp:', ''));
     expect(trial.take()).toEqual([{ kind: 'open', error: null }]);
     expect(trial.state).toMatchObject({ following: true, moment: 0, end: playNatively(link).frames });
@@ -49,7 +52,7 @@ test('a link made here plays natively, with the same hash', async () => {
 
 test('what went another way when it was recorded is known to', () => {
     const trial = makeTrial();
-    trial.simulation.openBytes(readFileSync(new URL('replay/scene.skvr', corpus)), 'skvr', 'scene.skvr');
+    trial.simulation.openBytes(readFileSync(`${folder}/skewed.skvr`), 'skvr', 'skewed.skvr');
     trial.run(40);
     expect(trial.state).toMatchObject({ asRecorded: false, mismatch: true });
 });
@@ -61,7 +64,7 @@ test('what is broken is reported in one line, and what is open goes on', () => {
     trial.run(5);
     trial.take();
     const link = skvalp('share', 'dam-break');
-    const game = readFileSync(new URL('replay/game.skvr', corpus));
+    const game = readFileSync(`${folder}/game.skvr`);
     const attempts = [
         () => simulation.openLink(link.slice(0, -9)),
         () => simulation.openLink('2.AAAA'),
