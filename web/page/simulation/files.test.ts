@@ -26,7 +26,7 @@ test('a link made natively plays to its end, with the same hash', () => {
     trial.simulation.openLink(link.replace('skvalp:', ''));
     expect(trial.take()).toEqual([{ kind: 'open', error: null }]);
     expect(trial.state).toMatchObject({ following: true, moment: 0, end: playNatively(link).frames });
-    trial.run(20);
+    trial.run(40);
     expect(trial.take()).toEqual([]);
     expect(trial.state).toMatchObject({ asRecorded: true, mismatch: false });
 });
