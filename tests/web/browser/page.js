@@ -379,6 +379,50 @@ const trials = {
         assert.equal((await stateOf(page)).style.palette, 'contrast');
     },
 
+    async 'what is chosen shows under the mouse, too'(browser) {
+        const page = await begin(browser, small);
+        const ground = (name) => button(page, name).evaluate((element) => getComputedStyle(element).backgroundColor);
+        const chosen = await ground('Hand');
+        await button(page, 'Hand').hover();
+        assert.equal(await ground('Hand'), chosen);
+        const plays = await ground('Pause');
+        await button(page, 'Pause').hover();
+        assert.equal(await ground('Pause'), plays);
+    },
+
+    async 'all tools and all of the playback are in sight on small screens'(browser) {
+        const page = await begin(browser, small);
+        await button(page, 'Stopwatch').click();
+        for (const [width, height, panel] of
+            [[320, 568], [360, 640], [390, 844], [568, 320], [667, 375], [844, 390], [844, 390, true], [1024, 600, true]]) {
+            await page.setViewportSize({ width, height });
+            if (panel) {
+                await button(page, 'Properties').click();
+            }
+            const hidden = await page.evaluate(() => {
+                const parts = '.header button, .tools button, .transport button, .transport input, .clock, .stopwatch';
+                const boxes = [...document.querySelectorAll(parts)].map((part) => ({
+                    part, box: part.getBoundingClientRect(), strip: part.closest('.scroller')?.getBoundingClientRect(),
+                }));
+                const outside = ({ box, strip }) => box.width === 0 || box.left < 0 || box.right > innerWidth ||
+                    box.top < 0 || box.bottom > innerHeight ||
+                    strip && (box.right > strip.right + 1 || box.bottom > strip.bottom + 1);
+                const over = ({ box: a }, { box: b }) => a.left < b.right - 1 && b.left < a.right - 1 &&
+                    a.top < b.bottom - 1 && b.top < a.bottom - 1;
+                const names = (found) => found.map(({ part }) => part.outerHTML.slice(0, 90));
+                const apart = boxes.filter(({ part }) => !part.closest('.stopwatch'));
+                return names([
+                    ...boxes.filter(outside),
+                    ...apart.filter((one, i) => apart.slice(0, i).some((other) => over(one, other))),
+                ]);
+            });
+            assert.deepEqual(hidden, [], `${width}x${height}`);
+            if (panel) {
+                await close(page);
+            }
+        }
+    },
+
     async 'the keyboard reaches all'(browser) {
         const page = await begin(browser, desk);
         await page.keyboard.press('m');

@@ -36,7 +36,9 @@ export function App({ canvas }: { canvas: HTMLCanvasElement }) {
             {shown !== 'none' && (
                 <div class="dock">
                     <Chips />
-                    <Transport />
+                    <div class="playback">
+                        <Transport />
+                    </div>
                     {shown === 'all' && <Tools />}
                 </div>
             )}
