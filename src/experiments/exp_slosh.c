@@ -2,7 +2,9 @@
  *
  * Gravity is tilted until the surface rests at the wanted slope, then turns upright. The swing is
  * read from the mean x of all fluid, which follows the lowest wave and ignores the shorter ones
- * that a straight slope also contains.
+ * that a straight slope also contains. Theory gets the depth that gauges read just before: the fill
+ * keeps a little away from walls and its weight compresses it, so it is less than what was asked
+ * for.
  */
 #include "experiments/experiment.h"
 #include "experiments/oscillation.h"
@@ -10,7 +12,7 @@
 
 #include <math.h>
 
-enum { WAIT = 4, HALF_SWINGS = 4, MAX_SAMPLES = 4000 };
+enum { WAIT = 4, HALF_SWINGS = 4, GAUGES = 9, MAX_SAMPLES = 4000 };
 enum { WIDTH, DEPTH, ANGLE };
 enum { C_WIDTH, C_DEPTH, C_GRAVITY, C_START, C_TIME };
 
@@ -22,7 +24,7 @@ enum { C_WIDTH, C_DEPTH, C_GRAVITY, C_START, C_TIME };
 
 typedef struct tank {
     double width, depth, gravity, slope;
-    skv_instrument all;
+    skv_instrument all, gauges[GAUGES];
 } tank;
 
 static void build(stage *s, tank *t)
@@ -44,6 +46,10 @@ static void build(stage *s, tank *t)
     if (skv_stage_ok(s))
         skv_stage_keep(s, skv_world_set_gravity(s->world, 0, (float)-t->gravity, s->error));
     t->all = skv_stage_add(s, SKV_INSTRUMENT_REGION, 0, 0, t->width, plan.height, 0);
+    for (int i = 0; i < GAUGES; i++) {
+        double x = t->width * (i + 1) / (GAUGES + 1);
+        t->gauges[i] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, plan.height, 0);
+    }
     skv_stage_sample(s);
 }
 
@@ -59,18 +65,25 @@ static void draw(const stage *s, const void *set_up, findings *found)
 
 static void measure(stage *s, findings *found)
 {
-    tank t = {skv_stage_length(s, WIDTH), skv_stage_length(s, DEPTH), skv_stage_gravity(s),
-              skv_stage_value(s, ANGLE), 0};
+    tank t = {skv_stage_length(s, WIDTH),
+              skv_stage_length(s, DEPTH),
+              skv_stage_gravity(s),
+              skv_stage_value(s, ANGLE),
+              0,
+              {0}};
     if (t.slope == 0)
         t.slope = fmin(SLOPE, STEEPEST * t.depth / (t.width / 2));
     double watch = fmin(PERIODS * skv_theory_slosh_period(t.gravity, t.width, t.depth), 60);
     s->total = WAIT + watch;
     build(s, &t);
+    /* The water rests on a straight slope as yet, and the gauges stand evenly about the middle:
+     * their mean is the depth once it is level. */
+    double depth = skv_stage_mean_level(s, t.gauges, GAUGES);
     found->condition[C_WIDTH] = t.width;
-    found->condition[C_DEPTH] = t.depth;
+    found->condition[C_DEPTH] = depth;
     found->condition[C_GRAVITY] = t.gravity;
     /* The centre of a wedge of that slope: slope width^2 / (12 depth). */
-    found->condition[C_START] = t.slope * t.width * t.width / (12 * t.depth);
+    found->condition[C_START] = t.slope * t.width * t.width / (12 * depth);
     found->condition[C_TIME] = watch;
     found->foreseen = true;
     skv_stage_show(s, draw, &t);
