@@ -104,11 +104,15 @@ static void draw(const stage *s, const void *set_up, findings *found)
     int count = 0;
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
     for (int i = 0; i < LAYERS; i++) {
-        double height = (i + 0.5) / LAYERS, speed = skv_stage_read(s, f->layers[i], 4);
-        skv_plot_point(&found->plot, height, speed);
+        /* A layer's speed is that of its particles, and so belongs where these are, not to its
+         * middle: beside a wall they keep to rows. */
+        double height = skv_stage_read(s, f->layers[i], 3) / f->channel;
+        double speed = skv_stage_read(s, f->layers[i], 4);
         /* A layer may lie between two rows of particles, and nothing pass through it. */
-        if (!isnan(speed))
-            samples[count++] = (sample){2 * height - 1, speed};
+        if (isnan(height) || isnan(speed))
+            continue;
+        skv_plot_point(&found->plot, height, speed);
+        samples[count++] = (sample){2 * height - 1, speed};
     }
     found->measured[0] = fit_parabola(samples, count, &found->condition[0], &found->condition[1]);
 }
