@@ -17,6 +17,7 @@ typedef struct skv_constants {
 
     /* Pressure laws. Densities are dimensionless. */
     bool clavet;           /* the clavet law, else the calibrated one */
+    bool weighs;           /* walls by weights: wall_weight.h; calibrated law alone */
     int iterations;        /* relaxation rounds */
     skv_kernel kernel;     /* of the density; the near density has its own */
     float rest_density;    /* rho0 */
@@ -38,6 +39,10 @@ typedef struct skv_constants {
     float cohesion_slope; /* ... and how steeply its share grows to 1 from there */
     float tension_scale;  /* of the surface tension, m */
     float tension_from;   /* gradient up to which there is none */
+    /* Walls by weights alone. */
+    float adhesion;  /* share of a wall's pull that acts */
+    float grip;      /* share of the slip along a wall that friction takes a substep */
+    float wall_drag; /* strength of viscosity's pairs with the solid */
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
@@ -51,6 +56,12 @@ typedef struct skv_constants {
 static inline bool skv_is_viscous(const skv_constants *constants)
 {
     return constants->viscosity_linear > 0 || constants->viscosity_quadratic > 0;
+}
+
+/* True if walls hold anything of what slips along them, out of contact too. */
+static inline bool skv_has_grip(const skv_constants *constants)
+{
+    return constants->grip > 0 || constants->wall_drag > 0;
 }
 
 #endif

@@ -138,7 +138,7 @@ void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid)
 {
     world->fluid = *fluid;
     world->constants_stale = true;
-    world->boundary.contact_distance = fluid->contact_distance * fluid->spacing;
+    world->boundary.contact_distance = skv_contact_distance(fluid);
 }
 
 void skv_world_put_emission(skv_world *world, const skv_world_def *def)

@@ -30,6 +30,8 @@
 #define COHESION_PULL    3.57  /* F is so much weaker here than q, for which k_coh was meant */
 #define COHESION_TENSION 0.255 /* of k_coh; more makes drops stiffer, less lets them come apart */
 #define TENSION_FROM     0.2   /* of |g| at a flat surface: how uneven the bulk may be */
+#define STICKS           0.05  /* wall friction from which on a viscous fluid does not slip */
+#define GRIP             0.2   /* of the friction in contact: it acts on all of the layer */
 #define COHESION_MARGIN  6     /* how much stiffer than the cohesion the pressure must be */
 
 bool skv_within(double value, double lo, double hi)
@@ -40,6 +42,17 @@ bool skv_within(double value, double lo, double hi)
 skv_kernel skv_law_kernel(skv_law law)
 {
     return law == SKV_LAW_CLAVET ? SKV_KERNEL_SPIKY : SKV_KERNEL_SMOOTH;
+}
+
+static bool has_weights(const skv_fluid_def *f)
+{
+    return f->wall_weights && f->law == SKV_LAW_CALIBRATED;
+}
+
+float skv_contact_distance(const skv_fluid_def *f)
+{
+    /* Weights hold particles off by themselves; contact is for what is thrown in. */
+    return (has_weights(f) ? 0.5f : 1) * f->contact_distance * f->spacing;
 }
 
 /* The stiffness k that the calibrated law's relaxation amounts to in the bulk, m/s^2: particles
@@ -137,6 +150,20 @@ static double share_for(double share_a_frame, double dt)
     return 1 - skv_pow(1 - share_a_frame, dt / FRAME);
 }
 
+/* Walls by weights have no friction in contact, which nothing comes to. What holds a viscous fluid
+ * is its viscosity, in full at the default friction: half of the directions approach a wall that
+ * rests, and half of a pair's impulse is its. */
+static void set_weights(skv_constants *c, const skv_fluid_def *f, double dt)
+{
+    double viscosity = linear_viscosity(f), friction = (double)f->wall_friction;
+    double sticks = friction < STICKS ? friction / STICKS : 1, eta = (double)f->radius_ratio;
+    c->weighs = true;
+    c->adhesion = f->adhesion;
+    c->friction = 0;
+    c->wall_drag = (float)(sticks * viscosity * dt * eta * eta / 4);
+    c->grip = viscosity > 0 ? 0 : (float)share_for(GRIP * friction, dt);
+}
+
 static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, double dt)
 {
     skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SMOOTH, (double)f->radius_ratio);
@@ -159,6 +186,8 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
     c->wall_virial = 1.0f / 6;
     c->loose_push = (float)h;
+    if (has_weights(f))
+        set_weights(c, f, dt);
 }
 
 static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)

@@ -79,7 +79,7 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
             .terrain = terrain,
             .walls = world->walls,
             .clearance = skv_minf(0.1f * fluid->spacing, 0.5f * pixel),
-            .contact_distance = fluid->contact_distance * fluid->spacing,
+            .contact_distance = skv_contact_distance(fluid),
             .unit = 1,
             .per_unit = 1,
         };

@@ -69,6 +69,9 @@ void skv_set_stiffness(skv_constants *constants, float cold);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);
 
+/* Closer to a wall than this is contact, m. */
+float skv_contact_distance(const skv_fluid_def *fluid);
+
 /* |g| at a flat surface: n0 times the integral of F x/r over a half disc. */
 double skv_surface_gradient(const skv_fluid_def *fluid);
 

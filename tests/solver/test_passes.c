@@ -15,7 +15,7 @@
 
 #include <cmocka.h>
 
-enum { N = 400, ROUNDS = 8, ARRAYS = 26 };
+enum { N = 400, ROUNDS = 8, ARRAYS = 28 };
 
 static uint32_t random_state;
 
@@ -45,7 +45,7 @@ static void bind_arrays(twin *t)
         &s->dx,    &s->dy,        &s->density,  &s->near_density, &s->gradient_x, &s->gradient_y,
         &s->push,  &s->near_push, &s->pressure, &s->wall_near,    &s->f1x,        &s->wall_density,
         &s->f1y,   &s->f2x,       &s->f2y,      &s->clearance,    &s->normal_x,   &s->normal_y,
-        &s->depth, &s->warm_push,
+        &s->depth, &s->warm_push, &s->weight,   &s->weight_slope,
     };
     for (int a = 0; a < ARRAYS; a++)
         *arrays[a] = t->memory[a];
@@ -79,6 +79,8 @@ static void randomise(twin *t)
         set(s->f1y, o->f1y, i, wall * uniform(-2, 2));
         set(s->f2x, o->f2x, i, wall * uniform(-1, 1));
         set(s->f2y, o->f2y, i, wall * uniform(-1, 1));
+        set(s->weight, o->weight, i, t->constants.weighs ? 1 + wall * uniform(0, 0.5) : 1);
+        set(s->weight_slope, o->weight_slope, i, wall * uniform(0, 2));
         set(s->normal_x, o->normal_x, i, cos(angle));
         set(s->normal_y, o->normal_y, i, sin(angle));
         set(s->depth, o->depth, i, wall * uniform(0, 0.3) * spacing);
@@ -103,7 +105,7 @@ static void cut_at_wall(twin *t)
     }
 }
 
-static twin *make_twin(skv_law law, uint32_t seed)
+static twin *make_twin(skv_law law, bool weighs, uint32_t seed)
 {
     twin *t = calloc(1, sizeof *t);
     random_state = seed;
@@ -116,6 +118,8 @@ static twin *make_twin(skv_law law, uint32_t seed)
     f->viscosity_quadratic = (float)uniform(0, 3);
     f->wall_friction = (float)uniform(0, 0.5);
     f->wall_softness = (float)uniform(0.1, 0.9);
+    f->wall_weights = weighs;
+    f->adhesion = 0.5f;
     int substeps = skv_substep_rule(f, 9.81 * 0.5);
     t->constants = skv_make_constants(f, 1.0f / 60 / (float)substeps);
     oracle *o = &t->o;
@@ -135,6 +139,8 @@ static twin *make_twin(skv_law law, uint32_t seed)
     o->k_coh = (double)f->cohesion;
     o->iterations = f->iterations;
     o->clavet = law == SKV_LAW_CLAVET;
+    o->weighs = weighs;
+    o->adhesion = (double)f->adhesion;
     o->k = (double)f->clavet_stiffness;
     o->k_near_clavet = (double)f->clavet_near_stiffness;
     o->rest_density_clavet = (double)f->clavet_rest_density;
@@ -301,8 +307,10 @@ static void passes_match_the_oracle(void **unused)
 {
     (void)unused;
     for (uint32_t round = 0; round < ROUNDS; round++) {
-        for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
-            twin *t = make_twin((skv_law)law, 7 * round + 1);
+        /* The calibrated law, with weights and without, and the clavet law. */
+        for (int kind = 0; kind < 3; kind++) {
+            skv_law law = kind == 2 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED;
+            twin *t = make_twin(law, kind == 1, 7 * round + 1);
             check_twin(t);
             free_twin(t);
         }
@@ -314,7 +322,7 @@ static void constants_match_the_oracle(void **unused)
 {
     (void)unused;
     for (uint32_t seed = 1; seed < 20; seed++) {
-        twin *t = make_twin(SKV_LAW_CALIBRATED, seed);
+        twin *t = make_twin(SKV_LAW_CALIBRATED, false, seed);
         double rest = oracle_rest_density(&t->o);
         assert_true(fabs((double)t->constants.rest_density / rest - 1) < 1e-6);
         free_twin(t);
@@ -327,7 +335,7 @@ static void pair_passes_keep_momentum(void **unused)
 {
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
-        twin *t = make_twin((skv_law)law, 99);
+        twin *t = make_twin((skv_law)law, false, 99);
         skv_pass_data *s = &t->substep.data;
         size_t bytes = N * sizeof(float);
         memset(s->f1x, 0, bytes);

@@ -139,8 +139,8 @@ void oracle_advance(oracle *o, double max_speed)
 void oracle_density(oracle *o, bool gradient)
 {
     for (int i = 0; i < o->n; i++) {
-        o->density[i] = o->wall_density[i];
-        o->near_density[i] = o->wall_near[i];
+        o->density[i] = o->weighs ? o->weight[i] : o->wall_density[i];
+        o->near_density[i] = o->weighs ? o->weight[i] : o->wall_near[i];
         if (gradient) {
             o->gx[i] = -o->f1x[i];
             o->gy[i] = -o->f1y[i];
@@ -151,10 +151,14 @@ void oracle_density(oracle *o, bool gradient)
             double ux, uy, q = pair_at(o, i, j, &ux, &uy);
             if (q <= 0)
                 continue;
-            o->density[i] += kernel(o->clavet, 1 - q);
-            o->near_density[i] += q * q * q;
+            o->density[i] += o->weight[j] * kernel(o->clavet, 1 - q);
+            o->near_density[i] += o->weight[j] * q * q * q;
             o->gx[i] += gradient ? force(o->clavet, 1 - q) * ux : 0;
             o->gy[i] += gradient ? force(o->clavet, 1 - q) * uy : 0;
+        }
+        if (o->weighs) {
+            o->density[i] = o->weight[i] * o->density[i] - 1;
+            o->near_density[i] = o->weight[i] * o->near_density[i] - 1;
         }
         /* A fifth of what it is at a flat surface does not count. */
         double size = hypot(o->gx[i], o->gy[i]), bulk = o->clavet ? 0 : 0.2 * o->eta * o->eta / 15;
@@ -216,11 +220,51 @@ static void push_off_walls(oracle *o, int i)
     o->dy[i] = y;
 }
 
+/* With weights: the energy's slope in the particle's own weight, by differences of the densities
+ * that it has a part in; P and N are the energy's slopes in these. */
+static double swell(const oracle *o, int i)
+{
+    const double small = 1e-4;
+    double sum = 0;
+    for (int j = 0; j < o->n; j++) {
+        double ux, uy, q = j == i ? 0 : pair_at(o, i, j, &ux, &uy);
+        if (q <= 0)
+            continue;
+        /* Of rho_i + rho_j what the pair adds, P and N being each its own. */
+        double w = o->weight[j] * kernel(false, 1 - q), n = o->weight[j] * q * q * q;
+        sum += (o->push[i] + o->push[j]) * w + 4 * (o->near_push[i] + o->near_push[j]) * n;
+    }
+    double more = o->weight[i] + small, less = o->weight[i] - small;
+    double alone = (more * more - less * less) / (2 * small);
+    return sum + alone * (o->push[i] + 4 * o->near_push[i]);
+}
+
+static void push_off_weights(oracle *o, int i)
+{
+    double swells = swell(o, i), pull = swells < 0 ? o->adhesion : 1;
+    o->dx[i] = o->weight_slope[i] * pull * swells * o->f1x[i];
+    o->dy[i] = o->weight_slope[i] * pull * swells * o->f1y[i];
+}
+
+/* What a wall makes of the virial. */
+static double wall_virial(const oracle *o, int i, double virial)
+{
+    double h = radius_of(o), part = o->clavet ? 1 : 1.0 / 6;
+    if (!o->weighs)
+        return virial + h * (part * o->push[i] * o->wall_density[i] +
+                             2.0 / 3 * o->near_push[i] * o->wall_near[i]);
+    if (o->weight[i] == 1)
+        return virial;
+    double usual = lattice_near_density(o->eta) / oracle_rest_density(o);
+    double crowding = 8 * o->weight[i] * (1 - usual) * o->near_push[i];
+    return h * o->weight[i] * (swell(o, i) - crowding) / 6;
+}
+
 void oracle_displacement(oracle *o)
 {
     double h = radius_of(o);
     for (int i = 0; i < o->n; i++) {
-        push_off_walls(o, i);
+        o->weighs ? push_off_weights(o, i) : push_off_walls(o, i);
         double virial = 0;
         for (int j = 0; j < o->n; j++) {
             if (j == i)
@@ -230,14 +274,12 @@ void oracle_displacement(oracle *o)
                 continue;
             double size = (o->push[i] + o->push[j]) * force(o->clavet, 1 - q) +
                           (o->near_push[i] + o->near_push[j]) * q * q;
+            size *= o->weight[i] * o->weight[j];
             o->dx[i] -= size * ux;
             o->dy[i] -= size * uy;
             virial += (1 - q) * h * size;
         }
-        double wall = o->clavet ? 1 : 1.0 / 6;
-        virial += h * (wall * o->push[i] * o->wall_density[i] +
-                       2.0 / 3 * o->near_push[i] * o->wall_near[i]);
-        o->pressure[i] += o->fluid_density / (4 * o->dt * o->dt) * virial;
+        o->pressure[i] += o->fluid_density / (4 * o->dt * o->dt) * wall_virial(o, i, virial);
     }
 }
 
@@ -269,8 +311,9 @@ void oracle_tension(oracle *o)
             }
             o->dx[i] += scale * push[0];
             o->dy[i] += scale * push[1];
-            o->pressure[i] -= o->fluid_density / (4 * o->dt * o->dt) * scale * h * (1 - q) *
-                              (push[0] * ux + push[1] * uy);
+            if (o->weight[i] == 1)
+                o->pressure[i] -= o->fluid_density / (4 * o->dt * o->dt) * scale * h * (1 - q) *
+                                  (push[0] * ux + push[1] * uy);
         }
     }
 }
@@ -278,7 +321,8 @@ void oracle_tension(oracle *o)
 void oracle_contact(oracle *o)
 {
     double soft = 1 - pow(1 - o->softness_a_frame, 60 * o->dt);
-    double rub = 1 - pow(1 - o->friction_a_frame, 60 * o->dt);
+    /* Where there are weights, friction does not wait for contact. */
+    double rub = o->weighs ? 0 : 1 - pow(1 - o->friction_a_frame, 60 * o->dt);
     for (int i = 0; i < o->n; i++) {
         double tx = -o->normal_y[i], ty = o->normal_x[i];
         double moved_x = o->wx[i] + o->dt * o->vx[i], moved_y = o->wy[i] + o->dt * o->vy[i];

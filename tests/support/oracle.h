@@ -17,11 +17,14 @@ typedef struct oracle {
     double warm_start;       /* share of it with which the next one starts */
     double wall_density[ORACLE_MAX], wall_near[ORACLE_MAX];
     double f1x[ORACLE_MAX], f1y[ORACLE_MAX], f2x[ORACLE_MAX], f2y[ORACLE_MAX];
+    double weight[ORACLE_MAX], weight_slope[ORACLE_MAX]; /* of walls by weights; else 1 and 0 */
     double depth[ORACLE_MAX], normal_x[ORACLE_MAX], normal_y[ORACLE_MAX];
 
     /* Parameters, SI. */
     double s, eta, fluid_density, dt, g_x, g_y, sigma, beta, friction_a_frame, softness_a_frame;
     double omega, k_near, k_coh; /* calibrated law */
+    bool weighs;                 /* walls by weights */
+    double adhesion;
     int iterations;
     bool clavet;
     double k, k_near_clavet, rest_density_clavet; /* clavet law, in units of h and dt */

@@ -30,6 +30,7 @@ typedef struct skv_pass_data {
     float *push, *near_push; /* P and N of the pressure law, m */
     float *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
     float *f1x, *f1y, *f2x, *f2y;    /* F1, F2 of the wall maps; dimensionless */
+    float *weight, *weight_slope;    /* g and its slope: wall_weight.h */
     float *depth;                    /* to push out of the contact distance, m; 0: no contact */
     float *normal_x, *normal_y;      /* out of the wall; valid where depth > 0 */
 } skv_pass_data;

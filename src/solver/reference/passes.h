@@ -45,7 +45,8 @@ skv_pass skv_pass_predict;
  * velocity. */
 skv_pass skv_pass_advance;
 
-/* What the solid adds to the sums: the wall density maps. */
+/* What the solid adds to the sums, the wall density maps; and the weights of the particles beside
+ * it. */
 skv_pass skv_pass_walls;
 
 /* Algorithm 6, lines 3-9: densities from neighbours and walls, and their gradient, if the tension
@@ -66,6 +67,10 @@ skv_pass skv_pass_tension;
 
 /* Carries out dx, dy as far as walls allow, and keeps in the corrections what was carried out. */
 skv_pass skv_pass_correct;
+
+/* With the calibrated law, in the last iteration: takes from dx, dy what friction and viscosity
+ * hold of the slip beside a wall. */
+skv_pass skv_pass_grip;
 
 /* Algorithm 7 for particles closer to a wall than the contact distance: friction and push, in
  * dx, dy; zero for all others. First how deep they are, and which way is out. */

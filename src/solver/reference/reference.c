@@ -69,13 +69,15 @@ static void take_substep(reference *r)
     update_neighbours(r);                     /* lists of pairs within h: 5 */
     for (int i = 0; i < c->iterations; i++) { /* until the density is right: 6 */
         r->substep.first = i == 0;
-        run(r, WALLS, skv_pass_walls);     /* what the solid adds to the sums */
+        run(r, WALLS, skv_pass_walls);     /* what the solid adds to the sums, and weights */
         run(r, DENSITY, skv_pass_density); /* rho, near density and gradient */
         run(r, PRESSURE, c->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated);
         run(r, DISPLACEMENT, skv_pass_displacement); /* along the pressure differences */
         if (i == 0 && !c->clavet)
             run(r, DISPLACEMENT, skv_pass_tension);
-        run(r, DISPLACEMENT, skv_pass_correct); /* x += dx, stopped at walls */
+        if (i == c->iterations - 1 && skv_has_grip(c))
+            run(r, DISPLACEMENT, skv_pass_grip); /* what a wall holds of the slip along it */
+        run(r, DISPLACEMENT, skv_pass_correct);  /* x += dx, stopped at walls */
     }
     run(r, CONTACT, skv_pass_find_contacts); /* friction and push at walls: 7 */
     run(r, CONTACT, skv_pass_contact);
@@ -167,6 +169,7 @@ static skv_result reserve_arrays(reference *r, int count, skv_error *error)
         SKV_ARRAY(s->wall_density, room, 0), SKV_ARRAY(s->wall_near, room, 0),
         SKV_ARRAY(s->f1x, room, 0),          SKV_ARRAY(s->f1y, room, 0),
         SKV_ARRAY(s->f2x, room, 0),          SKV_ARRAY(s->f2y, room, 0),
+        SKV_ARRAY(s->weight, room, 0),       SKV_ARRAY(s->weight_slope, room, 0),
         SKV_ARRAY(s->depth, room, 0),        SKV_ARRAY(s->normal_x, room, 0),
         SKV_ARRAY(s->normal_y, room, 0),     SKV_ARRAY(r->listed_x, room, kept),
         SKV_ARRAY(r->listed_y, room, kept),

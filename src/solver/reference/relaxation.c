@@ -8,6 +8,7 @@
 #include "solver/reference/pair.h"
 #include "solver/reference/passes.h"
 #include "solver/wall_push.h"
+#include "solver/wall_weight.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -24,13 +25,22 @@ void skv_pass_density(const skv_substep *sub, int begin, int end)
             if (!skv_pair_of(s, c, i, n->list[k], &pair))
                 continue;
             float force = skv_pair_force(c, pair.q);
-            density += skv_pair_density(c, pair.q);
-            near_density += pair.q * pair.q * pair.q;
+            float weight = s->weight[n->list[k]];
+            density += weight * skv_pair_density(c, pair.q);
+            near_density += weight * (pair.q * pair.q * pair.q);
             gx += force * pair.ux;
             gy += force * pair.uy;
         }
-        s->density[i] = density + s->wall_density[i];
-        s->near_density[i] = near_density + s->wall_near[i];
+        if (!c->weighs) {
+            density += s->wall_density[i];
+            near_density += s->wall_near[i];
+        } else if (s->weight[i] != 1) {
+            /* Itself counts among those that stand for more, less the one that it is. */
+            density = s->weight[i] * (density + s->weight[i]) - 1;
+            near_density = s->weight[i] * (near_density + s->weight[i]) - 1;
+        }
+        s->density[i] = density;
+        s->near_density[i] = near_density;
         if (sub->first && !c->clavet) {
             gx -= s->f1x[i];
             gy -= s->f1y[i];
@@ -95,13 +105,52 @@ void skv_pass_pressure_clavet(const skv_substep *sub, int begin, int end)
     }
 }
 
+/* The walls' part of a displacement and the rest of the gauge pressure. */
+static void add_solid(const skv_substep *sub, int i, float virial)
+{
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    float wall_x, wall_y;
+    skv_wall_push(s->push[i], s->near_push[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i],
+                  sub->gravity_x, sub->gravity_y, c->loose_push, &wall_x, &wall_y);
+    s->dx[i] += wall_x;
+    s->dy[i] += wall_y;
+    skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
+    /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
+    virial += c->wall_virial * s->push[i] * s->wall_density[i] +
+              2.0f / 3 * s->near_push[i] * s->wall_near[i];
+    s->pressure[i] += c->pressure_scale * c->h * virial;
+}
+
+/* The same with walls by weights. `swell` is the partners' part of what pushes the particle towards
+ * a smaller weight. */
+static void add_weighted(const skv_substep *sub, int i, float swell, float virial)
+{
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    float weight = s->weight[i], push = s->push[i], near_push = s->near_push[i];
+    float sum = (s->density[i] + 1) / weight - weight;
+    float near_sum = (s->near_density[i] + 1) / weight - weight;
+    swell += push * sum + SKV_NEAR_SWELL * (near_push * near_sum);
+    float alone = 2 * weight * (push + SKV_NEAR_SWELL * near_push);
+    float share = skv_wall_share(swell + alone, s->weight_slope[i], c->adhesion);
+    float wall_x = share * s->f1x[i], wall_y = share * s->f1y[i];
+    s->dx[i] += wall_x;
+    s->dy[i] += wall_y;
+    skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
+    /* In units of a virial; alone, it does not crowd itself. */
+    float beside = weight * (swell + 2 * weight * (push + 4 * c->near_share * near_push)) / 6;
+    s->pressure[i] +=
+        c->pressure_scale * c->h * (beside + skv_bulk_share(weight) * (virial - beside));
+}
+
 void skv_pass_displacement(const skv_substep *sub, int begin, int end)
 {
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
     const skv_neighbours *n = sub->neighbours;
     for (int i = begin; i < end; i++) {
-        float sum_x = 0, sum_y = 0, virial = 0;
+        float sum_x = 0, sum_y = 0, virial = 0, swell = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
             int j = n->list[k];
             skv_pair pair;
@@ -109,20 +158,20 @@ void skv_pass_displacement(const skv_substep *sub, int begin, int end)
                 continue;
             float size = (s->push[i] + s->push[j]) * skv_pair_force(c, pair.q) +
                          (s->near_push[i] + s->near_push[j]) * (pair.q * pair.q);
+            size *= s->weight[i] * s->weight[j];
             sum_x -= size * pair.ux;
             sum_y -= size * pair.uy;
             virial += (1 - pair.q) * size;
+            swell +=
+                s->weight[j] * (s->push[j] * skv_pair_density(c, pair.q) +
+                                SKV_NEAR_SWELL * (s->near_push[j] * (pair.q * pair.q * pair.q)));
         }
-        float wall_x, wall_y;
-        skv_wall_push(s->push[i], s->near_push[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i],
-                      sub->gravity_x, sub->gravity_y, c->loose_push, &wall_x, &wall_y);
-        s->dx[i] = sum_x + wall_x;
-        s->dy[i] = sum_y + wall_y;
-        skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
-        /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
-        virial += c->wall_virial * s->push[i] * s->wall_density[i] +
-                  2.0f / 3 * s->near_push[i] * s->wall_near[i];
-        s->pressure[i] += c->pressure_scale * c->h * virial;
+        s->dx[i] = sum_x;
+        s->dy[i] = sum_y;
+        if (!c->weighs)
+            add_solid(sub, i, virial);
+        else
+            add_weighted(sub, i, swell, virial);
     }
 }
 
@@ -149,6 +198,7 @@ void skv_pass_tension(const skv_substep *sub, int begin, int end)
         }
         s->dx[i] += c->tension_scale * sum_x;
         s->dy[i] += c->tension_scale * sum_y;
-        s->pressure[i] += c->pressure_scale * c->h * c->tension_scale * virial;
+        s->pressure[i] +=
+            skv_bulk_share(s->weight[i]) * c->pressure_scale * c->h * c->tension_scale * virial;
     }
 }

@@ -2,6 +2,7 @@
  * (Algorithm 7 with errata 7): friction along the wall, then a push out of the contact distance.
  * Invariant: a particle out of contact gets no displacement by it. */
 #include "solver/reference/passes.h"
+#include "solver/wall_weight.h"
 
 #include <math.h>
 
@@ -72,13 +73,18 @@ void skv_pass_walls(const skv_substep *sub, int begin, int end)
     const skv_pass_data *s = &sub->data;
     for (int i = begin; i < end; i++) {
         skv_wall_sample wall;
-        skv_boundary_sample(sub->boundary, s->x[i], s->y[i], &wall);
+        float distance = skv_boundary_sample(sub->boundary, s->x[i], s->y[i], &wall);
         s->wall_density[i] = wall.r;
         s->wall_near[i] = wall.rn;
         s->f1x[i] = wall.f1x;
         s->f1y[i] = wall.f1y;
         s->f2x[i] = wall.f2x;
         s->f2y[i] = wall.f2y;
+        skv_wall_weight w = {1, 0};
+        if (sub->constants->weighs && distance < sub->constants->h)
+            w = skv_weigh(sub->boundary, &wall);
+        s->weight[i] = w.weight;
+        s->weight_slope[i] = w.slope;
     }
 }
 
@@ -89,6 +95,26 @@ void skv_pass_correct(const skv_substep *sub, int begin, int end)
         float made = move_particle(sub, i);
         s->wx[i] += made * s->dx[i];
         s->wy[i] += made * s->dy[i];
+    }
+}
+
+void skv_pass_grip(const skv_substep *sub, int begin, int end)
+{
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    for (int i = begin; i < end; i++) {
+        float size = sqrtf(s->f1x[i] * s->f1x[i] + s->f1y[i] * s->f1y[i]);
+        if (!(size > 0))
+            continue;
+        float tx = -s->f1y[i] / size, ty = s->f1x[i] / size;
+        /* The particle's displacement in this substep so far, along the wall. */
+        float moved_x = s->wx[i] + s->dx[i] + c->dt * s->vx[i];
+        float moved_y = s->wy[i] + s->dy[i] + c->dt * s->vy[i];
+        float share = skv_solid_share(sub->boundary, s->wall_density[i]);
+        float held = skv_wall_grip(c->grip, c->wall_drag, share) * (moved_x * tx + moved_y * ty);
+        s->dx[i] -= held * tx;
+        s->dy[i] -= held * ty;
+        skv_book_reaction(sub, i, (double)(-held * tx), (double)(-held * ty));
     }
 }
 

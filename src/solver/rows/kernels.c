@@ -14,32 +14,84 @@ V8_INLINE v8 collected(const float *own, const float *next)
     return v8_add(v8_load(own), v8_load(next));
 }
 
-/* Adds the walls' share to particles near one, and keeps the samples for the update. */
-static void sample_walls(const skv_rows *s, int row, bool gradient, const skv_boundary *boundary,
-                         skv_row_samples *samples)
+/* skv_bulk_share of eight weights. */
+V8_INLINE v8 bulk_share_of(v8 weight)
+{
+    v8 more = v8_mul(v8_set(SKV_BULK_STEEPNESS), v8_sub(weight, v8_set(1)));
+    return v8_max(v8_sub(v8_set(1), v8_mul(more, more)), v8_set(0));
+}
+
+/* Samples the walls for the particles near one, keeps the samples until the update, and weighs the
+ * particles. */
+static void weigh(const skv_rows *s, int row, const skv_row_constants *c,
+                  const skv_boundary *boundary, skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
-    const skv_row_sums *own = &s->own;
-    int used = 0;
-    for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
+    int begin = s->row_start[row], end = s->row_end[row], used = 0;
+    for (int i = begin; c->weighs && i < skv_row_padded_end(end); i += ROW_LANES)
+        v8_store(s->weight + i, v8_set(1));
+    for (int i = begin; i < end; i++) {
         if (p->clearance[i] >= 1)
             continue;
         skv_wall_sample wall;
         p->clearance[i] = skv_boundary_sample(boundary, p->x[i], p->y[i], &wall);
-        /* As add_wall_push will see it, if it has to sample again. */
+        /* As whoever has to sample again will see it. */
         if (p->clearance[i] >= 1)
             continue;
-        own->density[i] += wall.r;
-        own->near_density[i] += wall.rn;
-        if (gradient) {
-            own->gradient_x[i] -= wall.f1x;
-            own->gradient_y[i] -= wall.f1y;
-        }
+        if (c->weighs)
+            s->weight[i] = skv_weigh(boundary, &wall).weight;
         if (used < samples->room)
             samples->sample[used] = (skv_near_wall){i, wall};
         used++;
     }
     samples->used = used <= samples->room ? used : -1;
+}
+
+/* What is done for one particle beside a wall. */
+typedef void by_wall(const skv_rows *s, int i, const skv_row_constants *c,
+                     const skv_boundary *boundary, const skv_wall_sample *wall, void *context);
+
+/* Does it for all of a row, from the samples of its weights; where those found no place they are
+ * taken again. */
+V8_INLINE void for_walls(const skv_rows *s, int row, const skv_row_constants *c,
+                         const skv_boundary *boundary, const skv_row_samples *samples, by_wall *act,
+                         void *context)
+{
+    const skv_row_particles *p = &s->set[s->current];
+    for (int n = 0; n < samples->used; n++)
+        act(s, samples->sample[n].particle, c, boundary, &samples->sample[n].wall, context);
+    for (int i = s->row_start[row]; samples->used < 0 && i < s->row_end[row]; i++) {
+        skv_wall_sample wall;
+        if (p->clearance[i] >= 1)
+            continue;
+        skv_boundary_sample(boundary, p->x[i], p->y[i], &wall);
+        act(s, i, c, boundary, &wall, context);
+    }
+}
+
+/* The solid's share of the sums; with weights, of the tension's gradient alone, and the weighted
+ * sums become densities. */
+V8_INLINE void add_solid(const skv_rows *s, int i, const skv_row_constants *c,
+                         const skv_boundary *boundary, const skv_wall_sample *wall, void *graded)
+{
+    (void)boundary;
+    const skv_row_sums *own = &s->own, *next = &s->next;
+    if (graded) {
+        own->gradient_x[i] -= wall->f1x;
+        own->gradient_y[i] -= wall->f1y;
+    }
+    if (!c->weighs) {
+        own->density[i] += wall->r;
+        own->near_density[i] += wall->rn;
+        return;
+    }
+    float weight = s->weight[i];
+    if (weight == 1)
+        return;
+    /* Itself counts among those that stand for more, less the one that it is. */
+    own->density[i] = weight * (own->density[i] + next->density[i] + weight) - 1;
+    own->near_density[i] = weight * (own->near_density[i] + next->near_density[i] + weight) - 1;
+    next->density[i] = next->near_density[i] = 0;
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
@@ -76,7 +128,20 @@ V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_row_const
     return push;
 }
 
-static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_row_constants *c)
+/* Eight particles' own part of the swell, P and N times the sums over their partners; where the
+ * gauge pressure is wanted, the bulk's is the virial instead. */
+V8_INLINE v8 own_swell(const skv_rows *s, int i, v8 density, v8 near_density, v8 push, v8 near_push)
+{
+    const v8 one = v8_set(1), four = v8_set(SKV_NEAR_SWELL);
+    v8 weight = v8_load(s->weight + i);
+    v8 sum = v8_sub(v8_div(v8_add(density, one), weight), weight);
+    v8 near_sum = v8_sub(v8_div(v8_add(near_density, one), weight), weight);
+    v8 swell = v8_add(v8_mul(push, sum), v8_mul(four, v8_mul(near_push, near_sum)));
+    return s->gauged ? v8_sub(swell, v8_mul(bulk_share_of(weight), swell)) : swell;
+}
+
+static void pressure_calibrated(const skv_rows *s, int row, bool later, bool swells,
+                                const skv_row_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), rest = v8_set(c->rest_density);
     const v8 answer = v8_set(c->response_slope), floor = v8_set(c->response_floor);
@@ -90,13 +155,17 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
-        v8 close = v8_mul(near_push, crowded);
+        v8 close = v8_mul(near_push, crowded), near;
         v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
         v8 response = v8_max(v8_mul(answer, density), floor);
         v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
         v8 push = warm_push(s, i, later, c, excess, response);
-        v8_store(s->push + i, v8_sub(push, v8_div(pulled, response)));
-        v8_store(s->near_push + i, v8_div(close, response));
+        push = v8_sub(push, v8_div(pulled, response));
+        near = v8_div(close, response);
+        v8_store(s->push + i, push);
+        v8_store(s->near_push + i, near);
+        if (swells)
+            v8_store(s->own_move.swell + i, own_swell(s, i, density, near_density, push, near));
     }
 }
 
@@ -117,26 +186,43 @@ static void pressure_clavet(const skv_rows *s, int row, const skv_row_constants 
 }
 
 static void pressure(const skv_rows *s, int row, bool later, const skv_row_constants *c,
-                     const skv_boundary *boundary, skv_row_samples *samples)
+                     const skv_boundary *boundary, const skv_row_samples *samples)
 {
     bool graded = !c->clavet && !later;
-    sample_walls(s, row, graded, boundary, samples);
+    for_walls(s, row, c, boundary, samples, add_solid, graded ? &graded : NULL);
     if (c->clavet)
         pressure_clavet(s, row, c);
     else
-        pressure_calibrated(s, row, later, c);
+        pressure_calibrated(s, row, later, c->weighs && (s->gauged || samples->used), c);
     if (graded)
         keep_gradient(s, row, c);
 }
 
-/* Gauge pressure from the virial of the pairs and the walls, summed over the iterations. */
+/* What pressure the swell of eight particles beside a wall amounts to: skv_swell_pressure. */
+V8_INLINE v8 swell_pressure(const skv_rows *s, int i, v8 weight, v8 swell,
+                            const skv_row_constants *c)
+{
+    v8 balanced = v8_mul(v8_set(4 * c->near_share), v8_load(s->near_push + i));
+    v8 push = v8_add(v8_load(s->push + i), balanced);
+    swell = v8_add(swell, v8_mul(v8_mul(v8_set(2), weight), push));
+    return v8_div(v8_mul(weight, swell), v8_set(6));
+}
+
+/* Gauge pressure from the virial of the pairs, or the swell beside walls, summed over the
+ * iterations. */
 static void gauge(const skv_rows *s, int row, int iteration, const skv_row_constants *c)
 {
     const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
-    const float *own = s->own_move.virial, *next = s->next_move.virial;
+    const float *own = s->own_move.swell, *next = s->next_move.swell;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 before = iteration ? v8_load(s->pressure + i) : zero;
-        v8_store(s->pressure + i, v8_add(before, v8_mul(scale, collected(own + i, next + i))));
+        v8 found = collected(own + i, next + i);
+        if (c->weighs) {
+            v8 weight = v8_load(s->weight + i);
+            v8 beside = swell_pressure(s, i, weight, found, c);
+            found = v8_add(beside, v8_mul(bulk_share_of(weight), v8_sub(found, beside)));
+        }
+        v8_store(s->pressure + i, v8_add(before, v8_mul(scale, found)));
     }
 }
 
@@ -163,13 +249,10 @@ static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
     }
 }
 
-V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
-                        const skv_wall_sample *wall, skv_impulse *given)
+/* Adds what a wall does to a particle's displacement. */
+V8_INLINE void add_move(const skv_rows *s, int i, float dx, float dy, skv_impulse *given)
 {
     const skv_row_particles *p = &s->set[s->current];
-    float dx, dy;
-    skv_wall_push(s->push[i], s->near_push[i], wall->f1x, wall->f1y, wall->f2x, wall->f2y,
-                  c->gravity_x, c->gravity_y, c->loose_push, &dx, &dy);
     s->own_move.x[i] += dx;
     s->own_move.y[i] += dy;
     if (!(p->number[i] & ROW_HELD)) {
@@ -177,30 +260,46 @@ V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
         given->y += (double)dy;
         given->moment += (double)(p->x[i] * dy - p->y[i] * dx);
     }
-    /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
-    if (s->gauged)
-        s->own_move.virial[i] +=
-            c->wall_virial * s->push[i] * wall->r + 2.0f / 3 * s->near_push[i] * wall->rn;
 }
 
-/* Adds the walls' push to a row's displacement, from the samples of the pressure pass; where those
- * found no place they are taken again. */
-static void add_wall_push(const skv_rows *s, int row, const skv_row_constants *c,
-                          const skv_boundary *boundary, const skv_row_samples *samples,
-                          skv_impulse_sum *walls)
+/* Adds the wall's push. */
+V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
+                        const skv_boundary *boundary, const skv_wall_sample *wall, void *impulse)
+{
+    float dx, dy;
+    if (!c->weighs) {
+        skv_wall_push(s->push[i], s->near_push[i], wall->f1x, wall->f1y, wall->f2x, wall->f2y,
+                      c->gravity_x, c->gravity_y, c->loose_push, &dx, &dy);
+        /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
+        if (s->gauged)
+            s->own_move.swell[i] +=
+                c->wall_virial * s->push[i] * wall->r + 2.0f / 3 * s->near_push[i] * wall->rn;
+    } else {
+        skv_wall_weight w = skv_weigh(boundary, wall);
+        float alone = 2 * w.weight * (s->push[i] + SKV_NEAR_SWELL * s->near_push[i]);
+        float swell = s->own_move.swell[i] + s->next_move.swell[i] + alone;
+        float share = skv_wall_share(swell, w.slope, c->adhesion);
+        dx = share * wall->f1x;
+        dy = share * wall->f1y;
+    }
+    add_move(s, i, dx, dy, impulse);
+}
+
+/* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
+ * u, v hold the rest of what it has moved in the substep. */
+V8_INLINE void add_grip(const skv_rows *s, int i, const skv_row_constants *c,
+                        const skv_boundary *boundary, const skv_wall_sample *wall, void *impulse)
 {
     const skv_row_particles *p = &s->set[s->current];
-    skv_impulse given = {0};
-    for (int w = 0; w < samples->used; w++)
-        add_push(s, samples->sample[w].particle, c, &samples->sample[w].wall, &given);
-    for (int i = s->row_start[row]; samples->used < 0 && i < s->row_end[row]; i++) {
-        skv_wall_sample wall;
-        if (p->clearance[i] >= 1)
-            continue;
-        skv_boundary_sample(boundary, p->x[i], p->y[i], &wall);
-        add_push(s, i, c, &wall, &given);
-    }
-    skv_impulse_add(walls, given.x, given.y, given.moment);
+    float size = sqrtf(wall->f1x * wall->f1x + wall->f1y * wall->f1y);
+    if (!(size > 0))
+        return;
+    float tx = -wall->f1y / size, ty = wall->f1x / size;
+    float moved_x = p->u[i] + (s->own_move.x[i] + s->next_move.x[i]);
+    float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]);
+    float share = skv_solid_share(boundary, wall->r);
+    float held = skv_wall_grip(c->grip, c->wall_drag, share) * (moved_x * tx + moved_y * ty);
+    add_move(s, i, -held * tx, -held * ty, impulse);
 }
 
 /* Zeroes the lanes of those of the eight particles at i that are held. */
@@ -261,8 +360,11 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
                    const skv_boundary *boundary, const skv_row_samples *samples,
                    skv_impulse_sum *walls)
 {
-    if (samples->used)
-        add_wall_push(s, row, c, boundary, samples, walls);
+    skv_impulse given = {0};
+    for_walls(s, row, c, boundary, samples, add_push, &given);
+    if (iteration == c->iterations - 1 && (c->grip > 0 || c->wall_drag > 0))
+        for_walls(s, row, c, boundary, samples, add_grip, &given);
+    skv_impulse_add(walls, given.x, given.y, given.moment);
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 dx = collected(s->own_move.x + i, s->next_move.x + i);
@@ -311,5 +413,5 @@ static void advance(const skv_rows *s, int row, const skv_row_constants *c,
 }
 
 const skv_row_kernels SKV_ROW_KERNELS = {
-    V8_NAME, advance, density, pressure, displacement, update,
+    V8_NAME, advance, weigh, density, pressure, displacement, update,
 };

@@ -26,8 +26,9 @@
  * the next row, written by the row below. A particle's sum is own + next.
  *
  * Buffers. What they hold through a substep, whose passes over a row are A, density; L, pressure;
- * B, displacement; U, update. Whatever lies in a column to the left has been read for the last time
- * when its place is written anew. "read": it is, here.
+ * B, displacement; U, update; W, the weights of the particles beside walls, comes first. Whatever
+ * lies in a column to the left has been read for the last time when its place is written anew.
+ * "read": it is, here.
  *
  *   buffer            sort      A                    L to B          B to U         store
  *   ----------------------------------------------------------------------------------------
@@ -40,13 +41,15 @@
  *    .v                         own gradient y       gradient y
  *    .clearance                 next density                         next move x
  *    .warm_push                 next near density                    next move y
- *    .number                    next gradient x                      next virial
+ *    .number                    next gradient x                      next swell
  *   spare[0]          key       next gradient y                      own move x      place
  *    [1]                                                             own move y
- *    [2]                                                             own virial
+ *    [2]                                             own swell       own swell
+ *    [3]                         weight (W)          weight          weight
  *
- * The gradient belongs to the calibrated law and the first iteration, virial and pressure to the
- * last substep of a call. skv_rows_lend_buffers, in memory.c, is this table in code.
+ * The gradient belongs to the calibrated law and the first iteration, the gauge pressure to the
+ * last substep of a call. `swell` is the calibrated law's; the clavet law has the virial there.
+ * skv_rows_lend_buffers, in memory.c, is this table in code.
  */
 #ifndef SKV_ROWS_LAYOUT_H
 #define SKV_ROWS_LAYOUT_H
@@ -60,8 +63,11 @@ enum {
     ROW_MARGIN = 2, /* empty rows, and empty radii of cells, around the world */
     ROW_MAX_THREADS = 64,
     ROW_SUMS = 4,  /* that the density pass adds up, at most */
-    ROW_SPARE = 3, /* buffers beside the two sets */
-    ROW_SLOTS = 3  /* rows of which a thread keeps something: two in turn, and one at its seam */
+    ROW_SPARE = 4, /* buffers beside the two sets */
+    /* Rows of which a thread keeps pairs: two in turn, and one at its seam; and wall samples: three
+     * in turn, and those at both seams. */
+    ROW_KEPT_SLOTS = 3,
+    ROW_SAMPLE_SLOTS = 5
 };
 
 /* Added to the number of a particle that is held. */
@@ -94,7 +100,7 @@ typedef struct skv_row_sums {
 /* One part of what the displacement pass adds up. */
 typedef struct skv_row_moves {
     float *x, *y;
-    float *virial;
+    float *swell; /* what pushes it towards a smaller weight; clavet: the virial */
 } skv_row_moves;
 
 /* Where the pairs of one row are kept between density and displacement. */
@@ -110,7 +116,7 @@ typedef struct skv_near_wall {
     skv_wall_sample wall;
 } skv_near_wall;
 
-/* Where those of one row are kept between pressure and update. */
+/* Where those of one row are kept between its weights and its update. */
 typedef struct skv_row_samples {
     skv_near_wall *sample;
     int room;
@@ -125,8 +131,8 @@ typedef struct skv_row_thread {
     int lowest, highest; /* rows that it has counted particles in */
     int first, end;      /* its rows, as cut by what they cost */
     int old_first, old_end;
-    skv_row_kept kept[ROW_SLOTS];
-    skv_row_samples samples[ROW_SLOTS];
+    skv_row_kept kept[ROW_KEPT_SLOTS];
+    skv_row_samples samples[ROW_SAMPLE_SLOTS];
     void *kept_memory;     /* of both */
     skv_impulse_sum walls; /* what they have given this thread's particles in this call */
 } skv_row_thread;
@@ -151,6 +157,7 @@ struct skv_rows {
     skv_row_moves own_move, next_move; /* of the displacement */
     float *push, *near_push;           /* P and N of the pressure law */
     float *gradient_x, *gradient_y;    /* that the tension evens out */
+    float *weight;                     /* of the particles beside walls; 1 elsewhere */
     float *pressure;                   /* gauge */
 
     /* Per tile: its ranges of partners. */

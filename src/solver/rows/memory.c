@@ -129,7 +129,7 @@ static int fullest_row(const skv_rows *rows)
 static skv_result reserve_kept(skv_rows *rows, skv_error *error)
 {
     size_t a_block = FLOATS_A_BLOCK * sizeof(float);
-    int fullest = fullest_row(rows), most = (int)(MOST_KEPT / ROW_SLOTS / a_block);
+    int fullest = fullest_row(rows), most = (int)(MOST_KEPT / ROW_KEPT_SLOTS / a_block);
     int blocks = (fullest / ROW_TILE + 1) * BLOCKS_A_TILE + 2 * FLOATS_A_BLOCK;
     blocks = blocks < most ? blocks : most;
     for (int t = 0; t < rows->thread_room; t++) {
@@ -137,17 +137,17 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
         if (blocks <= own->kept[0].room && fullest <= own->samples[0].room)
             continue;
         size_t floats = (size_t)blocks * FLOATS_A_BLOCK;
-        size_t bytes =
-            ROW_SLOTS * (floats * sizeof(float) + (size_t)fullest * sizeof(skv_near_wall));
+        size_t bytes = ROW_KEPT_SLOTS * floats * sizeof(float) +
+                       ROW_SAMPLE_SLOTS * (size_t)fullest * sizeof(skv_near_wall);
         float *memory = skv_calloc(bytes, 1);
         if (!memory)
             return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for kept pairs");
         skv_free(own->kept_memory);
         own->kept_memory = memory;
-        for (int slot = 0; slot < ROW_SLOTS; slot++, memory += floats)
+        for (int slot = 0; slot < ROW_KEPT_SLOTS; slot++, memory += floats)
             own->kept[slot] = (skv_row_kept){.pairs = memory, .room = blocks};
         skv_near_wall *samples = (skv_near_wall *)(void *)memory;
-        for (int slot = 0; slot < ROW_SLOTS; slot++, samples += fullest)
+        for (int slot = 0; slot < ROW_SAMPLE_SLOTS; slot++, samples += fullest)
             own->samples[slot] = (skv_row_samples){samples, fullest, 0};
         rows->memory.kept = bytes * (size_t)rows->thread_room;
     }
@@ -179,9 +179,10 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     size_t slots = (size_t)capacity + (size_t)rows->row_count * 2 * ROW_LANES + 4 * ROW_LANES;
     skv_row_particles *a = &rows->set[0], *b = &rows->set[1];
     float **floats[] = {
-        &a->x,         &a->y,         &a->u,           &a->v,           &a->clearance,
-        &a->warm_push, &b->x,         &b->y,           &b->u,           &b->v,
-        &b->clearance, &b->warm_push, &rows->spare[0], &rows->spare[1], &rows->spare[2],
+        &a->x,           &a->y,           &a->u,           &a->v,
+        &a->clearance,   &a->warm_push,   &b->x,           &b->y,
+        &b->u,           &b->v,           &b->clearance,   &b->warm_push,
+        &rows->spare[0], &rows->spare[1], &rows->spare[2], &rows->spare[3],
     };
     int **ints[] = {&a->number, &b->number};
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
@@ -232,6 +233,7 @@ void skv_rows_lend_buffers(skv_rows *rows)
     rows->next_move = (skv_row_moves){older->clearance, older->warm_push, number};
     rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};
     rows->pressure = older->u;
+    rows->weight = spare[3];
     /* There are no sums while the particles are sorted, and none when they are stored. */
     rows->key = (int *)(void *)spare[0];
     rows->place = (int *)(void *)spare[0];

@@ -26,6 +26,30 @@ static const skv_boundary *find_thin_wall(const skv_row_particles *p, int i, int
     return NULL;
 }
 
+/* Whether one of the partners in a range has a weight other than 1. */
+static bool has_weight(const float *weight, int begin, int end)
+{
+    const v8 one = v8_set(1), zero = v8_set(0);
+    bool any = false;
+    for (int j = begin; j < end && !any; j += ROW_LANES) {
+        v8 more = v8_sub(v8_load(weight + j), one);
+        any = v8_any_below(zero, v8_mul(more, more));
+    }
+    return any;
+}
+
+/* Whether a tile is to be computed with weights. Farther than two radii from walls neither it nor
+ * who feels it has any, but `clearance` is a lower bound only. */
+static bool is_weighted(const skv_rows *s, int i)
+{
+    const float *clearance = s->set[s->current].clearance + i;
+    bool near = false;
+    for (int k = 0; k < TILE; k++)
+        near = near || clearance[k] < 1 + ROW_WALL_SLOPE;
+    return near && (has_weight(s->weight, i, s->own_end[i / TILE]) ||
+                    has_weight(s->weight, s->next_begin[i / TILE], s->next_end[i / TILE]));
+}
+
 /* Sets q to 0 for pairs that a thin wall parts: then nothing passes between them. A wall between
  * two particles is no farther from both together than they are from each other; where its distances
  * say so, it need not be looked for. */
@@ -44,6 +68,15 @@ static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int
                                       p->y[j + l], p->clearance[j + l]))
                 *at = 0;
         }
+    }
+}
+
+VARIANT void weigh_tile(const skv_rows *s, unsigned with, const skv_row_constants *c, tile *t)
+{
+    t->weighted = with & SMOOTH && c->weighs && is_weighted(s, t->place);
+    t->weights = s->weight;
+    if (t->weighted) {
+        EACH(k) t->weight[k] = wide_spread(s->weight + t->place + k, WIDES);
     }
 }
 
@@ -72,6 +105,19 @@ VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *
     }
 }
 
+/* Adds a tile's kernels W and q^3, where somebody has a weight: once for all variants. */
+static __attribute__((noinline)) void add_weighted(int j, const tile *t, wide sum[2][WIDES],
+                                                   density_sums *sums, const skv_row_sums *to)
+{
+    wide weight = wide_each(part_load(t->weights + j)), *w = sum[0], *q3 = sum[1];
+    EACH(k) sums->density[k] = wide_add(sums->density[k], wide_mul(weight, w[k]));
+    EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], wide_mul(weight, q3[k]));
+    EACH(k) w[k] = wide_mul(t->weight[k], w[k]);
+    EACH(k) q3[k] = wide_mul(t->weight[k], q3[k]);
+    add_at(to->density + j, over_tile(w));
+    add_at(to->near_density + j, over_tile(q3));
+}
+
 /* Pass A for a tile and a part of eight partners. */
 VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigned with,
                           const tile *t, density_sums *sums, const skv_row_sums *to, float *keep)
@@ -89,10 +135,18 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     } else {
         EACH(k) w[k] = q2[k];
     }
-    EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
-    EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
-    add_at(to->density + j, over_tile(w));
-    add_at(to->near_density + j, over_tile(q3));
+    if (with & SMOOTH && __builtin_expect(t->weighted, 0)) {
+        /* Copies, so that w and q3 themselves stay in registers. */
+        wide sum[2][WIDES];
+        EACH(k) sum[0][k] = w[k];
+        EACH(k) sum[1][k] = q3[k];
+        add_weighted(j, t, sum, sums, to);
+    } else {
+        EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
+        EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
+        add_at(to->density + j, over_tile(w));
+        add_at(to->near_density + j, over_tile(q3));
+    }
     if (with & WITH_GRADIENT) {
         EACH(k) dx[k] = wide_mul(dx[k], q2[k]);
         EACH(k) dy[k] = wide_mul(dy[k], q2[k]);
@@ -152,8 +206,8 @@ VARIANT void add_densities(const skv_row_sums *to, int i, unsigned with, const t
     }
 }
 
-VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_boundary *boundary,
-                         float *keep)
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
+                         const skv_boundary *boundary, float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -165,6 +219,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_bo
     tile_sums late;
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
+        weigh_tile(s, with, c, &t);
         density_sums sums[PARTS];
         EACH(k)
         {
@@ -201,18 +256,19 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_bo
 /* A row whose pairs have no room, as in the crowds of a splash. There are few: one function for all
  * variants, which looks while it runs. */
 static __attribute__((noinline)) void density_unkept(const skv_rows *s, int row, unsigned with,
+                                                     const skv_row_constants *c,
                                                      const skv_boundary *b)
 {
-    density_row(s, row, with, b, NULL);
+    density_row(s, row, with, c, b, NULL);
 }
 
-VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_boundary *b,
-                             const skv_row_kept *kept)
+VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
+                             const skv_boundary *b, const skv_row_kept *kept)
 {
     if (kept->used >= 0)
-        density_row(s, row, with | KEEP_PAIRS, b, kept->pairs);
+        density_row(s, row, with | KEEP_PAIRS, c, b, kept->pairs);
     else
-        density_unkept(s, row, with, b);
+        density_unkept(s, row, with, c, b);
 }
 
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
@@ -222,11 +278,11 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     kept->used = blocks <= kept->room ? blocks : -1;
     if (c->clavet)
-        density_variant(s, row, 0, b, kept);
+        density_variant(s, row, 0, c, b, kept);
     else if (later)
-        density_variant(s, row, SMOOTH, b, kept);
+        density_variant(s, row, SMOOTH, c, b, kept);
     else
-        density_variant(s, row, SMOOTH | WITH_GRADIENT, b, kept);
+        density_variant(s, row, SMOOTH | WITH_GRADIENT, c, b, kept);
 }
 
 /* What the displacement reads of the partners. */
@@ -277,6 +333,44 @@ VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j
     EACH(k) size[k] = wide_add(size[k], w[k]);
 }
 
+/* skv_bulk_share of as many weights. */
+VARIANT wide bulk_share(wide weight)
+{
+    wide more = wide_mul(wide_set(SKV_BULK_STEEPNESS), wide_sub(weight, wide_set(1)));
+    return wide_max(wide_sub(wide_set(1), wide_mul(more, more)), wide_set(0));
+}
+
+/* Adds the pairs' part of the swell, see wall_weight.h: the partner's P W + 4 N q^3, weighted.
+ * Where the gauge pressure is wanted, particles of the bulk get the virial instead. Once for all
+ * variants.
+ */
+static __attribute__((noinline)) void add_swell(bool gauged, const partners *others, int j,
+                                                const tile *t, const pushes *pressed, const wide *q,
+                                                const wide *virial, move_sums *sums, float *to)
+{
+    const wide three = wide_set(3), four = wide_set(SKV_NEAR_SWELL);
+    wide push = wide_each(part_load(others->push + j)),
+         near_push = wide_each(part_load(others->near_push + j)),
+         weight = wide_each(part_load(t->weights + j)), other[WIDES];
+    EACH(k)
+    {
+        wide n = wide_mul(wide_mul(q[k], q[k]), q[k]);
+        wide w = wide_mul(n, wide_sub(four, wide_mul(three, q[k])));
+        n = wide_mul(four, n);
+        wide own = wide_mul(weight, wide_add(wide_mul(push, w), wide_mul(near_push, n)));
+        other[k] = wide_mul(t->weight[k], wide_add(wide_mul(pressed->push[k], w),
+                                                   wide_mul(pressed->near_push[k], n)));
+        if (gauged) {
+            wide more = wide_sub(virial[k], own);
+            own = wide_add(own, wide_mul(bulk_share(t->weight[k]), more));
+            more = wide_sub(virial[k], other[k]);
+            other[k] = wide_add(other[k], wide_mul(bulk_share(weight), more));
+        }
+        sums->swell[k] = wide_add(sums->swell[k], own);
+    }
+    add_at(to, over_tile(other));
+}
+
 /* Pass B for a tile and a part of eight partners. Where q is kept, r is 1 - q. */
 VARIANT void displacement_part(const skv_row_particles *p, const partners *others, int j,
                                bool first, bool has_gradient, unsigned with, const tile *t,
@@ -303,6 +397,10 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
     if (with & SMOOTH) {
         EACH(k) size[k] = wide_mul(size[k], ratio[k]);
         EACH(k) size[k] = wide_add(wide_mul(wide_add(pressed->push[k], push), q2[k]), size[k]);
+        if (__builtin_expect(t->weighted, 0)) {
+            wide weight = wide_each(part_load(t->weights + j));
+            EACH(k) size[k] = wide_mul(size[k], wide_mul(t->weight[k], weight));
+        }
     } else {
         EACH(k) size[k] = wide_mul(wide_add(wide_add(pressed->push[k], push), size[k]), ratio[k]);
     }
@@ -310,16 +408,23 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
         tension(others, j, pressed, dx, dy, q2, ratio, ex, ey, along);
         EACH(k) size[k] = wide_add(size[k], along[k]);
     }
+    wide virial[WIDES] = {0};
     if (with & WITH_GAUGE) {
         /* Distance times force. */
-        wide virial[WIDES];
         EACH(k) virial[k] = wide_mul(wide_mul(r[k], r[k]), size[k]);
         if (has_gradient) {
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ex[k], dx[k]));
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ey[k], dy[k]));
         }
-        EACH(k) sums->virial[k] = wide_add(sums->virial[k], virial[k]);
-        add_at(to->virial + j, over_tile(virial));
+    }
+    if (with & SMOOTH && __builtin_expect(t->weighted, 0)) {
+        wide near[WIDES], shown[WIDES];
+        EACH(k) near[k] = q[k];
+        EACH(k) shown[k] = virial[k];
+        add_swell(with & WITH_GAUGE, others, j, t, pressed, near, shown, sums, to->swell + j);
+    } else if (with & WITH_GAUGE) {
+        EACH(k) sums->swell[k] = wide_add(sums->swell[k], virial[k]);
+        add_at(to->swell + j, over_tile(virial));
     }
     if (with & WITH_VISCOSITY)
         viscosity(p, others, j, pressed, dx, dy, r, q, size);
@@ -348,29 +453,30 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
                       &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
-static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, unsigned with)
+/* Of the own row's swell, where there are weights, the pressure pass has begun the sum. */
+static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, bool swell)
 {
     zero_row(s, moves->x, row);
     zero_row(s, moves->y, row);
-    if (with & WITH_GAUGE)
-        zero_row(s, moves->virial, row);
+    if (swell)
+        zero_row(s, moves->swell, row);
 }
 
-VARIANT void sum_moves(tile_sums *to, unsigned with, const move_sums *sums)
+VARIANT void sum_moves(tile_sums *to, const move_sums *sums)
 {
     const move_sums *last = &sums[PARTS - 1];
     sum_lanes(to->sum[0], sums->x, last->x);
     sum_lanes(to->sum[1], sums->y, last->y);
-    if (with & WITH_GAUGE)
-        sum_lanes(to->sum[2], sums->virial, last->virial);
+    if (to->swells)
+        sum_lanes(to->sum[2], sums->swell, last->swell);
 }
 
-VARIANT void add_moves(const skv_row_moves *to, int i, unsigned with, const tile_sums *late)
+VARIANT void add_moves(const skv_row_moves *to, int i, const tile_sums *late)
 {
     add_tile(to->x + i, late->sum[0]);
     add_tile(to->y + i, late->sum[1]);
-    if (with & WITH_GAUGE)
-        add_tile(to->virial + i, late->sum[2]);
+    if (late->swells)
+        add_tile(to->swell + i, late->sum[2]);
 }
 
 VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
@@ -381,12 +487,13 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
                              s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
-    zero_moves(s, &own, row, with);
-    zero_moves(s, &next, row + 1, with);
+    zero_moves(s, &own, row, with & WITH_GAUGE && !c->weighs);
+    zero_moves(s, &next, row + 1, with & WITH_GAUGE || c->weighs);
     int begin = s->row_start[row], end = s->row_end[row];
     tile_sums late;
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i};
+        weigh_tile(s, with, c, &t);
         if (!(with & KEEP_PAIRS))
             t.beside = find_thin_wall(p, i, end, boundary);
         pushes pressed = {.has_gradient = false};
@@ -397,7 +504,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
             t.y[k] = wide_spread(p->y + i + k, WIDES);
             pressed.push[k] = wide_spread(others.push + i + k, WIDES);
             pressed.near_push[k] = wide_spread(others.near_push + i + k, WIDES);
-            EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].virial[k] = wide_set(0);
+            EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].swell[k] = wide_set(0);
             if (with & WITH_VISCOSITY) {
                 pressed.u[k] = wide_spread(p->u + i + k, WIDES);
                 pressed.v[k] = wide_spread(p->v + i + k, WIDES);
@@ -425,11 +532,12 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
             to = next;
         }
         if (i > begin)
-            add_moves(&own, i - TILE, with, &late);
-        sum_moves(&late, with, sums);
+            add_moves(&own, i - TILE, &late);
+        late.swells = with & WITH_GAUGE || t.weighted;
+        sum_moves(&late, sums);
     }
     if (begin < end)
-        add_moves(&own, (end - 1) & ~(TILE - 1), with, &late);
+        add_moves(&own, (end - 1) & ~(TILE - 1), &late);
 }
 
 /* As density_unkept. */
@@ -450,7 +558,8 @@ VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
         displacement_unkept(s, row, with, c, b);
 }
 
-/* The same with the virial, in the last substep of a call, and without. */
+/* The same with what the gauge pressure follows from, in the last substep of a call, and without.
+ */
 VARIANT void displacement_gauged(const skv_rows *s, int row, unsigned with,
                                  const skv_row_constants *c, const skv_boundary *b,
                                  const skv_row_kept *kept)

@@ -5,7 +5,13 @@
 #include <string.h>
 
 /* What neighbours wait for, in the order in which a thread comes to it in each turn. */
-typedef enum milestone { LAST_SUMMED = 1, FIRST_PRESSED, LAST_DISPLACED, FIRST_UPDATED } milestone;
+typedef enum milestone {
+    FIRST_WEIGHED = 1,
+    LAST_SUMMED,
+    FIRST_PRESSED,
+    LAST_DISPLACED,
+    FIRST_UPDATED
+} milestone;
 enum { MILESTONES = FIRST_UPDATED };
 
 static void reach(const skv_row_worker *w, milestone m)
@@ -17,13 +23,6 @@ static void await(const skv_row_worker *w, int neighbour, milestone m)
 {
     if (neighbour >= 0)
         skv_pool_await(w->shared->pool, &w->shared->progress[neighbour], w->turn * MILESTONES + m);
-}
-
-/* Waits until a neighbour has finished the turn before. */
-static void await_last_turn(const skv_row_worker *w, int neighbour)
-{
-    if (neighbour >= 0)
-        skv_pool_await(w->shared->pool, &w->shared->progress[neighbour], w->turn * MILESTONES);
 }
 
 static bool owns(const skv_row_worker *w, int row)
@@ -68,13 +67,29 @@ void skv_row_begin(skv_row_worker *w)
  * turn. */
 static skv_row_kept *kept_of(const skv_row_worker *w, int row)
 {
-    return &w->own->kept[row == w->last ? ROW_SLOTS - 1 : row & 1];
+    return &w->own->kept[row == w->last ? ROW_KEPT_SLOTS - 1 : row & 1];
 }
 
-/* The same for its wall samples: the first row's may be needed last. */
+/* The same for its wall samples: the last row is weighed early, the first row's may be needed last,
+ * and between a row's weights and its update come those of the next two. */
 static skv_row_samples *samples_of(const skv_row_worker *w, int row)
 {
-    return &w->own->samples[row == w->first ? ROW_SLOTS - 1 : row & 1];
+    int slot = row == w->first  ? ROW_SAMPLE_SLOTS - 1
+               : row == w->last ? ROW_SAMPLE_SLOTS - 2
+                                : row % (ROW_SAMPLE_SLOTS - 2);
+    return &w->own->samples[slot];
+}
+
+void skv_row_weigh(const skv_row_worker *w, int row)
+{
+    if (!owns(w, row))
+        return;
+    const skv_row_run *shared = w->shared;
+    skv_row_samples *samples = samples_of(w, row);
+    shared->kernels->weigh(shared->rows, row, shared->constants, shared->boundary, samples);
+    shared->rows->row_walls[row] = samples->used;
+    if (row == w->first)
+        reach(w, FIRST_WEIGHED);
 }
 
 void skv_row_density(const skv_row_worker *w, int row)
@@ -84,7 +99,7 @@ void skv_row_density(const skv_row_worker *w, int row)
     const skv_row_run *shared = w->shared;
     bool later = w->iteration > 0;
     if (row == w->last)
-        await_last_turn(w, w->upper);
+        await(w, w->upper, FIRST_WEIGHED);
     if (!later)
         skv_rows_find_ranges(shared->rows, row);
     shared->kernels->density(shared->rows, row, later, shared->constants, shared->boundary,
@@ -98,12 +113,10 @@ void skv_row_pressure(const skv_row_worker *w, int row)
     if (!owns(w, row))
         return;
     const skv_row_run *shared = w->shared;
-    skv_row_samples *samples = samples_of(w, row);
     if (row == w->first)
         await(w, w->lower, LAST_SUMMED);
     shared->kernels->pressure(shared->rows, row, w->iteration > 0, shared->constants,
-                              shared->boundary, samples);
-    shared->rows->row_walls[row] = samples->used;
+                              shared->boundary, samples_of(w, row));
     if (row == w->first)
         reach(w, FIRST_PRESSED);
 }

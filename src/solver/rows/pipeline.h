@@ -1,13 +1,14 @@
 /* The passes of an iteration, each over one row of the calling thread, in step with the threads
  * that own the rows next to its own.
  *
- * Who may run when, for row R of one iteration (A density, L pressure, B displacement, U update):
- * L(R) needs A(R) and A(R-1); B(R) needs L(R) and L(R+1); U(R) needs B(R) and B(R-1), and moves
- * what A and B of rows R and R-1 read. Within a thread's rows the caller's order sees to that. At
- * the seam between two threads the upper one needs A of the lower one's last row, so that is run
- * before the rest; the lower one needs L of the upper one's first row; and the upper one's first
- * row is updated after B of the lower one's last. A thread waits for its two neighbours only, and
- * only there: they may be at work on different iterations.
+ * Who may run when, for row R of one iteration (W weights, A density, L pressure, B displacement, U
+ * update): A(R) needs W(R) and W(R+1); L(R) needs A(R) and A(R-1); B(R) needs L(R) and L(R+1); U(R)
+ * needs B(R) and B(R-1), and moves what A and B of rows R and R-1 read. Within a thread's rows the
+ * caller's order sees to that. At the seam between two threads the lower one needs W of the upper
+ * one's first row, and the upper one A of the lower one's last row, so these are run before the
+ * rest; the lower one needs L of the upper one's first row; and the upper one's first row is
+ * updated after B of the lower one's last. A thread waits for its two neighbours only, and only
+ * there: they may be at work on different iterations.
  *
  * Invariant: every order that these rules allow gives the same bits.
  */
@@ -43,9 +44,11 @@ typedef struct skv_row_worker {
 /* Before the iterations of a substep, when the rows have been shared out. */
 void skv_row_begin(skv_row_worker *worker);
 
-/* The passes. A row that is not the worker's is left alone. Order: A of the last row; then for each
- * row R from the first to one after the last A(R) but for the last, L(R), B(R-1), U(R-1); then the
- * update at the seam. The first row's U is left to the latter where there is a seam below it. */
+/* The passes. A row that is not the worker's is left alone. Order: W of the first and of the last
+ * row, A of the last row; then for each row R from the first to one after the last W(R+1) and A(R)
+ * but for the last, L(R), B(R-1), U(R-1); then the update at the seam. The first row's U is left to
+ * the latter where there is a seam below it. */
+void skv_row_weigh(const skv_row_worker *worker, int row);
 void skv_row_density(const skv_row_worker *worker, int row);
 void skv_row_pressure(const skv_row_worker *worker, int row);
 void skv_row_displacement(const skv_row_worker *worker, int row);

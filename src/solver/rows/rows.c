@@ -57,11 +57,16 @@ static void take_substep(skv_row_worker *w, bool first)
     book(rows, w->thread, ROW_SORT, &start);
     skv_row_begin(w);
     while (w->iteration < w->shared->constants->iterations) { /* Algorithm 6 */
+        skv_row_weigh(w, w->first);
+        if (w->last > w->first)
+            skv_row_weigh(w, w->last);
         skv_row_density(w, w->last);
         for (int row = w->first; row <= w->last + 1; row++) {
+            if (row + 1 < w->last)
+                skv_row_weigh(w, row + 1); /* for how many those beside walls stand */
             if (row != w->last)
                 skv_row_density(w, row);      /* densities, gradient */
-            skv_row_pressure(w, row);         /* the walls' share, P and N */
+            skv_row_pressure(w, row);         /* P and N */
             skv_row_displacement(w, row - 1); /* pairs part or attract each other; tension;
                                                  viscosity: Algorithm 3 */
             skv_row_update(w, row - 1);       /* walls push; x and v change; contact, at last:

@@ -11,13 +11,16 @@ typedef struct skv_row_kernels {
     /* Forces and advance. */
     void (*advance)(const skv_rows *rows, int row, const skv_row_constants *constants,
                     const skv_boundary *boundary, skv_impulse_sum *walls);
+    /* W: samples the walls, and finds the weights beside them. */
+    void (*weigh)(const skv_rows *rows, int row, const skv_row_constants *constants,
+                  const skv_boundary *boundary, skv_row_samples *samples);
     /* A. `later` false: with the gradient that the calibrated law's tension needs; true: densities
      * only. Keeps the pairs if there is room. */
     void (*density)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
                     const skv_boundary *boundary, skv_row_kept *kept);
-    /* L: samples the walls, and the pressure law. */
+    /* L: the walls' share of the sums, and the pressure law. */
     void (*pressure)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
-                     const skv_boundary *boundary, skv_row_samples *samples);
+                     const skv_boundary *boundary, const skv_row_samples *samples);
     /* B; with tension and pair viscosity unless it is `later`. */
     void (*displacement)(const skv_rows *rows, int row, bool later,
                          const skv_row_constants *constants, const skv_boundary *boundary,

@@ -44,6 +44,9 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .cohesion_slope = c->cohesion_slope,
         .tension_scale = c->tension_scale * inv_h,
         .tension_from = c->tension_from,
+        .adhesion = c->adhesion,
+        .grip = c->grip,
+        .wall_drag = c->wall_drag,
         .pressure_scale = c->pressure_scale * c->h * c->h,
         .contact_distance = boundary->contact_distance * inv_h,
         .softness = c->softness,
@@ -51,6 +54,7 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .wall_clearance = boundary->clearance * inv_h,
         .iterations = c->iterations,
         .clavet = c->clavet,
+        .weighs = c->weighs,
         .pull_count = step->pull_count,
     };
     if (boundary->swapped)

@@ -8,6 +8,7 @@
 
 #include "base/simd_wide.h"
 #include "solver/rows/rows_internal.h"
+#include "solver/wall_weight.h"
 
 #define TILE ROW_TILE
 /* A tile's particles lie in so many `wide`s: particle k in number k % WIDES, part k / WIDES. */
@@ -32,7 +33,8 @@
 /* Compile-time variants of the pair loops. SMOOTH: the kernel of base/kernels.h, else the spiky
  * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
  * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
- * pairs that approach. WITH_GAUGE: it sums up the virial as well. */
+ * pairs that approach. WITH_GAUGE: it sums up what the gauge pressure follows from as well: the
+ * swell, or the virial of the spiky kernel's law. */
 enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_GAUGE = 16 };
 
 /* Where the four particles of a tile are, each in all lanes. */
@@ -40,6 +42,9 @@ typedef struct tile {
     wide x[WIDES], y[WIDES];
     int place;                  /* of the first */
     const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
+    bool weighted;              /* it or one of its partners has a weight other than 1 */
+    wide weight[WIDES];         /* only then */
+    const float *weights;       /* of all particles, by place */
 } tile;
 
 /* What the displacement needs of them besides. */
@@ -54,7 +59,7 @@ typedef struct density_sums {
     wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES];
 } density_sums;
 typedef struct move_sums {
-    wide x[WIDES], y[WIDES], virial[WIDES];
+    wide x[WIDES], y[WIDES], swell[WIDES];
 } move_sums;
 
 V8_INLINE void add_at(float *p, eight_part a)
@@ -89,6 +94,7 @@ V8_INLINE void sum_lanes(float to[TILE], const wide *first, const wide *last)
  * stored there has left the processor: a load that waited for it cost 3 to 5 %. */
 typedef struct tile_sums {
     float sum[ROW_SUMS][TILE];
+    bool swells; /* of the displacement: there is a swell among them */
 } tile_sums;
 
 V8_INLINE void add_tile(float *to, const float sum[TILE])
