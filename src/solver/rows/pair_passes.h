@@ -40,7 +40,7 @@ static bool has_weight(const float *weight, int begin, int end)
 
 /* Whether a tile is to be computed with weights. Farther than two radii from walls neither it nor
  * who feels it has any, but `clearance` is a lower bound only. */
-static bool is_weighted(const skv_rows *s, int i)
+static __attribute__((noinline)) bool is_weighted(const skv_rows *s, int i)
 {
     const float *clearance = s->set[s->current].clearance + i;
     bool near = false;
@@ -71,15 +71,6 @@ static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int
     }
 }
 
-VARIANT void weigh_tile(const skv_rows *s, unsigned with, const skv_row_constants *c, tile *t)
-{
-    t->weighted = with & SMOOTH && c->weighs && is_weighted(s, t->place);
-    t->weights = s->weight;
-    if (t->weighted) {
-        EACH(k) t->weight[k] = wide_spread(s->weight + t->place + k, WIDES);
-    }
-}
-
 /* Differences to a part of the partners, at j, their distance and q. At the beginning of a tile's
  * first block the partners before and at particle k itself are masked out: j + lane > i + k. */
 VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *t, wide *dx,
@@ -105,17 +96,23 @@ VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *
     }
 }
 
-/* Adds a tile's kernels W and q^3, where somebody has a weight: once for all variants. */
-static __attribute__((noinline)) void add_weighted(int j, const tile *t, wide sum[2][WIDES],
-                                                   density_sums *sums, const skv_row_sums *to)
+/* Weighs a tile's kernels W and q^3 with a part of its partners: adds the partners' sums and leaves
+ * the tile's own. Once for all variants, and with copies, so that theirs stay in registers. */
+static __attribute__((noinline)) void weigh_kernels(const float *weights, int i, int j,
+                                                    wide kernel[2][WIDES], float *density,
+                                                    float *near_density)
 {
-    wide weight = wide_each(part_load(t->weights + j)), *w = sum[0], *q3 = sum[1];
-    EACH(k) sums->density[k] = wide_add(sums->density[k], wide_mul(weight, w[k]));
-    EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], wide_mul(weight, q3[k]));
-    EACH(k) w[k] = wide_mul(t->weight[k], w[k]);
-    EACH(k) q3[k] = wide_mul(t->weight[k], q3[k]);
-    add_at(to->density + j, over_tile(w));
-    add_at(to->near_density + j, over_tile(q3));
+    wide partner = wide_each(part_load(weights + j)), own, theirs[2][WIDES];
+    EACH(k)
+    {
+        own = wide_spread(weights + i + k, WIDES);
+        theirs[0][k] = wide_mul(own, kernel[0][k]);
+        theirs[1][k] = wide_mul(own, kernel[1][k]);
+        kernel[0][k] = wide_mul(partner, kernel[0][k]);
+        kernel[1][k] = wide_mul(partner, kernel[1][k]);
+    }
+    add_at(density, over_tile(theirs[0]));
+    add_at(near_density, over_tile(theirs[1]));
 }
 
 /* Pass A for a tile and a part of eight partners. */
@@ -135,12 +132,13 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     } else {
         EACH(k) w[k] = q2[k];
     }
-    if (with & SMOOTH && __builtin_expect(t->weighted, 0)) {
-        /* Copies, so that w and q3 themselves stay in registers. */
-        wide sum[2][WIDES];
-        EACH(k) sum[0][k] = w[k];
-        EACH(k) sum[1][k] = q3[k];
-        add_weighted(j, t, sum, sums, to);
+    if (with & WITH_WEIGHTS && t->weighted) {
+        wide kernel[2][WIDES];
+        EACH(k) kernel[0][k] = w[k];
+        EACH(k) kernel[1][k] = q3[k];
+        weigh_kernels(t->weights, t->place, j, kernel, to->density + j, to->near_density + j);
+        EACH(k) sums->density[k] = wide_add(sums->density[k], kernel[0][k]);
+        EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], kernel[1][k]);
     } else {
         EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
         EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
@@ -206,8 +204,8 @@ VARIANT void add_densities(const skv_row_sums *to, int i, unsigned with, const t
     }
 }
 
-VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                         const skv_boundary *boundary, float *keep)
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_boundary *boundary,
+                         float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -219,7 +217,8 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
     tile_sums late;
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
-        weigh_tile(s, with, c, &t);
+        t.weighted = with & WITH_WEIGHTS && is_weighted(s, i);
+        t.weights = s->weight;
         density_sums sums[PARTS];
         EACH(k)
         {
@@ -253,22 +252,21 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_ro
         add_densities(&own, (end - 1) & ~(TILE - 1), with, &late);
 }
 
-/* A row whose pairs have no room, as in the crowds of a splash. There are few: one function for all
- * variants, which looks while it runs. */
-static __attribute__((noinline)) void density_unkept(const skv_rows *s, int row, unsigned with,
-                                                     const skv_row_constants *c,
-                                                     const skv_boundary *b)
+/* A row whose pairs have no room, as in the crowds of a splash, or whose particles have weights:
+ * one function for all variants, which looks while it runs. */
+static __attribute__((noinline)) void density_any(const skv_rows *s, int row, unsigned with,
+                                                  const skv_boundary *b, float *keep)
 {
-    density_row(s, row, with, c, b, NULL);
+    density_row(s, row, with, b, keep);
 }
 
-VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                             const skv_boundary *b, const skv_row_kept *kept)
+VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_boundary *b,
+                             const skv_row_kept *kept)
 {
     if (kept->used >= 0)
-        density_row(s, row, with | KEEP_PAIRS, c, b, kept->pairs);
+        density_row(s, row, with | KEEP_PAIRS, b, kept->pairs);
     else
-        density_unkept(s, row, with, c, b);
+        density_any(s, row, with, b, NULL);
 }
 
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
@@ -278,11 +276,16 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     kept->used = blocks <= kept->room ? blocks : -1;
     if (c->clavet)
-        density_variant(s, row, 0, c, b, kept);
+        density_variant(s, row, 0, b, kept);
+    else if (c->weighs)
+        density_any(s, row,
+                    SMOOTH | WITH_WEIGHTS | (later ? 0u : WITH_GRADIENT) |
+                        (kept->used >= 0 ? KEEP_PAIRS : 0u),
+                    b, kept->pairs);
     else if (later)
-        density_variant(s, row, SMOOTH, c, b, kept);
+        density_variant(s, row, SMOOTH, b, kept);
     else
-        density_variant(s, row, SMOOTH | WITH_GRADIENT, c, b, kept);
+        density_variant(s, row, SMOOTH | WITH_GRADIENT, b, kept);
 }
 
 /* What the displacement reads of the partners. */
@@ -340,35 +343,42 @@ VARIANT wide bulk_share(wide weight)
     return wide_max(wide_sub(wide_set(1), wide_mul(more, more)), wide_set(0));
 }
 
-/* Adds the pairs' part of the swell, see wall_weight.h: the partner's P W + 4 N q^3, weighted.
- * Where the gauge pressure is wanted, particles of the bulk get the virial instead. Once for all
- * variants.
- */
-static __attribute__((noinline)) void add_swell(bool gauged, const partners *others, int j,
-                                                const tile *t, const pushes *pressed, const wide *q,
-                                                const wide *virial, move_sums *sums, float *to)
+/* Weighs the pushes of a tile's pairs. */
+static __attribute__((noinline)) void weigh_pushes(const float *weights, int i, int j,
+                                                   wide size[WIDES])
+{
+    wide partner = wide_each(part_load(weights + j));
+    EACH(k) size[k] = wide_mul(size[k], wide_mul(wide_spread(weights + i + k, WIDES), partner));
+}
+
+/* The pairs' part of the swell, see wall_weight.h: the partner's P W + 4 N q^3, weighted. Adds the
+ * partners' and leaves the tile's in the place of q. Where the gauge pressure is wanted, particles
+ * of the bulk get the virial instead. */
+static __attribute__((noinline)) void add_swell(bool gauged, const float *all_pushes,
+                                                const float *all_near, const float *weights, int i,
+                                                int j, wide q[WIDES], const wide *virial,
+                                                float *swell)
 {
     const wide three = wide_set(3), four = wide_set(SKV_NEAR_SWELL);
-    wide push = wide_each(part_load(others->push + j)),
-         near_push = wide_each(part_load(others->near_push + j)),
-         weight = wide_each(part_load(t->weights + j)), other[WIDES];
+    wide push = wide_each(part_load(all_pushes + j)),
+         near_push = wide_each(part_load(all_near + j)), weight = wide_each(part_load(weights + j)),
+         other[WIDES];
     EACH(k)
     {
+        wide here = wide_spread(weights + i + k, WIDES);
         wide n = wide_mul(wide_mul(q[k], q[k]), q[k]);
         wide w = wide_mul(n, wide_sub(four, wide_mul(three, q[k])));
         n = wide_mul(four, n);
-        wide own = wide_mul(weight, wide_add(wide_mul(push, w), wide_mul(near_push, n)));
-        other[k] = wide_mul(t->weight[k], wide_add(wide_mul(pressed->push[k], w),
-                                                   wide_mul(pressed->near_push[k], n)));
+        q[k] = wide_mul(weight, wide_add(wide_mul(push, w), wide_mul(near_push, n)));
+        other[k] = wide_mul(here, wide_add(wide_mul(wide_spread(all_pushes + i + k, WIDES), w),
+                                           wide_mul(wide_spread(all_near + i + k, WIDES), n)));
         if (gauged) {
-            wide more = wide_sub(virial[k], own);
-            own = wide_add(own, wide_mul(bulk_share(t->weight[k]), more));
-            more = wide_sub(virial[k], other[k]);
-            other[k] = wide_add(other[k], wide_mul(bulk_share(weight), more));
+            q[k] = wide_add(q[k], wide_mul(bulk_share(here), wide_sub(virial[k], q[k])));
+            wide more = wide_mul(bulk_share(weight), wide_sub(virial[k], other[k]));
+            other[k] = wide_add(other[k], more);
         }
-        sums->swell[k] = wide_add(sums->swell[k], own);
     }
-    add_at(to, over_tile(other));
+    add_at(swell, over_tile(other));
 }
 
 /* Pass B for a tile and a part of eight partners. Where q is kept, r is 1 - q. */
@@ -397,9 +407,11 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
     if (with & SMOOTH) {
         EACH(k) size[k] = wide_mul(size[k], ratio[k]);
         EACH(k) size[k] = wide_add(wide_mul(wide_add(pressed->push[k], push), q2[k]), size[k]);
-        if (__builtin_expect(t->weighted, 0)) {
-            wide weight = wide_each(part_load(t->weights + j));
-            EACH(k) size[k] = wide_mul(size[k], wide_mul(t->weight[k], weight));
+        if (with & WITH_WEIGHTS && t->weighted) {
+            wide pushed[WIDES];
+            EACH(k) pushed[k] = size[k];
+            weigh_pushes(t->weights, t->place, j, pushed);
+            EACH(k) size[k] = pushed[k];
         }
     } else {
         EACH(k) size[k] = wide_mul(wide_add(wide_add(pressed->push[k], push), size[k]), ratio[k]);
@@ -417,11 +429,13 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ey[k], dy[k]));
         }
     }
-    if (with & SMOOTH && __builtin_expect(t->weighted, 0)) {
-        wide near[WIDES], shown[WIDES];
-        EACH(k) near[k] = q[k];
+    if (with & WITH_WEIGHTS && t->weighted) {
+        wide swell[WIDES], shown[WIDES];
+        EACH(k) swell[k] = q[k];
         EACH(k) shown[k] = virial[k];
-        add_swell(with & WITH_GAUGE, others, j, t, pressed, near, shown, sums, to->swell + j);
+        add_swell(with & WITH_GAUGE, others->push, others->near_push, t->weights, t->place, j,
+                  swell, shown, to->swell + j);
+        EACH(k) sums->swell[k] = wide_add(sums->swell[k], swell[k]);
     } else if (with & WITH_GAUGE) {
         EACH(k) sums->swell[k] = wide_add(sums->swell[k], virial[k]);
         add_at(to->swell + j, over_tile(virial));
@@ -487,13 +501,14 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
                              s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
-    zero_moves(s, &own, row, with & WITH_GAUGE && !c->weighs);
-    zero_moves(s, &next, row + 1, with & WITH_GAUGE || c->weighs);
+    zero_moves(s, &own, row, with & WITH_GAUGE && !(with & WITH_WEIGHTS));
+    zero_moves(s, &next, row + 1, with & (WITH_GAUGE | WITH_WEIGHTS));
     int begin = s->row_start[row], end = s->row_end[row];
     tile_sums late;
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i};
-        weigh_tile(s, with, c, &t);
+        t.weighted = with & WITH_WEIGHTS && is_weighted(s, i);
+        t.weights = s->weight;
         if (!(with & KEEP_PAIRS))
             t.beside = find_thin_wall(p, i, end, boundary);
         pushes pressed = {.has_gradient = false};
@@ -540,12 +555,12 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
         add_moves(&own, (end - 1) & ~(TILE - 1), &late);
 }
 
-/* As density_unkept. */
-static __attribute__((noinline)) void displacement_unkept(const skv_rows *s, int row, unsigned with,
-                                                          const skv_row_constants *c,
-                                                          const skv_boundary *b)
+/* As density_any. */
+static __attribute__((noinline)) void displacement_any(const skv_rows *s, int row, unsigned with,
+                                                       const skv_row_constants *c,
+                                                       const skv_boundary *b, const float *keep)
 {
-    displacement_row(s, row, with, c, b, NULL);
+    displacement_row(s, row, with, c, b, keep);
 }
 
 VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
@@ -555,7 +570,7 @@ VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
     if (kept->used >= 0)
         displacement_row(s, row, with | KEEP_PAIRS, c, b, kept->pairs);
     else
-        displacement_unkept(s, row, with, c, b);
+        displacement_any(s, row, with, c, b, NULL);
 }
 
 /* The same with what the gauge pressure follows from, in the last substep of a call, and without.
@@ -574,7 +589,13 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_row_c
                          const skv_boundary *b, const skv_row_kept *kept)
 {
     bool viscous = !later && (c->viscosity_linear > 0 || c->viscosity_quadratic > 0);
-    if (c->clavet && viscous)
+    if (c->weighs)
+        displacement_any(s, row,
+                         SMOOTH | WITH_WEIGHTS | (later ? 0u : WITH_GRADIENT) |
+                             (viscous ? WITH_VISCOSITY : 0u) | (s->gauged ? WITH_GAUGE : 0u) |
+                             (kept->used >= 0 ? KEEP_PAIRS : 0u),
+                         c, b, kept->pairs);
+    else if (c->clavet && viscous)
         displacement_gauged(s, row, WITH_VISCOSITY, c, b, kept);
     else if (c->clavet)
         displacement_gauged(s, row, 0, c, b, kept);

@@ -34,8 +34,15 @@
  * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
  * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
  * pairs that approach. WITH_GAUGE: it sums up what the gauge pressure follows from as well: the
- * swell, or the virial of the spiky kernel's law. */
-enum { SMOOTH = 1, WITH_GRADIENT = 2, WITH_VISCOSITY = 4, KEEP_PAIRS = 8, WITH_GAUGE = 16 };
+ * virial. WITH_WEIGHTS: walls act by weights, and beside them it sums up the swell. */
+enum {
+    SMOOTH = 1,
+    WITH_GRADIENT = 2,
+    WITH_VISCOSITY = 4,
+    KEEP_PAIRS = 8,
+    WITH_GAUGE = 16,
+    WITH_WEIGHTS = 32
+};
 
 /* Where the four particles of a tile are, each in all lanes. */
 typedef struct tile {
@@ -43,7 +50,6 @@ typedef struct tile {
     int place;                  /* of the first */
     const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
     bool weighted;              /* it or one of its partners has a weight other than 1 */
-    wide weight[WIDES];         /* only then */
     const float *weights;       /* of all particles, by place */
 } tile;
 
