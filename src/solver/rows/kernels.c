@@ -65,14 +65,16 @@ V8_INLINE void for_walls(const skv_rows *s, int row, const skv_row_constants *c,
                          void *context)
 {
     const skv_row_particles *p = &s->set[s->current];
-    for (int n = 0; n < samples->used; n++)
-        act(s, samples->sample[n].particle, c, boundary, &samples->sample[n].wall, context);
-    for (int i = s->row_start[row]; samples->used < 0 && i < s->row_end[row]; i++) {
-        skv_wall_sample wall;
-        if (p->clearance[i] >= 1)
+    int begin = s->row_start[row], used = samples->used;
+    int count = used < 0 ? s->row_end[row] - begin : used;
+    for (int n = 0; n < count; n++) {
+        skv_wall_sample taken;
+        int i = used < 0 ? begin + n : samples->sample[n].particle;
+        if (used < 0 && p->clearance[i] >= 1)
             continue;
-        sample_wall(p, i, boundary, &wall);
-        act(s, i, c, boundary, &wall, context);
+        if (used < 0)
+            sample_wall(p, i, boundary, &taken);
+        act(s, i, c, boundary, used < 0 ? &taken : &samples->sample[n].wall, context);
     }
 }
 
