@@ -1,6 +1,6 @@
 /* Tiles of the pair passes: four particles that are computed beside each other, what is known of
  * them and the sums that they collect; and the variants of the loops over them. Included by
- * pair_passes.h alone. Invariant: sums over a tile, and over lanes, are added up in the order of
+ * the headers of the pair passes alone. Invariant: sums over a tile, and over lanes, are added up in the order of
  * the particles.
  */
 #ifndef SKV_ROW_TILES_H
@@ -8,7 +8,6 @@
 
 #include "base/simd_wide.h"
 #include "solver/rows/rows_internal.h"
-#include "solver/wall_weight.h"
 
 #define TILE ROW_TILE
 /* A tile's particles lie in so many `wide`s: particle k in number k % WIDES, part k / WIDES. */
