@@ -1,7 +1,7 @@
 /* Tiles of the pair passes: four particles that are computed beside each other, what is known of
  * them and the sums that they collect; and the variants of the loops over them. Included by
- * the headers of the pair passes alone. Invariant: sums over a tile, and over lanes, are added up in the order of
- * the particles.
+ * the headers of the pair passes alone. Invariant: sums over a tile, and over lanes, are added up
+ * in the order of the particles.
  */
 #ifndef SKV_ROW_TILES_H
 #define SKV_ROW_TILES_H
