@@ -68,7 +68,7 @@ skv_pass skv_pass_tension;
 /* Carries out dx, dy as far as walls allow, and keeps in the corrections what was carried out. */
 skv_pass skv_pass_correct;
 
-/* With the calibrated law, in the last iteration: takes from dx, dy what friction and viscosity
+/* With walls by weights, in the last iteration: takes from dx, dy what friction and viscosity
  * hold of the slip beside a wall. */
 skv_pass skv_pass_grip;
 
