@@ -420,7 +420,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
     zero_moves(s, &own, row, with & WITH_GAUGE && !(with & WITH_WEIGHTS));
     zero_moves(s, &next, row + 1, with & (WITH_GAUGE | WITH_WEIGHTS));
     int begin = s->row_start[row], end = s->row_end[row];
-    tile_sums late;
+    tile_sums late = {.swells = false};
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i};
         t.weighted = with & WITH_WEIGHTS && is_weighted(s, i);
