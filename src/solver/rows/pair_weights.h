@@ -12,7 +12,7 @@
 #include "solver/wall_weight.h"
 
 /* Whether one of the partners in a range has a weight other than 1. */
-static bool has_weight(const float *weight, int begin, int end)
+static __attribute__((noinline)) bool has_weight(const float *weight, int begin, int end)
 {
     const v8 one = v8_set(1), zero = v8_set(0);
     bool any = false;
@@ -31,7 +31,10 @@ static __attribute__((noinline)) bool is_weighted(const skv_rows *s, int i)
     bool near = false;
     for (int k = 0; k < TILE; k++)
         near = near || clearance[k] < 1 + ROW_WALL_SLOPE;
-    return near && (has_weight(s->weight, i, s->own_end[i / TILE]) ||
+    /* The very blocks that the loops compute: the first is there even if it has no partner, and
+     * what lies behind the last partner may have come near since the sort. */
+    int own_end = s->own_end[i / TILE] > i + 1 ? s->own_end[i / TILE] : i + 2;
+    return near && (s->weight[i] != 1 || has_weight(s->weight, i + 1, own_end) ||
                     has_weight(s->weight, s->next_begin[i / TILE], s->next_end[i / TILE]));
 }
 
