@@ -55,8 +55,8 @@ typedef struct skv_fluid_def {
     float wall_friction;         /**< share of the tangential speed lost at a wall in 1/60 s */
     float wall_softness;         /**< share of the penetration corrected in 1/60 s */
     float contact_distance;      /**< in spacings: closer than this to a wall is contact */
-    bool wall_weights;           /**< walls by weights, which drag less; calibrated law */
-    float adhesion;              /**< share of the cohesion with which those draw fluid to them */
+    bool wall_images;            /**< walls by images, which do not drag; calibrated law */
+    float adhesion;              /**< share of their pull that holds fluid up against gravity */
     int cookie;
 } skv_fluid_def;
 

@@ -17,7 +17,7 @@ typedef struct skv_constants {
 
     /* Pressure laws. Densities are dimensionless. */
     bool clavet;           /* the clavet law, else the calibrated one */
-    bool weighs;           /* walls by weights: wall_weight.h; calibrated law alone */
+    bool images;           /* walls by images: wall_image.h; calibrated law alone */
     int iterations;        /* relaxation rounds */
     skv_kernel kernel;     /* of the density; the near density has its own */
     float rest_density;    /* rho0 */
@@ -39,8 +39,10 @@ typedef struct skv_constants {
     float cohesion_slope; /* ... and how steeply its share grows to 1 from there */
     float tension_scale;  /* of the surface tension, m */
     float tension_from;   /* gradient up to which there is none */
-    /* Walls by weights alone. */
-    float adhesion;  /* share of a wall's pull that acts */
+    /* Walls by images alone. */
+    float adhesion;       /* share of a wall's pull that holds against gravity */
+    float image_gradient; /* F1 beside a flat wall, per slope of the solid's share */
+    float image_virial, image_near_virial; /* of fluid and images as one body, per h P and h N */
     float grip;      /* share of the slip along a wall that friction takes a substep */
     float wall_drag; /* strength of viscosity's pairs with the solid */
 

@@ -7,23 +7,31 @@
 /* Below this square gravity counts as none, in the units of either solver. */
 #define SKV_NO_GRAVITY_SQUARED 1e-30f
 
+/* Takes from a wall's pull what would hold a particle up against gravity, or drops would hang from
+ * ceilings for ever; but for the share `adhesion` of it. (nx, ny) points out of the wall. Leaving
+ * out all of the pull heats the fluid where its surface meets a wall, since it has no energy then.
+ */
+static inline void skv_wall_let_fall(float gx, float gy, float nx, float ny, float adhesion,
+                                     float *x, float *y)
+{
+    float down = *x * gx + *y * gy, square = gx * gx + gy * gy;
+    if (*x * nx + *y * ny < 0 && down < 0 && square > SKV_NO_GRAVITY_SQUARED) {
+        float share = (1 - adhesion) * (down / square);
+        *x -= share * gx;
+        *y -= share * gy;
+    }
+}
+
 /* Writes the wall's part of a displacement, P F1 + N F2: a wall pushes with the particle's own
  * pressure, once; twice, as if it were a mirrored fluid, heats the fluid. Where P is negative it
- * pulls, but what would hold a particle up against gravity is left out, or drops would hang from
- * ceilings for ever. `loose`: only up to this P. Leaving out all of the pull heats the fluid where
- * its surface meets a wall, since it has no energy then. */
+ * pulls. `loose`: only up to this P is it let fall. */
 static inline void skv_wall_push(float push, float near_push, float f1x, float f1y, float f2x,
                                  float f2y, float gx, float gy, float loose, float *x, float *y)
 {
     *x = push * f1x + near_push * f2x;
     *y = push * f1y + near_push * f2y;
-    float down = *x * gx + *y * gy, square = gx * gx + gy * gy;
-    bool pulls = *x * f1x + *y * f1y < 0;
-    if (pulls && down < 0 && push < loose && square > SKV_NO_GRAVITY_SQUARED) {
-        float share = down / square;
-        *x -= share * gx;
-        *y -= share * gy;
-    }
+    if (push < loose)
+        skv_wall_let_fall(gx, gy, f1x, f1y, 0, x, y);
 }
 
 #endif

@@ -71,6 +71,31 @@ static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y,
     return share;
 }
 
+/* The same; but with `on` what is left of the way after it has met a wall goes on along it, which
+ * it writes to (along_x, along_y): fluid that comes to a wall at a slant loses what it had into the
+ * wall, and no more. */
+static inline float skv_boundary_slide(const skv_boundary *b, bool on, float *x, float *y, float dx,
+                                       float dy, float *along_x, float *along_y, float *distance)
+{
+    float made = skv_boundary_move(b, x, y, dx, dy, distance);
+    *along_x = *along_y = 0;
+    if (!on || !(made < 1))
+        return made;
+    float wx = *x, wy = *y, nx, ny;
+    skv_boundary_to_world(b, &wx, &wy);
+    skv_normal_at(b->terrain, wx, wy, &nx, &ny);
+    skv_boundary_swap(b, &nx, &ny);
+    float left_x = (1 - made) * dx, left_y = (1 - made) * dy, in = left_x * nx + left_y * ny;
+    if (!(in < 0))
+        return made;
+    left_x -= in * nx;
+    left_y -= in * ny;
+    float share = skv_boundary_move(b, x, y, left_x, left_y, distance);
+    *along_x = share * left_x;
+    *along_y = share * left_y;
+    return made;
+}
+
 /* How far to push a particle at (x, y) out of the contact distance; 0 if it is not in contact. In a
  * gap narrower than twice that distance the push ends in the middle: both walls pushing in turn
  * would shake the fluid. Writes the distance, and the normal if there is contact. */

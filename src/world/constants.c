@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#define PI               3.141592653589793
 #define FRAME            (1.0 / 60) /* s: rates "a frame" are meant for this time */
 #define COMPRESSION      0.04       /* allowed at the expected depth, calibrated law */
 #define CLAVET_LOAD      0.006      /* g H dt^2 / h^2 that the clavet law carries */
@@ -44,15 +45,15 @@ skv_kernel skv_law_kernel(skv_law law)
     return law == SKV_LAW_CLAVET ? SKV_KERNEL_SPIKY : SKV_KERNEL_SMOOTH;
 }
 
-static bool has_weights(const skv_fluid_def *f)
+static bool has_images(const skv_fluid_def *f)
 {
-    return f->wall_weights && f->law == SKV_LAW_CALIBRATED;
+    return f->wall_images && f->law == SKV_LAW_CALIBRATED;
 }
 
 float skv_contact_distance(const skv_fluid_def *f)
 {
-    /* Weights hold particles off by themselves; contact is for what is thrown in. */
-    return (has_weights(f) ? 0.5f : 1) * f->contact_distance * f->spacing;
+    /* Images hold particles off by themselves; contact is for what is thrown in. */
+    return (has_images(f) ? 0.5f : 1) * f->contact_distance * f->spacing;
 }
 
 /* The stiffness k that the calibrated law's relaxation amounts to in the bulk, m/s^2: particles
@@ -73,7 +74,7 @@ static double linear_viscosity(const skv_fluid_def *f)
     double eta = (double)f->radius_ratio, h = (double)f->spacing * eta;
     double sigma = (double)f->viscosity_linear;
     if ((double)f->viscosity >= LEAST_VISCOSITY)
-        sigma += 640 / 3.141592653589793 * (double)f->viscosity / (eta * eta * h * h);
+        sigma += 640 / PI * (double)f->viscosity / (eta * eta * h * h);
     return sigma;
 }
 
@@ -150,14 +151,19 @@ static double share_for(double share_a_frame, double dt)
     return 1 - skv_pow(1 - share_a_frame, dt / FRAME);
 }
 
-/* Walls by weights have no friction in contact, which nothing comes to. What holds a viscous fluid
+/* Walls by images have no friction in contact, which nothing comes to. What holds a viscous fluid
  * is its viscosity, in full at the default friction: half of the directions approach a wall that
  * rests, and half of a pair's impulse is its. */
-static void set_weights(skv_constants *c, const skv_fluid_def *f, double dt)
+static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
 {
     double viscosity = linear_viscosity(f), friction = (double)f->wall_friction;
     double sticks = friction < STICKS ? friction / STICKS : 1, eta = (double)f->radius_ratio;
-    c->weighs = true;
+    c->images = true;
+    /* Over all of space n0 int W is pi/5 eta^2 and n0 int q^3 half of that; r F and r q^2 make a
+     * sixth and two thirds of them. */
+    c->image_gradient = (float)(PI / 5 * eta * eta / skv_kernel_gain(SKV_KERNEL_SMOOTH));
+    c->image_virial = (float)(PI / 15 * eta * eta);
+    c->image_near_virial = (float)(PI * 2 / 15 * eta * eta);
     c->adhesion = f->adhesion;
     c->friction = 0;
     c->wall_drag = (float)(sticks * viscosity * dt * eta * eta / 4);
@@ -186,8 +192,8 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
     c->wall_virial = 1.0f / 6;
     c->loose_push = (float)h;
-    if (has_weights(f))
-        set_weights(c, f, dt);
+    if (has_images(f))
+        set_images(c, f, dt);
 }
 
 static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)

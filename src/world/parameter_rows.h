@@ -82,10 +82,10 @@ NUMBER(FLUID_WALL_SOFTNESS, "fluid.wall_softness", fluid.wall_softness, "", 0.1,
        "share of a penetration corrected in 1/60 s")
 NUMBER_BY_LAW(FLUID_CONTACT_DISTANCE, "fluid.contact_distance", fluid.contact_distance, "", 0, 1,
               0.2, 0.3, true, "contact with a wall begins so many spacings away")
-FLAG(FLUID_WALL_WEIGHTS, "fluid.wall_weights", fluid.wall_weights, false, false,
-     "calibrated law: walls that drag less, by weights (on trial)")
+FLAG(FLUID_WALL_IMAGES, "fluid.wall_images", fluid.wall_images, false, false,
+     "calibrated law: walls that do not drag, by images (on trial)")
 NUMBER(FLUID_ADHESION, "fluid.adhesion", fluid.adhesion, "", 0, 1, 0, true,
-       "walls by weights: share of the cohesion that draws fluid to them")
+       "walls by images: share of their pull that holds fluid up against gravity")
 
 HOST_WHOLE(THREADS, "threads", threads, "", 0, SKV_MAX_THREADS, 0, false,
            "threads to compute on; 0: one per physical core")

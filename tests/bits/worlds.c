@@ -22,7 +22,7 @@ typedef struct world_kind {
     float fill_x1, fill_y1; /* the fluid's box, from the lower left corner, m */
     int stirred;            /* hands and a changing gravity */
     float gravity_x;
-    bool weights; /* walls by weights */
+    bool images; /* walls by images */
 } world_kind;
 
 static int limited(int value)
@@ -90,18 +90,18 @@ static const world_kind kinds[] = {
      .fill_x1 = 0.4f,
      .fill_y1 = 0.3f,
      .stirred = 1},
-    {.name = "shelves/weights",
+    {.name = "shelves/images",
      .paint = paint_shelves,
      .viscosity = 2,
      .fill_x1 = 0.5f,
      .fill_y1 = 1,
      .gravity_x = 3,
-     .weights = true},
-    {.name = "u-tube/weights",
+     .images = true},
+    {.name = "u-tube/images",
      .paint = paint_u_tube,
      .fill_x1 = 0.4f,
      .fill_y1 = 0.4f,
-     .weights = true},
+     .images = true},
     {.name = "reference/calibrated",
      .solver = SKV_SOLVER_REFERENCE,
      .paint = paint_shelves,
@@ -169,7 +169,7 @@ static skv_world *make_world(const world_kind *kind, int threads)
     def.fluid.spacing = 0.0135f;
     def.fluid.viscosity_linear = def.fluid.viscosity_quadratic = kind->viscosity;
     def.gravity_x = kind->gravity_x;
-    def.fluid.wall_weights = kind->weights;
+    def.fluid.wall_images = kind->images;
     def.solver = kind->solver;
     def.threads = threads;
     def.instruction_set = chosen;

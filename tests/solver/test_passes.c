@@ -4,6 +4,7 @@
 
 #include "solver/direction.h"
 #include "solver/reference/passes.h"
+#include "solver/wall_image.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@
 
 #include <cmocka.h>
 
-enum { N = 400, ROUNDS = 8, ARRAYS = 28 };
+enum { N = 400, ROUNDS = 8, ARRAYS = 29 };
 
 static uint32_t random_state;
 
@@ -45,7 +46,7 @@ static void bind_arrays(twin *t)
         &s->dx,    &s->dy,        &s->density,  &s->near_density, &s->gradient_x, &s->gradient_y,
         &s->push,  &s->near_push, &s->pressure, &s->wall_near,    &s->f1x,        &s->wall_density,
         &s->f1y,   &s->f2x,       &s->f2y,      &s->clearance,    &s->normal_x,   &s->normal_y,
-        &s->depth, &s->warm_push, &s->weight,   &s->weight_slope,
+        &s->depth, &s->warm_push, &s->image,    &s->facing_x,     &s->facing_y,
     };
     for (int a = 0; a < ARRAYS; a++)
         *arrays[a] = t->memory[a];
@@ -79,8 +80,10 @@ static void randomise(twin *t)
         set(s->f1y, o->f1y, i, wall * uniform(-2, 2));
         set(s->f2x, o->f2x, i, wall * uniform(-1, 1));
         set(s->f2y, o->f2y, i, wall * uniform(-1, 1));
-        set(s->weight, o->weight, i, t->constants.weighs ? 1 + wall * uniform(0, 0.5) : 1);
-        set(s->weight_slope, o->weight_slope, i, wall * uniform(0, 2));
+        bool imaged = t->constants.images && wall > 0;
+        set(s->image, o->image, i, imaged ? uniform(0.02, 0.9) : (double)SKV_FAR);
+        set(s->facing_x, o->facing_x, i, imaged ? cos(angle) : 0);
+        set(s->facing_y, o->facing_y, i, imaged ? sin(angle) : 0);
         set(s->normal_x, o->normal_x, i, cos(angle));
         set(s->normal_y, o->normal_y, i, sin(angle));
         set(s->depth, o->depth, i, wall * uniform(0, 0.3) * spacing);
@@ -105,7 +108,7 @@ static void cut_at_wall(twin *t)
     }
 }
 
-static twin *make_twin(skv_law law, bool weighs, uint32_t seed)
+static twin *make_twin(skv_law law, bool images, uint32_t seed)
 {
     twin *t = calloc(1, sizeof *t);
     random_state = seed;
@@ -118,7 +121,7 @@ static twin *make_twin(skv_law law, bool weighs, uint32_t seed)
     f->viscosity_quadratic = (float)uniform(0, 3);
     f->wall_friction = (float)uniform(0, 0.5);
     f->wall_softness = (float)uniform(0.1, 0.9);
-    f->wall_weights = weighs;
+    f->wall_images = images;
     f->adhesion = 0.5f;
     int substeps = skv_substep_rule(f, 9.81 * 0.5);
     t->constants = skv_make_constants(f, 1.0f / 60 / (float)substeps);
@@ -139,7 +142,7 @@ static twin *make_twin(skv_law law, bool weighs, uint32_t seed)
     o->k_coh = (double)f->cohesion;
     o->iterations = f->iterations;
     o->clavet = law == SKV_LAW_CLAVET;
-    o->weighs = weighs;
+    o->images = images;
     o->adhesion = (double)f->adhesion;
     o->k = (double)f->clavet_stiffness;
     o->k_near_clavet = (double)f->clavet_near_stiffness;
@@ -307,7 +310,7 @@ static void passes_match_the_oracle(void **unused)
 {
     (void)unused;
     for (uint32_t round = 0; round < ROUNDS; round++) {
-        /* The calibrated law, with weights and without, and the clavet law. */
+        /* The calibrated law, with images and without, and the clavet law. */
         for (int kind = 0; kind < 3; kind++) {
             skv_law law = kind == 2 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED;
             twin *t = make_twin(law, kind == 1, 7 * round + 1);

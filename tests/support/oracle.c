@@ -1,6 +1,8 @@
 /* The oracle's formulas. Invariant: double precision and all pairs; clarity before speed. */
 #include "support/oracle.h"
 
+#include "solver/wall_image.h"
+
 #include <math.h>
 
 static double radius_of(const oracle *o)
@@ -33,6 +35,34 @@ static double kernel_slope(bool clavet, double x)
 static double force(bool clavet, double x)
 {
     return kernel_slope(clavet, x) / (clavet ? -2 : -12);
+}
+
+static bool has_image(const oracle *o, int i)
+{
+    return o->images && o->image[i] < 1;
+}
+
+/* D of a particle that has gone by (dx, dy). */
+static double image_distance(const oracle *o, int i, double dx, double dy)
+{
+    return o->image[i] + (dx * o->facing_x[i] + dy * o->facing_y[i]) / radius_of(o);
+}
+
+/* q of the image of j, seen by i after it has gone by (dx, dy): the way that changes is that along
+ * the wall or that out of it. */
+static double image_at(const oracle *o, int i, int j, double dx, double dy, bool along)
+{
+    if (!has_image(o, i) || !has_image(o, j))
+        return 0;
+    double x = o->x[j] - o->x[i] - (along ? dx : 0), y = o->y[j] - o->y[i] - (along ? dy : 0);
+    double h = radius_of(o), out = along ? o->image[i] : image_distance(o, i, dx, dy);
+    return fmax(0, 1 - sqrt(x * x / h / h + y * y / h / h + 4 * out * o->image[j]));
+}
+
+/* q of its own image. */
+static double own_image(const oracle *o, int i, double dx, double dy)
+{
+    return has_image(o, i) ? fmax(0, 1 - 2 * image_distance(o, i, dx, dy)) : 0;
 }
 
 /* Hexagonal lattice with one point per s^2: distances of all points within h of the middle one. */
@@ -136,14 +166,24 @@ void oracle_advance(oracle *o, double max_speed)
     }
 }
 
+/* F1 beside a flat wall at the image's distance. How steeply the solid's share falls there is a
+ * fit, which tests/world/test_images.c compares. */
+static double flat_slope(const oracle *o, int i)
+{
+    double slope = has_image(o, i) ? (double)skv_flat_slope((float)o->image[i]) : 0;
+    return slope * 3.14159265358979 / 5 * o->eta * o->eta / 12;
+}
+
 void oracle_density(oracle *o, bool gradient)
 {
     for (int i = 0; i < o->n; i++) {
-        o->density[i] = o->weighs ? o->weight[i] : o->wall_density[i];
-        o->near_density[i] = o->weighs ? o->weight[i] : o->wall_near[i];
+        double own = own_image(o, i, 0, 0);
+        o->density[i] = o->wall_density[i] + kernel(o->clavet, 1 - own);
+        o->near_density[i] = o->wall_near[i] + pow(own, 3);
         if (gradient) {
-            o->gx[i] = -o->f1x[i];
-            o->gy[i] = -o->f1y[i];
+            double flat = o->images ? flat_slope(o, i) : 0;
+            o->gx[i] = -o->f1x[i] - flat * o->facing_x[i];
+            o->gy[i] = -o->f1y[i] - flat * o->facing_y[i];
         }
         for (int j = 0; j < o->n; j++) {
             if (j == i)
@@ -151,14 +191,11 @@ void oracle_density(oracle *o, bool gradient)
             double ux, uy, q = pair_at(o, i, j, &ux, &uy);
             if (q <= 0)
                 continue;
-            o->density[i] += o->weight[j] * kernel(o->clavet, 1 - q);
-            o->near_density[i] += o->weight[j] * q * q * q;
+            double image = image_at(o, i, j, 0, 0, true);
+            o->density[i] += kernel(o->clavet, 1 - q) + kernel(o->clavet, 1 - image);
+            o->near_density[i] += pow(q, 3) + pow(image, 3);
             o->gx[i] += gradient ? force(o->clavet, 1 - q) * ux : 0;
             o->gy[i] += gradient ? force(o->clavet, 1 - q) * uy : 0;
-        }
-        if (o->weighs) {
-            o->density[i] = o->weight[i] * o->density[i] - 1;
-            o->near_density[i] = o->weight[i] * o->near_density[i] - 1;
         }
         /* A fifth of what it is at a flat surface does not count. */
         double size = hypot(o->gx[i], o->gy[i]), bulk = o->clavet ? 0 : 0.2 * o->eta * o->eta / 15;
@@ -203,68 +240,72 @@ void oracle_pressure(oracle *o, bool first)
         o->clavet ? pressure_clavet(o, i) : pressure_calibrated(o, i, first);
 }
 
+/* With images: the energy's slope by differences of what they add to the densities, along the wall
+ * or out of it, P and N being the energy's slopes in these; along one axis. */
+static double push_off_images(const oracle *o, int i, int axis, bool along)
+{
+    const double small = 1e-6 * radius_of(o);
+    double dx = axis == 0 ? small : 0, dy = axis == 1 ? small : 0, sum = 0;
+    for (int j = 0; j < o->n; j++) {
+        double ux, uy;
+        if (j == i || pair_at(o, i, j, &ux, &uy) <= 0)
+            continue;
+        double ahead = image_at(o, i, j, dx, dy, along),
+               behind = image_at(o, i, j, -dx, -dy, along);
+        sum += (o->push[i] + o->push[j]) * (kernel(false, 1 - ahead) - kernel(false, 1 - behind)) +
+               4 * (o->near_push[i] + o->near_push[j]) * (pow(ahead, 3) - pow(behind, 3));
+    }
+    if (!along) {
+        double ahead = own_image(o, i, dx, dy), behind = own_image(o, i, -dx, -dy);
+        sum += o->push[i] * (kernel(false, 1 - ahead) - kernel(false, 1 - behind)) +
+               4 * o->near_push[i] * (pow(ahead, 3) - pow(behind, 3));
+    }
+    return -radius_of(o) / 12 * sum / (2 * small);
+}
+
 /* The walls' part; a pull is freed of what holds against gravity, with clavet's law only where the
  * density is below three quarters of the lattice's. */
 static void push_off_walls(oracle *o, int i)
 {
     double x = o->push[i] * o->f1x[i] + o->near_push[i] * o->f2x[i];
     double y = o->push[i] * o->f1y[i] + o->near_push[i] * o->f2y[i];
+    double nx = o->f1x[i], ny = o->f1y[i];
+    if (has_image(o, i)) {
+        x += push_off_images(o, i, 0, false);
+        y += push_off_images(o, i, 1, false);
+        nx = o->facing_x[i];
+        ny = o->facing_y[i];
+    }
     double g = hypot(o->g_x, o->g_y), up = g > 0 ? -(x * o->g_x + y * o->g_y) / g : 0;
     double loose = 0.75 * oracle_lattice_density(true, o->eta) - o->rest_density_clavet;
     bool is_loose = !o->clavet || o->push[i] < 0.5 * o->k * radius_of(o) * loose;
-    if (is_loose && up > 0 && x * o->f1x[i] + y * o->f1y[i] < 0) {
-        x += up * o->g_x / g;
-        y += up * o->g_y / g;
+    double freed = o->images ? 1 - o->adhesion : 1;
+    if (is_loose && up > 0 && x * nx + y * ny < 0) {
+        x += freed * up * o->g_x / g;
+        y += freed * up * o->g_y / g;
     }
     o->dx[i] = x;
     o->dy[i] = y;
-}
-
-/* With weights: the energy's slope in the particle's own weight, by differences of the densities
- * that it has a part in; P and N are the energy's slopes in these. */
-static double swell(const oracle *o, int i)
-{
-    const double small = 1e-4;
-    double sum = 0;
-    for (int j = 0; j < o->n; j++) {
-        double ux, uy, q = j == i ? 0 : pair_at(o, i, j, &ux, &uy);
-        if (q <= 0)
-            continue;
-        /* Of rho_i + rho_j what the pair adds, P and N being each its own. */
-        double w = o->weight[j] * kernel(false, 1 - q), n = o->weight[j] * q * q * q;
-        sum += (o->push[i] + o->push[j]) * w + 4 * (o->near_push[i] + o->near_push[j]) * n;
-    }
-    double more = o->weight[i] + small, less = o->weight[i] - small;
-    double alone = (more * more - less * less) / (2 * small);
-    return sum + alone * (o->push[i] + 4 * o->near_push[i]);
-}
-
-static void push_off_weights(oracle *o, int i)
-{
-    double swells = swell(o, i), pull = swells < 0 ? o->adhesion : 1;
-    o->dx[i] = o->weight_slope[i] * pull * swells * o->f1x[i];
-    o->dy[i] = o->weight_slope[i] * pull * swells * o->f1y[i];
 }
 
 /* What a wall makes of the virial. */
 static double wall_virial(const oracle *o, int i, double virial)
 {
     double h = radius_of(o), part = o->clavet ? 1 : 1.0 / 6;
-    if (!o->weighs)
-        return virial + h * (part * o->push[i] * o->wall_density[i] +
-                             2.0 / 3 * o->near_push[i] * o->wall_near[i]);
-    if (o->weight[i] == 1)
-        return virial;
-    double usual = lattice_near_density(o->eta) / oracle_rest_density(o);
-    double crowding = 8 * o->weight[i] * (1 - usual) * o->near_push[i];
-    return h * o->weight[i] * (swell(o, i) - crowding) / 6;
+    double full = 3.14159265358979 / 5 * o->eta * o->eta;
+    if (has_image(o, i))
+        return 2 * h * (o->push[i] * full / 6 + 2.0 / 3 * o->near_push[i] * full / 2);
+    return virial + h * (part * o->push[i] * o->wall_density[i] +
+                         2.0 / 3 * o->near_push[i] * o->wall_near[i]);
 }
 
 void oracle_displacement(oracle *o)
 {
     double h = radius_of(o);
     for (int i = 0; i < o->n; i++) {
-        o->weighs ? push_off_weights(o, i) : push_off_walls(o, i);
+        push_off_walls(o, i);
+        for (int axis = 0; axis < 2 && has_image(o, i); axis++)
+            (axis ? o->dy : o->dx)[i] += push_off_images(o, i, axis, true);
         double virial = 0;
         for (int j = 0; j < o->n; j++) {
             if (j == i)
@@ -274,7 +315,6 @@ void oracle_displacement(oracle *o)
                 continue;
             double size = (o->push[i] + o->push[j]) * force(o->clavet, 1 - q) +
                           (o->near_push[i] + o->near_push[j]) * q * q;
-            size *= o->weight[i] * o->weight[j];
             o->dx[i] -= size * ux;
             o->dy[i] -= size * uy;
             virial += (1 - q) * h * size;
@@ -311,7 +351,7 @@ void oracle_tension(oracle *o)
             }
             o->dx[i] += scale * push[0];
             o->dy[i] += scale * push[1];
-            if (o->weight[i] == 1)
+            if (!has_image(o, i))
                 o->pressure[i] -= o->fluid_density / (4 * o->dt * o->dt) * scale * h * (1 - q) *
                                   (push[0] * ux + push[1] * uy);
         }
@@ -321,8 +361,8 @@ void oracle_tension(oracle *o)
 void oracle_contact(oracle *o)
 {
     double soft = 1 - pow(1 - o->softness_a_frame, 60 * o->dt);
-    /* Where there are weights, friction does not wait for contact. */
-    double rub = o->weighs ? 0 : 1 - pow(1 - o->friction_a_frame, 60 * o->dt);
+    /* With images friction does not wait for contact. */
+    double rub = o->images ? 0 : 1 - pow(1 - o->friction_a_frame, 60 * o->dt);
     for (int i = 0; i < o->n; i++) {
         double tx = -o->normal_y[i], ty = o->normal_x[i];
         double moved_x = o->wx[i] + o->dt * o->vx[i], moved_y = o->wy[i] + o->dt * o->vy[i];

@@ -17,13 +17,14 @@ typedef struct oracle {
     double warm_start;       /* share of it with which the next one starts */
     double wall_density[ORACLE_MAX], wall_near[ORACLE_MAX];
     double f1x[ORACLE_MAX], f1y[ORACLE_MAX], f2x[ORACLE_MAX], f2y[ORACLE_MAX];
-    double weight[ORACLE_MAX], weight_slope[ORACLE_MAX]; /* of walls by weights; else 1 and 0 */
+    /* Of walls by images: D in h, 1 or more where there are none, and its slope. */
+    double image[ORACLE_MAX], facing_x[ORACLE_MAX], facing_y[ORACLE_MAX];
     double depth[ORACLE_MAX], normal_x[ORACLE_MAX], normal_y[ORACLE_MAX];
 
     /* Parameters, SI. */
     double s, eta, fluid_density, dt, g_x, g_y, sigma, beta, friction_a_frame, softness_a_frame;
     double omega, k_near, k_coh; /* calibrated law */
-    bool weighs;                 /* walls by weights */
+    bool images;                 /* walls by images */
     double adhesion;
     int iterations;
     bool clavet;

@@ -11,7 +11,7 @@
 
 /* Puts a group of particles under the ceiling; soon all have let go and are on their way. Clavet's
  * law takes longer over it, and holds larger drops: it pulls at full density, too. */
-static void expect_fall(skv_law law, bool weights, skv_solver_kind solver, bool high, float spacing,
+static void expect_fall(skv_law law, bool images, skv_solver_kind solver, bool high, float spacing,
                         int count)
 {
     skv_terrain_def tank = skv_default_terrain_def();
@@ -20,7 +20,7 @@ static void expect_fall(skv_law law, bool weights, skv_solver_kind solver, bool 
     tank.pixel_size = 0.01f;
     skv_world_def def = fixture_def(law, solver, 0, spacing, 1);
     def.depth = 0.3f;
-    def.fluid.wall_weights = weights;
+    def.fluid.wall_images = images;
     assert_int_equal(skv_terrain_create(&tank, &def.terrain, NULL), SKV_OK);
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
@@ -48,7 +48,7 @@ static void nothing_hangs_from_a_ceiling(void **unused)
     (void)unused;
     const float spacings[] = {0.006f, 0.0155f, 0.04f};
     const int counts[] = {1, 2, 3, 5, 8, 50};
-    /* The calibrated law, with walls by weights and without, and the clavet law. */
+    /* The calibrated law, with walls by images and without, and the clavet law. */
     for (int kind = 0; kind < 3; kind++) {
         skv_law law = kind == 2 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED;
         for (int solver = 0; solver < 2; solver++)

@@ -25,7 +25,6 @@ static void read_state(const skv_world *world, oracle *o)
         o->vx[i] = (double)p.vx[i];
         o->vy[i] = (double)p.vy[i];
         o->warm[i] = (double)world->state.warm_push[i];
-        o->weight[i] = 1;
     }
     o->warm_start = (double)skv_world_make_constants(world).warm_start;
     o->s = (double)f->spacing;
@@ -131,11 +130,11 @@ static void a_substep_matches_the_oracle(void **unused)
 static void both_solvers_agree_at_walls(void **unused)
 {
     (void)unused;
-    /* The calibrated law, with walls by weights and without, and the clavet law. */
+    /* The calibrated law, with walls by images and without, and the clavet law. */
     for (int kind = 0; kind < 3; kind++) {
         skv_law law = kind == 2 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED;
         skv_world_def def = fixture_def(law, SKV_SOLVER_REFERENCE, 0, 0.014f, 2);
-        def.fluid.wall_weights = kind == 1;
+        def.fluid.wall_images = kind == 1;
         def.fluid.adhesion = 0.5f;
         skv_world *slow, *fast;
         assert_int_equal(skv_world_create(&def, &slow, NULL), SKV_OK);

@@ -5,6 +5,7 @@
 #include "solver/constants.h"
 #include "solver/direction.h"
 #include "solver/reference/pass_data.h"
+#include "solver/wall_image.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -36,6 +37,23 @@ static inline bool skv_pair_of(const skv_pass_data *s, const skv_constants *c, i
         skv_fallback_direction(s->id[i], s->id[j], &pair->ux, &pair->uy);
     }
     return true;
+}
+
+/* q of the image of j as seen from i, whose pair has q: wall_image.h; 0 if there is none. */
+static inline float skv_image_of(const skv_pass_data *s, const skv_constants *c, int i, int j,
+                                 float q)
+{
+    if (!c->images || !(s->image[i] < 1) || !(s->image[j] < 1))
+        return 0;
+    float way = sqrtf((1 - q) * (1 - q) + 4 * s->image[i] * s->image[j]);
+    return way < 1 ? 1 - (way > SKV_LEAST_IMAGE ? way : SKV_LEAST_IMAGE) : 0;
+}
+
+/* The same of its own image. */
+static inline float skv_own_image_of(const skv_pass_data *s, const skv_constants *c, int i)
+{
+    float q = c->images ? 1 - 2 * s->image[i] : 0;
+    return q > 0 ? q : 0;
 }
 
 /* The density kernel W and its force kernel F, see base/kernels.h. */

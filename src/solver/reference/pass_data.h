@@ -30,7 +30,8 @@ typedef struct skv_pass_data {
     float *push, *near_push; /* P and N of the pressure law, m */
     float *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
     float *f1x, *f1y, *f2x, *f2y;    /* F1, F2 of the wall maps; dimensionless */
-    float *weight, *weight_slope;    /* g and its slope: wall_weight.h */
+    float *image;                    /* D of images, in h: wall_image.h */
+    float *facing_x, *facing_y;      /* its slope: about the unit vector out of the wall */
     float *depth;                    /* to push out of the contact distance, m; 0: no contact */
     float *normal_x, *normal_y;      /* out of the wall; valid where depth > 0 */
 } skv_pass_data;

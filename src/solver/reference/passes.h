@@ -45,7 +45,7 @@ skv_pass skv_pass_predict;
  * velocity. */
 skv_pass skv_pass_advance;
 
-/* What the solid adds to the sums, the wall density maps; and the weights of the particles beside
+/* What the solid adds to the sums, the wall density maps; and the images of the particles beside
  * it. */
 skv_pass skv_pass_walls;
 
@@ -68,7 +68,7 @@ skv_pass skv_pass_tension;
 /* Carries out dx, dy as far as walls allow, and keeps in the corrections what was carried out. */
 skv_pass skv_pass_correct;
 
-/* With walls by weights, in the last iteration: takes from dx, dy what friction and viscosity
+/* With walls by images, in the last iteration: takes from dx, dy what friction and viscosity
  * hold of the slip beside a wall. */
 skv_pass skv_pass_grip;
 

@@ -69,7 +69,7 @@ static void take_substep(reference *r)
     update_neighbours(r);                     /* lists of pairs within h: 5 */
     for (int i = 0; i < c->iterations; i++) { /* until the density is right: 6 */
         r->substep.first = i == 0;
-        run(r, WALLS, skv_pass_walls);     /* what the solid adds to the sums, and weights */
+        run(r, WALLS, skv_pass_walls);     /* what the solid adds to the sums, and images */
         run(r, DENSITY, skv_pass_density); /* rho, near density and gradient */
         run(r, PRESSURE, c->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated);
         run(r, DISPLACEMENT, skv_pass_displacement); /* along the pressure differences */
@@ -169,10 +169,10 @@ static skv_result reserve_arrays(reference *r, int count, skv_error *error)
         SKV_ARRAY(s->wall_density, room, 0), SKV_ARRAY(s->wall_near, room, 0),
         SKV_ARRAY(s->f1x, room, 0),          SKV_ARRAY(s->f1y, room, 0),
         SKV_ARRAY(s->f2x, room, 0),          SKV_ARRAY(s->f2y, room, 0),
-        SKV_ARRAY(s->weight, room, 0),       SKV_ARRAY(s->weight_slope, room, 0),
-        SKV_ARRAY(s->depth, room, 0),        SKV_ARRAY(s->normal_x, room, 0),
-        SKV_ARRAY(s->normal_y, room, 0),     SKV_ARRAY(r->listed_x, room, kept),
-        SKV_ARRAY(r->listed_y, room, kept),
+        SKV_ARRAY(s->image, room, 0),        SKV_ARRAY(s->facing_x, room, 0),
+        SKV_ARRAY(s->facing_y, room, 0),     SKV_ARRAY(s->depth, room, 0),
+        SKV_ARRAY(s->normal_x, room, 0),     SKV_ARRAY(s->normal_y, room, 0),
+        SKV_ARRAY(r->listed_x, room, kept),  SKV_ARRAY(r->listed_y, room, kept),
     };
     if (!skv_arrays_grow(&r->block, arrays, sizeof arrays / sizeof *arrays))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);

@@ -7,8 +7,8 @@
  */
 #include "solver/reference/pair.h"
 #include "solver/reference/passes.h"
+#include "solver/wall_image.h"
 #include "solver/wall_push.h"
-#include "solver/wall_weight.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -25,25 +25,19 @@ void skv_pass_density(const skv_substep *sub, int begin, int end)
             if (!skv_pair_of(s, c, i, n->list[k], &pair))
                 continue;
             float force = skv_pair_force(c, pair.q);
-            float weight = s->weight[n->list[k]];
-            density += weight * skv_pair_density(c, pair.q);
-            near_density += weight * (pair.q * pair.q * pair.q);
+            float image = skv_image_of(s, c, i, n->list[k], pair.q);
+            density += skv_pair_density(c, pair.q) + skv_pair_density(c, image);
+            near_density += pair.q * pair.q * pair.q + image * image * image;
             gx += force * pair.ux;
             gy += force * pair.uy;
         }
-        if (!c->weighs) {
-            density += s->wall_density[i];
-            near_density += s->wall_near[i];
-        } else if (s->weight[i] != 1) {
-            /* Itself counts among those that stand for more, less the one that it is. */
-            density = s->weight[i] * (density + s->weight[i]) - 1;
-            near_density = s->weight[i] * (near_density + s->weight[i]) - 1;
-        }
-        s->density[i] = density;
-        s->near_density[i] = near_density;
+        float own = skv_own_image_of(s, c, i);
+        s->density[i] = density + (s->wall_density[i] + skv_pair_density(c, own));
+        s->near_density[i] = near_density + (s->wall_near[i] + own * own * own);
         if (sub->first && !c->clavet) {
-            gx -= s->f1x[i];
-            gy -= s->f1y[i];
+            float flat = c->image_gradient * skv_flat_slope(s->image[i]);
+            gx -= s->f1x[i] + flat * s->facing_x[i];
+            gy -= s->f1y[i] + flat * s->facing_y[i];
             float size = sqrtf(gx * gx + gy * gy);
             float share = size > c->tension_from ? (size - c->tension_from) / size : 0;
             s->gradient_x[i] = share * gx;
@@ -105,7 +99,7 @@ void skv_pass_pressure_clavet(const skv_substep *sub, int begin, int end)
     }
 }
 
-/* The walls' part of a displacement and the rest of the gauge pressure. */
+/* The walls' part of a displacement, and the gauge pressure. */
 static void add_solid(const skv_substep *sub, int i, float virial)
 {
     const skv_pass_data *s = &sub->data;
@@ -122,26 +116,24 @@ static void add_solid(const skv_substep *sub, int i, float virial)
     s->pressure[i] += c->pressure_scale * c->h * virial;
 }
 
-/* The same with walls by weights. `swell` is the partners' part of what pushes the particle towards
- * a smaller weight. */
-static void add_weighted(const skv_substep *sub, int i, float swell, float virial)
+/* The same for a particle with images. `out` is what those of its partners push it away from the
+ * wall. */
+static void add_imaged(const skv_substep *sub, int i, float out)
 {
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
-    float weight = s->weight[i], push = s->push[i], near_push = s->near_push[i];
-    float sum = (s->density[i] + 1) / weight - weight;
-    float near_sum = (s->near_density[i] + 1) / weight - weight;
-    swell += push * sum + SKV_NEAR_SWELL * (near_push * near_sum);
-    float alone = 2 * weight * (push + SKV_NEAR_SWELL * near_push);
-    float share = skv_wall_share(swell + alone, s->weight_slope[i], c->adhesion);
-    float wall_x = share * s->f1x[i], wall_y = share * s->f1y[i];
+    float push = s->push[i], near_push = s->near_push[i], own = skv_own_image_of(s, c, i);
+    out += 2 * (push * skv_pair_force(c, own) + near_push * (own * own));
+    float wall_x = push * s->f1x[i] + near_push * s->f2x[i] + out * s->facing_x[i];
+    float wall_y = push * s->f1y[i] + near_push * s->f2y[i] + out * s->facing_y[i];
+    skv_wall_let_fall(sub->gravity_x, sub->gravity_y, s->facing_x[i], s->facing_y[i], c->adhesion,
+                      &wall_x, &wall_y);
     s->dx[i] += wall_x;
     s->dy[i] += wall_y;
     skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
-    /* In units of a virial; alone, it does not crowd itself. */
-    float beside = weight * (swell + 2 * weight * (push + 4 * c->near_share * near_push)) / 6;
-    s->pressure[i] +=
-        c->pressure_scale * c->h * (beside + skv_bulk_share(weight) * (virial - beside));
+    /* Fluid and images are one body, so it is that of the bulk. */
+    float virial = c->image_virial * push + c->image_near_virial * near_push;
+    s->pressure[i] += c->pressure_scale * c->h * virial;
 }
 
 void skv_pass_displacement(const skv_substep *sub, int begin, int end)
@@ -150,28 +142,31 @@ void skv_pass_displacement(const skv_substep *sub, int begin, int end)
     const skv_constants *c = sub->constants;
     const skv_neighbours *n = sub->neighbours;
     for (int i = begin; i < end; i++) {
-        float sum_x = 0, sum_y = 0, virial = 0, swell = 0;
+        float sum_x = 0, sum_y = 0, virial = 0, out = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
             int j = n->list[k];
             skv_pair pair;
             if (!skv_pair_of(s, c, i, j, &pair))
                 continue;
-            float size = (s->push[i] + s->push[j]) * skv_pair_force(c, pair.q) +
-                         (s->near_push[i] + s->near_push[j]) * (pair.q * pair.q);
-            size *= s->weight[i] * s->weight[j];
+            float push = s->push[i] + s->push[j], near_push = s->near_push[i] + s->near_push[j];
+            float size = push * skv_pair_force(c, pair.q) + near_push * (pair.q * pair.q);
+            virial += (1 - pair.q) * size;
+            float image = skv_image_of(s, c, i, j, pair.q);
+            if (image > 0) {
+                /* For each h of way to the image. */
+                float each = push * (image * image) + near_push * (image * (image / (1 - image)));
+                size += (1 - pair.q) * each;
+                out += 2 * s->image[j] * each;
+            }
             sum_x -= size * pair.ux;
             sum_y -= size * pair.uy;
-            virial += (1 - pair.q) * size;
-            swell +=
-                s->weight[j] * (s->push[j] * skv_pair_density(c, pair.q) +
-                                SKV_NEAR_SWELL * (s->near_push[j] * (pair.q * pair.q * pair.q)));
         }
         s->dx[i] = sum_x;
         s->dy[i] = sum_y;
-        if (!c->weighs)
-            add_solid(sub, i, virial);
+        if (s->image[i] < 1)
+            add_imaged(sub, i, out);
         else
-            add_weighted(sub, i, swell, virial);
+            add_solid(sub, i, virial);
     }
 }
 
@@ -198,7 +193,7 @@ void skv_pass_tension(const skv_substep *sub, int begin, int end)
         }
         s->dx[i] += c->tension_scale * sum_x;
         s->dy[i] += c->tension_scale * sum_y;
-        s->pressure[i] +=
-            skv_bulk_share(s->weight[i]) * c->pressure_scale * c->h * c->tension_scale * virial;
+        if (s->image[i] >= 1)
+            s->pressure[i] += c->pressure_scale * c->h * c->tension_scale * virial;
     }
 }

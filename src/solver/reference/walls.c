@@ -2,7 +2,7 @@
  * (Algorithm 7 with errata 7): friction along the wall, then a push out of the contact distance.
  * Invariant: a particle out of contact gets no displacement by it. */
 #include "solver/reference/passes.h"
-#include "solver/wall_weight.h"
+#include "solver/wall_image.h"
 
 #include <math.h>
 
@@ -36,13 +36,15 @@ void skv_book_reaction(const skv_substep *sub, int i, double dx, double dy)
         book_in_box(sub, i, dx, dy);
 }
 
-/* Moves particle i by its dx, dy as far as the walls allow; returns the share it could move.
- * `clearance` is a lower bound of the distance to the nearest wall: only moves that exceed it look
- * at the terrain, which in a pool are one in ten. */
-static float move_particle(const skv_substep *sub, int i)
+/* Moves particle i by its dx, dy as far as the walls allow; returns the share it could move, and
+ * writes what it has moved along a wall instead. `clearance` is a lower bound of the distance to
+ * the nearest wall: only moves that exceed it look at the terrain, which in a pool are one in ten.
+ */
+static float move_particle(const skv_substep *sub, int i, float *along_x, float *along_y)
 {
     const skv_pass_data *s = &sub->data;
     float dx = s->dx[i], dy = s->dy[i];
+    *along_x = *along_y = 0;
     /* The distance is bilinear: along a diagonal it can fall by the square root of two. */
     s->clearance[i] -= 1.4143f * sqrtf(dx * dx + dy * dy);
     if (s->clearance[i] > sub->boundary->clearance) {
@@ -51,8 +53,10 @@ static float move_particle(const skv_substep *sub, int i)
         return 1;
     }
     float x = s->x[i], y = s->y[i];
-    float made = skv_boundary_move(sub->boundary, &x, &y, dx, dy, &s->clearance[i]);
-    skv_book_reaction(sub, i, (double)((made - 1) * dx), (double)((made - 1) * dy));
+    float made = skv_boundary_slide(sub->boundary, sub->constants->images, &x, &y, dx, dy, along_x,
+                                    along_y, &s->clearance[i]);
+    skv_book_reaction(sub, i, (double)((made - 1) * dx + *along_x),
+                      (double)((made - 1) * dy + *along_y));
     s->x[i] = x;
     s->y[i] = y;
     return made;
@@ -62,29 +66,53 @@ void skv_pass_advance(const skv_substep *sub, int begin, int end)
 {
     const skv_pass_data *s = &sub->data;
     for (int i = begin; i < end; i++) {
-        float lost = move_particle(sub, i) - 1;
-        s->wx[i] = lost * s->dx[i];
-        s->wy[i] = lost * s->dy[i];
+        float along_x, along_y, lost = move_particle(sub, i, &along_x, &along_y) - 1;
+        s->wx[i] = lost * s->dx[i] + along_x;
+        s->wy[i] = lost * s->dy[i] + along_y;
     }
+}
+
+static void sample_solid(const skv_substep *sub, int i)
+{
+    const skv_pass_data *s = &sub->data;
+    skv_wall_sample wall;
+    skv_boundary_sample(sub->boundary, s->x[i], s->y[i], &wall);
+    s->wall_density[i] = wall.r;
+    s->wall_near[i] = wall.rn;
+    s->f1x[i] = wall.f1x;
+    s->f1y[i] = wall.f1y;
+    s->f2x[i] = wall.f2x;
+    s->f2y[i] = wall.f2y;
+    s->image[i] = SKV_FAR;
+    s->facing_x[i] = s->facing_y[i] = 0;
+}
+
+/* What images leave to the solid has the near density of the lattice, so it is no crowd. */
+static void sample_image(const skv_substep *sub, int i)
+{
+    const skv_pass_data *s = &sub->data;
+    const float share = sub->constants->near_share;
+    skv_image_sample wall;
+    float distance = skv_boundary_sample_image(sub->boundary, s->x[i], s->y[i], &wall);
+    bool near = distance < sub->constants->h && wall.distance < 1;
+    s->image[i] = near ? wall.distance : SKV_FAR;
+    s->facing_x[i] = near ? wall.nx : 0;
+    s->facing_y[i] = near ? wall.ny : 0;
+    s->wall_density[i] = near ? wall.r : 0;
+    s->wall_near[i] = share * s->wall_density[i];
+    s->f1x[i] = near ? wall.f1x : 0;
+    s->f1y[i] = near ? wall.f1y : 0;
+    s->f2x[i] = 4 * share * s->f1x[i];
+    s->f2y[i] = 4 * share * s->f1y[i];
 }
 
 void skv_pass_walls(const skv_substep *sub, int begin, int end)
 {
-    const skv_pass_data *s = &sub->data;
     for (int i = begin; i < end; i++) {
-        skv_wall_sample wall;
-        float distance = skv_boundary_sample(sub->boundary, s->x[i], s->y[i], &wall);
-        s->wall_density[i] = wall.r;
-        s->wall_near[i] = wall.rn;
-        s->f1x[i] = wall.f1x;
-        s->f1y[i] = wall.f1y;
-        s->f2x[i] = wall.f2x;
-        s->f2y[i] = wall.f2y;
-        skv_wall_weight w = {1, 0};
-        if (sub->constants->weighs && distance < sub->constants->h)
-            w = skv_weigh(sub->boundary, &wall);
-        s->weight[i] = w.weight;
-        s->weight_slope[i] = w.slope;
+        if (sub->constants->images)
+            sample_image(sub, i);
+        else
+            sample_solid(sub, i);
     }
 }
 
@@ -92,9 +120,9 @@ void skv_pass_correct(const skv_substep *sub, int begin, int end)
 {
     const skv_pass_data *s = &sub->data;
     for (int i = begin; i < end; i++) {
-        float made = move_particle(sub, i);
-        s->wx[i] += made * s->dx[i];
-        s->wy[i] += made * s->dy[i];
+        float along_x, along_y, made = move_particle(sub, i, &along_x, &along_y);
+        s->wx[i] += made * s->dx[i] + along_x;
+        s->wy[i] += made * s->dy[i] + along_y;
     }
 }
 
@@ -103,15 +131,15 @@ void skv_pass_grip(const skv_substep *sub, int begin, int end)
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
     for (int i = begin; i < end; i++) {
-        float size = sqrtf(s->f1x[i] * s->f1x[i] + s->f1y[i] * s->f1y[i]);
+        float nx = s->facing_x[i], ny = s->facing_y[i], size = sqrtf(nx * nx + ny * ny);
         if (!(size > 0))
             continue;
-        float tx = -s->f1y[i] / size, ty = s->f1x[i] / size;
+        float tx = -ny / size, ty = nx / size;
         /* The particle's displacement in this substep so far, along the wall. */
         float moved_x = s->wx[i] + s->dx[i] + c->dt * s->vx[i];
         float moved_y = s->wy[i] + s->dy[i] + c->dt * s->vy[i];
-        float share = skv_solid_share(sub->boundary, s->wall_density[i]);
-        float held = skv_wall_grip(c->grip, c->wall_drag, share) * (moved_x * tx + moved_y * ty);
+        float grip = skv_wall_grip(c->grip, c->wall_drag, s->image[i]);
+        float held = grip * (moved_x * tx + moved_y * ty);
         s->dx[i] -= held * tx;
         s->dy[i] -= held * ty;
         skv_book_reaction(sub, i, (double)(-held * tx), (double)(-held * ty));

@@ -14,52 +14,47 @@ V8_INLINE v8 collected(const float *own, const float *next)
     return v8_add(v8_load(own), v8_load(next));
 }
 
-/* skv_bulk_share of eight weights. */
-V8_INLINE v8 bulk_share_of(v8 weight)
+/* The walls at a particle; returns the distance. Once for all: each copy is a kilobyte. */
+static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, int i,
+                                                   const skv_row_constants *c,
+                                                   const skv_boundary *boundary, skv_near_wall *to)
 {
-    v8 more = v8_mul(v8_set(SKV_BULK_STEEPNESS), v8_sub(weight, v8_set(1)));
-    return v8_max(v8_sub(v8_set(1), v8_mul(more, more)), v8_set(0));
+    to->particle = i;
+    return c->images ? skv_boundary_sample_image(boundary, p->x[i], p->y[i], &to->at.image)
+                     : skv_boundary_sample(boundary, p->x[i], p->y[i], &to->at.wall);
 }
 
-/* The walls' sums at a particle; returns the distance. Once for all: each copy is a kilobyte. */
-static __attribute__((noinline)) float
-sample_wall(const skv_row_particles *p, int i, const skv_boundary *boundary, skv_wall_sample *wall)
-{
-    return skv_boundary_sample(boundary, p->x[i], p->y[i], wall);
-}
-
-/* Samples the walls for the particles near one, keeps the samples until the update, and weighs the
- * particles. */
-static void weigh(const skv_rows *s, int row, const skv_row_constants *c,
-                  const skv_boundary *boundary, skv_row_samples *samples)
+/* Samples the walls for the particles near one, keeps the samples until the update, and notes the
+ * distances of images. */
+static void sample(const skv_rows *s, int row, const skv_row_constants *c,
+                   const skv_boundary *boundary, skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
     int begin = s->row_start[row], end = s->row_end[row], used = 0;
-    for (int i = begin; c->weighs && i < skv_row_padded_end(end); i += ROW_LANES)
-        v8_store(s->weight + i, v8_set(1));
+    for (int i = begin; c->images && i < skv_row_padded_end(end); i += ROW_LANES)
+        v8_store(s->image + i, v8_set(SKV_FAR));
     for (int i = begin; i < end; i++) {
         if (p->clearance[i] >= 1)
             continue;
-        skv_wall_sample wall;
-        p->clearance[i] = sample_wall(p, i, boundary, &wall);
+        skv_near_wall wall;
+        p->clearance[i] = sample_wall(p, i, c, boundary, &wall);
         /* As whoever has to sample again will see it. */
-        if (p->clearance[i] >= 1)
+        if (p->clearance[i] >= 1 || (c->images && wall.at.image.distance >= 1))
             continue;
-        if (c->weighs)
-            s->weight[i] = skv_weigh(boundary, &wall).weight;
+        if (c->images)
+            s->image[i] = wall.at.image.distance;
         if (used < samples->room)
-            samples->sample[used] = (skv_near_wall){i, wall};
+            samples->sample[used] = wall;
         used++;
     }
     samples->used = used <= samples->room ? used : -1;
 }
 
 /* What is done for one particle beside a wall. */
-typedef void by_wall(const skv_rows *s, int i, const skv_row_constants *c,
-                     const skv_boundary *boundary, const skv_wall_sample *wall, void *context);
+typedef void by_wall(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+                     void *context);
 
-/* Does it for all of a row, from the samples of its weights; where those found no place they are
- * taken again. */
+/* Does it for all of a row, from its samples; where those found no place they are taken again. */
 V8_INLINE void for_walls(const skv_rows *s, int row, const skv_row_constants *c,
                          const skv_boundary *boundary, const skv_row_samples *samples, by_wall *act,
                          void *context)
@@ -68,39 +63,48 @@ V8_INLINE void for_walls(const skv_rows *s, int row, const skv_row_constants *c,
     int begin = s->row_start[row], used = samples->used;
     int count = used < 0 ? s->row_end[row] - begin : used;
     for (int n = 0; n < count; n++) {
-        skv_wall_sample taken;
-        int i = used < 0 ? begin + n : samples->sample[n].particle;
-        if (used < 0 && p->clearance[i] >= 1)
+        skv_near_wall taken;
+        if (used < 0 && (p->clearance[begin + n] >= 1 || (c->images && s->image[begin + n] >= 1)))
             continue;
         if (used < 0)
-            sample_wall(p, i, boundary, &taken);
-        act(s, i, c, boundary, used < 0 ? &taken : &samples->sample[n].wall, context);
+            sample_wall(p, begin + n, c, boundary, &taken);
+        act(s, used < 0 ? &taken : &samples->sample[n], c, context);
     }
 }
 
-/* The solid's share of the sums; with weights, of the tension's gradient alone, and the weighted
- * sums become densities. */
-V8_INLINE void add_solid(const skv_rows *s, int i, const skv_row_constants *c,
-                         const skv_boundary *boundary, const skv_wall_sample *wall, void *graded)
+/* The density kernel W of the calibrated law. */
+V8_INLINE float smooth(float q)
 {
-    (void)boundary;
-    const skv_row_sums *own = &s->own, *next = &s->next;
+    return q * q * q * (4 - 3 * q);
+}
+
+/* The solid's share of the sums; with images, a particle's own image and what they leave over,
+ * which has the near density of the lattice, so it is no crowd. */
+V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+                         void *graded)
+{
+    const skv_row_sums *own = &s->own;
+    int i = wall->particle;
+    if (!c->images) {
+        const skv_wall_sample *solid = &wall->at.wall;
+        own->density[i] += solid->r;
+        own->near_density[i] += solid->rn;
+        if (graded) {
+            own->gradient_x[i] -= solid->f1x;
+            own->gradient_y[i] -= solid->f1y;
+        }
+        return;
+    }
+    const skv_image_sample *image = &wall->at.image;
+    float q = 1 - 2 * image->distance;
+    q = q > 0 ? q : 0;
+    own->density[i] += image->r + smooth(q);
+    own->near_density[i] += c->near_share * image->r + q * q * q;
     if (graded) {
-        own->gradient_x[i] -= wall->f1x;
-        own->gradient_y[i] -= wall->f1y;
+        float flat = c->image_gradient * skv_flat_slope(image->distance);
+        own->gradient_x[i] -= image->f1x + flat * image->nx;
+        own->gradient_y[i] -= image->f1y + flat * image->ny;
     }
-    if (!c->weighs) {
-        own->density[i] += wall->r;
-        own->near_density[i] += wall->rn;
-        return;
-    }
-    float weight = s->weight[i];
-    if (weight == 1)
-        return;
-    /* Itself counts among those that stand for more, less the one that it is. */
-    own->density[i] = weight * (own->density[i] + next->density[i] + weight) - 1;
-    own->near_density[i] = weight * (own->near_density[i] + next->near_density[i] + weight) - 1;
-    next->density[i] = next->near_density[i] = 0;
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
@@ -137,20 +141,7 @@ V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_row_const
     return push;
 }
 
-/* Eight particles' own part of the swell, P and N times the sums over their partners; where the
- * gauge pressure is wanted, the bulk's is the virial instead. */
-V8_INLINE v8 own_swell(const skv_rows *s, int i, v8 density, v8 near_density, v8 push, v8 near_push)
-{
-    const v8 one = v8_set(1), four = v8_set(SKV_NEAR_SWELL);
-    v8 weight = v8_load(s->weight + i);
-    v8 sum = v8_sub(v8_div(v8_add(density, one), weight), weight);
-    v8 near_sum = v8_sub(v8_div(v8_add(near_density, one), weight), weight);
-    v8 swell = v8_add(v8_mul(push, sum), v8_mul(four, v8_mul(near_push, near_sum)));
-    return s->gauged ? v8_sub(swell, v8_mul(bulk_share_of(weight), swell)) : swell;
-}
-
-static void pressure_calibrated(const skv_rows *s, int row, bool later, bool swells,
-                                const skv_row_constants *c)
+static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_row_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), rest = v8_set(c->rest_density);
     const v8 answer = v8_set(c->response_slope), floor = v8_set(c->response_floor);
@@ -164,17 +155,14 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, bool swe
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
-        v8 close = v8_mul(near_push, crowded), near;
+        v8 close = v8_mul(near_push, crowded);
         v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
         v8 response = v8_max(v8_mul(answer, density), floor);
         v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
         v8 push = warm_push(s, i, later, c, excess, response);
         push = v8_sub(push, v8_div(pulled, response));
-        near = v8_div(close, response);
         v8_store(s->push + i, push);
-        v8_store(s->near_push + i, near);
-        if (swells)
-            v8_store(s->own_move.swell + i, own_swell(s, i, density, near_density, push, near));
+        v8_store(s->near_push + i, v8_div(close, response));
     }
 }
 
@@ -202,34 +190,27 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_row_const
     if (c->clavet)
         pressure_clavet(s, row, c);
     else
-        pressure_calibrated(s, row, later, c->weighs && (s->gauged || samples->used), c);
+        pressure_calibrated(s, row, later, c);
     if (graded)
         keep_gradient(s, row, c);
 }
 
-/* What pressure the swell of eight particles beside a wall amounts to: skv_swell_pressure. */
-V8_INLINE v8 swell_pressure(const skv_rows *s, int i, v8 weight, v8 swell,
-                            const skv_row_constants *c)
-{
-    v8 balanced = v8_mul(v8_set(4 * c->near_share), v8_load(s->near_push + i));
-    v8 push = v8_add(v8_load(s->push + i), balanced);
-    swell = v8_add(swell, v8_mul(v8_mul(v8_set(2), weight), push));
-    return v8_div(v8_mul(weight, swell), v8_set(6));
-}
-
-/* Gauge pressure from the virial of the pairs, or the swell beside walls, summed over the
- * iterations. */
+/* Gauge pressure from the virial of the pairs, summed over the iterations. Fluid and images are one
+ * body, so beside walls by images it is what the bulk has at such a pressure. */
 static void gauge(const skv_rows *s, int row, int iteration, const skv_row_constants *c)
 {
     const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
-    const float *own = s->own_move.swell, *next = s->next_move.swell;
+    const v8 virial = v8_set(c->image_virial), near_virial = v8_set(c->image_near_virial);
+    const float *own = s->own_move.thrust, *next = s->next_move.thrust;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 before = iteration ? v8_load(s->pressure + i) : zero;
         v8 found = collected(own + i, next + i);
-        if (c->weighs) {
-            v8 weight = v8_load(s->weight + i);
-            v8 beside = swell_pressure(s, i, weight, found, c);
-            found = v8_add(beside, v8_mul(bulk_share_of(weight), v8_sub(found, beside)));
+        if (c->images) {
+            v8 beside = v8_add(v8_mul(virial, v8_load(s->push + i)),
+                               v8_mul(near_virial, v8_load(s->near_push + i)));
+            v8 far = v8_sub(v8_load(s->image + i), v8_set(1));
+            far = v8_min(v8_max(far, zero), v8_set(1));
+            found = v8_add(beside, v8_mul(far, v8_sub(found, beside)));
         }
         v8_store(s->pressure + i, v8_add(before, v8_mul(scale, found)));
     }
@@ -272,42 +253,48 @@ V8_INLINE void add_move(const skv_rows *s, int i, float dx, float dy, skv_impuls
 }
 
 /* Adds the wall's push. */
-V8_INLINE void add_push(const skv_rows *s, int i, const skv_row_constants *c,
-                        const skv_boundary *boundary, const skv_wall_sample *wall, void *impulse)
+V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+                        void *impulse)
 {
-    float dx, dy;
-    if (!c->weighs) {
-        skv_wall_push(s->push[i], s->near_push[i], wall->f1x, wall->f1y, wall->f2x, wall->f2y,
-                      c->gravity_x, c->gravity_y, c->loose_push, &dx, &dy);
+    int i = wall->particle;
+    float push = s->push[i], near_push = s->near_push[i], dx, dy;
+    if (!c->images) {
+        const skv_wall_sample *solid = &wall->at.wall;
+        skv_wall_push(push, near_push, solid->f1x, solid->f1y, solid->f2x, solid->f2y, c->gravity_x,
+                      c->gravity_y, c->loose_push, &dx, &dy);
         /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
         if (s->gauged)
-            s->own_move.swell[i] +=
-                c->wall_virial * s->push[i] * wall->r + 2.0f / 3 * s->near_push[i] * wall->rn;
+            s->own_move.thrust[i] +=
+                c->wall_virial * push * solid->r + 2.0f / 3 * near_push * solid->rn;
     } else {
-        skv_wall_weight w = skv_weigh(boundary, wall);
-        float alone = 2 * w.weight * (s->push[i] + SKV_NEAR_SWELL * s->near_push[i]);
-        float swell = s->own_move.swell[i] + s->next_move.swell[i] + alone;
-        float share = skv_wall_share(swell, w.slope, c->adhesion);
-        dx = share * wall->f1x;
-        dy = share * wall->f1y;
+        const skv_image_sample *image = &wall->at.image;
+        float q = 1 - 2 * image->distance, rest = push + 4 * c->near_share * near_push;
+        q = q > 0 ? q : 0;
+        float out = s->own_move.thrust[i] + s->next_move.thrust[i];
+        out += 2 * (push * ((1 - q) * (q * q)) + near_push * (q * q));
+        dx = rest * image->f1x + out * image->nx;
+        dy = rest * image->f1y + out * image->ny;
+        skv_wall_let_fall(c->gravity_x, c->gravity_y, image->nx, image->ny, c->adhesion, &dx, &dy);
     }
     add_move(s, i, dx, dy, impulse);
 }
 
 /* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
  * u, v hold the rest of what it has moved in the substep. */
-V8_INLINE void add_grip(const skv_rows *s, int i, const skv_row_constants *c,
-                        const skv_boundary *boundary, const skv_wall_sample *wall, void *impulse)
+V8_INLINE void add_grip(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+                        void *impulse)
 {
     const skv_row_particles *p = &s->set[s->current];
-    float size = sqrtf(wall->f1x * wall->f1x + wall->f1y * wall->f1y);
+    const skv_image_sample *image = &wall->at.image;
+    float size = sqrtf(image->nx * image->nx + image->ny * image->ny);
     if (!(size > 0))
         return;
-    float tx = -wall->f1y / size, ty = wall->f1x / size;
+    int i = wall->particle;
+    float tx = -image->ny / size, ty = image->nx / size;
     float moved_x = p->u[i] + (s->own_move.x[i] + s->next_move.x[i]);
     float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]);
-    float share = skv_solid_share(boundary, wall->r);
-    float held = skv_wall_grip(c->grip, c->wall_drag, share) * (moved_x * tx + moved_y * ty);
+    float grip = skv_wall_grip(c->grip, c->wall_drag, image->distance);
+    float held = grip * (moved_x * tx + moved_y * ty);
     add_move(s, i, -held * tx, -held * ty, impulse);
 }
 
@@ -345,10 +332,10 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
     v8_store(move_y, dy);
     for (int l = 0; l < ROW_LANES && i + l < end; l++) {
         int k = i + l;
-        float made = 1;
+        float made = 1, along_x = 0, along_y = 0;
         if (left[l] < c->wall_clearance) {
-            made = skv_boundary_move(boundary, &p->x[k], &p->y[k], move_x[l], move_y[l],
-                                     &p->clearance[k]);
+            made = skv_boundary_slide(boundary, c->images, &p->x[k], &p->y[k], move_x[l], move_y[l],
+                                      &along_x, &along_y, &p->clearance[k]);
         } else {
             p->clearance[k] = left[l];
             p->x[k] += move_x[l];
@@ -357,11 +344,11 @@ V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool 
         /* What a wall has cut off the advance leaves the velocity; a correction enters it as far as
          * it was made. */
         float share = speed ? made : made - 1;
-        p->u[k] += share * move_x[l];
-        p->v[k] += share * move_y[l];
+        p->u[k] += share * move_x[l] + along_x;
+        p->v[k] += share * move_y[l] + along_y;
         if (made < 1)
-            skv_impulse_give(walls, p->x[k], p->y[k], (made - 1) * move_x[l],
-                             (made - 1) * move_y[l]);
+            skv_impulse_give(walls, p->x[k], p->y[k], (made - 1) * move_x[l] + along_x,
+                             (made - 1) * move_y[l] + along_y);
     }
 }
 
@@ -422,5 +409,5 @@ static void advance(const skv_rows *s, int row, const skv_row_constants *c,
 }
 
 const skv_row_kernels SKV_ROW_KERNELS = {
-    V8_NAME, advance, weigh, density, pressure, displacement, update,
+    V8_NAME, advance, sample, density, pressure, displacement, update,
 };

@@ -26,7 +26,7 @@
  * the next row, written by the row below. A particle's sum is own + next.
  *
  * Buffers. What they hold through a substep, whose passes over a row are A, density; L, pressure;
- * B, displacement; U, update; W, the weights of the particles beside walls, comes first. Whatever
+ * B, displacement; U, update; W, the sampling of walls, comes first. Whatever
  * lies in a column to the left has been read for the last time when its place is written anew.
  * "read": it is, here.
  *
@@ -41,14 +41,14 @@
  *    .v                         own gradient y       gradient y
  *    .clearance                 next density                         next move x
  *    .warm_push                 next near density                    next move y
- *    .number                    next gradient x                      next swell
+ *    .number                    next gradient x                      next thrust
  *   spare[0]          key       next gradient y                      own move x      place
  *    [1]                                                             own move y
- *    [2]                                             own swell       own swell
- *    [3]                         weight (W)          weight          weight
+ *    [2]                                             own thrust      own thrust
+ *    [3]                         image (W)           image           image
  *
  * The gradient belongs to the calibrated law and the first iteration, the gauge pressure to the
- * last substep of a call. `swell` is the calibrated law's; the clavet law has the virial there.
+ * last substep of a call. `thrust` is there with walls by images; else it holds the virial.
  * skv_rows_lend_buffers, in memory.c, is this table in code.
  */
 #ifndef SKV_ROWS_LAYOUT_H
@@ -100,7 +100,7 @@ typedef struct skv_row_sums {
 /* One part of what the displacement pass adds up. */
 typedef struct skv_row_moves {
     float *x, *y;
-    float *swell; /* what pushes it towards a smaller weight; clavet: the virial */
+    float *thrust; /* of partners' images, out of the wall; of who has none the virial */
 } skv_row_moves;
 
 /* Where the pairs of one row are kept between density and displacement. */
@@ -113,10 +113,13 @@ typedef struct skv_row_kept {
 /* A wall sample of a particle near a wall. */
 typedef struct skv_near_wall {
     int particle;
-    skv_wall_sample wall;
+    union {
+        skv_wall_sample wall;
+        skv_image_sample image; /* with walls by images */
+    } at;
 } skv_near_wall;
 
-/* Where those of one row are kept between its weights and its update. */
+/* Where those of one row are kept between the sampling and the update. */
 typedef struct skv_row_samples {
     skv_near_wall *sample;
     int room;
@@ -157,7 +160,7 @@ struct skv_rows {
     skv_row_moves own_move, next_move; /* of the displacement */
     float *push, *near_push;           /* P and N of the pressure law */
     float *gradient_x, *gradient_y;    /* that the tension evens out */
-    float *weight;                     /* of the particles beside walls; 1 elsewhere */
+    float *image;                      /* D of images, wall_image.h */
     float *pressure;                   /* gauge */
 
     /* Per tile: its ranges of partners. */

@@ -233,7 +233,7 @@ void skv_rows_lend_buffers(skv_rows *rows)
     rows->next_move = (skv_row_moves){older->clearance, older->warm_push, number};
     rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};
     rows->pressure = older->u;
-    rows->weight = spare[3];
+    rows->image = spare[3];
     /* There are no sums while the particles are sorted, and none when they are stored. */
     rows->key = (int *)(void *)spare[0];
     rows->place = (int *)(void *)spare[0];

@@ -7,7 +7,7 @@
 #ifndef SKV_ROW_PAIR_PASSES_H
 #define SKV_ROW_PAIR_PASSES_H
 
-#include "solver/rows/pair_weights.h"
+#include "solver/rows/pair_images.h"
 
 #include <string.h>
 
@@ -89,19 +89,19 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     } else {
         EACH(k) w[k] = q2[k];
     }
-    if (with & WITH_WEIGHTS && t->weighted) {
-        wide kernel[2][WIDES];
+    if (with & WITH_IMAGES && t->imaged) {
+        wide pairs[WIDES], kernel[2][WIDES];
+        EACH(k) pairs[k] = q[k];
         EACH(k) kernel[0][k] = w[k];
         EACH(k) kernel[1][k] = q3[k];
-        weigh_kernels(t->weights, t->place, j, kernel, to->density + j, to->near_density + j);
-        EACH(k) sums->density[k] = wide_add(sums->density[k], kernel[0][k]);
-        EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], kernel[1][k]);
-    } else {
-        EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
-        EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
-        add_at(to->density + j, over_tile(w));
-        add_at(to->near_density + j, over_tile(q3));
+        add_image_kernels(t->images, t->place, j, pairs, kernel);
+        EACH(k) w[k] = kernel[0][k];
+        EACH(k) q3[k] = kernel[1][k];
     }
+    EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
+    EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
+    add_at(to->density + j, over_tile(w));
+    add_at(to->near_density + j, over_tile(q3));
     if (with & WITH_GRADIENT) {
         EACH(k) dx[k] = wide_mul(dx[k], q2[k]);
         EACH(k) dy[k] = wide_mul(dy[k], q2[k]);
@@ -174,8 +174,8 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_bo
     tile_sums late;
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
-        t.weighted = with & WITH_WEIGHTS && is_weighted(s, i);
-        t.weights = s->weight;
+        t.imaged = with & WITH_IMAGES && meets_images(s, i, false);
+        t.images = s->image;
         density_sums sums[PARTS];
         EACH(k)
         {
@@ -209,7 +209,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_bo
         add_densities(&own, (end - 1) & ~(TILE - 1), with, &late);
 }
 
-/* A row whose pairs have no room, as in the crowds of a splash, or whose particles have weights:
+/* A row whose pairs have no room, as in the crowds of a splash, or whose walls act by images:
  * one function for all variants, which looks while it runs. */
 static __attribute__((noinline)) void density_any(const skv_rows *s, int row, unsigned with,
                                                   const skv_boundary *b, float *keep)
@@ -240,9 +240,9 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     kept->used = blocks <= kept->room ? blocks : -1;
     if (c->clavet)
         density_variant(s, row, 0, b, kept);
-    else if (c->weighs)
-        density_any(s, row, with_kept(SMOOTH | WITH_WEIGHTS | (later ? 0u : WITH_GRADIENT), kept),
-                    b, kept->pairs);
+    else if (c->images)
+        density_any(s, row, with_kept(SMOOTH | WITH_IMAGES | (later ? 0u : WITH_GRADIENT), kept), b,
+                    kept->pairs);
     else if (later)
         density_variant(s, row, SMOOTH, b, kept);
     else
@@ -323,12 +323,6 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
     if (with & SMOOTH) {
         EACH(k) size[k] = wide_mul(size[k], ratio[k]);
         EACH(k) size[k] = wide_add(wide_mul(wide_add(pressed->push[k], push), q2[k]), size[k]);
-        if (with & WITH_WEIGHTS && t->weighted) {
-            wide pushed[WIDES];
-            EACH(k) pushed[k] = size[k];
-            weigh_pushes(t->weights, t->place, j, pushed);
-            EACH(k) size[k] = pushed[k];
-        }
     } else {
         EACH(k) size[k] = wide_mul(wide_add(wide_add(pressed->push[k], push), size[k]), ratio[k]);
     }
@@ -345,16 +339,18 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ey[k], dy[k]));
         }
     }
-    if (with & WITH_WEIGHTS && t->weighted) {
-        wide swell[WIDES], shown[WIDES];
-        EACH(k) swell[k] = q[k];
+    if (with & WITH_IMAGES && t->imaged) {
+        wide thrust[WIDES], shown[WIDES], pushed[WIDES];
+        EACH(k) thrust[k] = q[k];
         EACH(k) shown[k] = virial[k];
-        add_swell(with & WITH_GAUGE, others->push, others->near_push, t->weights, t->place, j,
-                  swell, shown, to->swell + j);
-        EACH(k) sums->swell[k] = wide_add(sums->swell[k], swell[k]);
+        EACH(k) pushed[k] = size[k];
+        add_image_pushes(with & WITH_GAUGE, others->push, others->near_push, t->images, t->place, j,
+                         thrust, shown, pushed, to->thrust + j);
+        EACH(k) size[k] = pushed[k];
+        EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], thrust[k]);
     } else if (with & WITH_GAUGE) {
-        EACH(k) sums->swell[k] = wide_add(sums->swell[k], virial[k]);
-        add_at(to->swell + j, over_tile(virial));
+        EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], virial[k]);
+        add_at(to->thrust + j, over_tile(virial));
     }
     if (with & WITH_VISCOSITY)
         viscosity(p, others, j, pressed, dx, dy, r, q, size);
@@ -383,13 +379,12 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
                       &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
-/* Of the own row's swell, where there are weights, the pressure pass has begun the sum. */
-static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, bool swell)
+static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, bool thrust)
 {
     zero_row(s, moves->x, row);
     zero_row(s, moves->y, row);
-    if (swell)
-        zero_row(s, moves->swell, row);
+    if (thrust)
+        zero_row(s, moves->thrust, row);
 }
 
 VARIANT void sum_moves(tile_sums *to, const move_sums *sums)
@@ -397,16 +392,16 @@ VARIANT void sum_moves(tile_sums *to, const move_sums *sums)
     const move_sums *last = &sums[PARTS - 1];
     sum_lanes(to->sum[0], sums->x, last->x);
     sum_lanes(to->sum[1], sums->y, last->y);
-    if (to->swells)
-        sum_lanes(to->sum[2], sums->swell, last->swell);
+    if (to->thrusts)
+        sum_lanes(to->sum[2], sums->thrust, last->thrust);
 }
 
 VARIANT void add_moves(const skv_row_moves *to, int i, const tile_sums *late)
 {
     add_tile(to->x + i, late->sum[0]);
     add_tile(to->y + i, late->sum[1]);
-    if (late->swells)
-        add_tile(to->swell + i, late->sum[2]);
+    if (late->thrusts)
+        add_tile(to->thrust + i, late->sum[2]);
 }
 
 VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
@@ -417,14 +412,14 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
                              s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
-    zero_moves(s, &own, row, with & WITH_GAUGE && !(with & WITH_WEIGHTS));
-    zero_moves(s, &next, row + 1, with & (WITH_GAUGE | WITH_WEIGHTS));
+    zero_moves(s, &own, row, with & (WITH_GAUGE | WITH_IMAGES));
+    zero_moves(s, &next, row + 1, with & (WITH_GAUGE | WITH_IMAGES));
     int begin = s->row_start[row], end = s->row_end[row];
-    tile_sums late = {.swells = false};
+    tile_sums late = {.thrusts = false};
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i};
-        t.weighted = with & WITH_WEIGHTS && is_weighted(s, i);
-        t.weights = s->weight;
+        t.imaged = with & WITH_IMAGES && meets_images(s, i, with & WITH_GAUGE);
+        t.images = s->image;
         if (!(with & KEEP_PAIRS))
             t.beside = find_thin_wall(p, i, end, boundary);
         pushes pressed = {.has_gradient = false};
@@ -435,7 +430,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
             t.y[k] = wide_spread(p->y + i + k, WIDES);
             pressed.push[k] = wide_spread(others.push + i + k, WIDES);
             pressed.near_push[k] = wide_spread(others.near_push + i + k, WIDES);
-            EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].swell[k] = wide_set(0);
+            EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].thrust[k] = wide_set(0);
             if (with & WITH_VISCOSITY) {
                 pressed.u[k] = wide_spread(p->u + i + k, WIDES);
                 pressed.v[k] = wide_spread(p->v + i + k, WIDES);
@@ -464,7 +459,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const s
         }
         if (i > begin)
             add_moves(&own, i - TILE, &late);
-        late.swells = with & WITH_GAUGE || t.weighted;
+        late.thrusts = with & WITH_GAUGE || t.imaged;
         sum_moves(&late, sums);
     }
     if (begin < end)
@@ -508,9 +503,9 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_row_c
                          const skv_boundary *b, const skv_row_kept *kept)
 {
     bool viscous = !later && (c->viscosity_linear > 0 || c->viscosity_quadratic > 0);
-    if (c->weighs)
+    if (c->images)
         displacement_any(s, row,
-                         with_kept(SMOOTH | WITH_WEIGHTS | (later ? 0u : WITH_GRADIENT) |
+                         with_kept(SMOOTH | WITH_IMAGES | (later ? 0u : WITH_GRADIENT) |
                                        (viscous ? WITH_VISCOSITY : 0u) |
                                        (s->gauged ? WITH_GAUGE : 0u),
                                    kept),

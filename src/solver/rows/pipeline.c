@@ -6,7 +6,7 @@
 
 /* What neighbours wait for, in the order in which a thread comes to it in each turn. */
 typedef enum milestone {
-    FIRST_WEIGHED = 1,
+    FIRST_SAMPLED = 1,
     LAST_SUMMED,
     FIRST_PRESSED,
     LAST_DISPLACED,
@@ -70,8 +70,8 @@ static skv_row_kept *kept_of(const skv_row_worker *w, int row)
     return &w->own->kept[row == w->last ? ROW_KEPT_SLOTS - 1 : row & 1];
 }
 
-/* The same for its wall samples: the last row is weighed early, the first row's may be needed last,
- * and between a row's weights and its update come those of the next two. */
+/* The same for its wall samples: the last row is sampled early, the first row's may be needed last,
+ * and between the sampling of a row and its update come those of the next two. */
 static skv_row_samples *samples_of(const skv_row_worker *w, int row)
 {
     int slot = row == w->first  ? ROW_SAMPLE_SLOTS - 1
@@ -80,16 +80,16 @@ static skv_row_samples *samples_of(const skv_row_worker *w, int row)
     return &w->own->samples[slot];
 }
 
-void skv_row_weigh(const skv_row_worker *w, int row)
+void skv_row_sample(const skv_row_worker *w, int row)
 {
     if (!owns(w, row))
         return;
     const skv_row_run *shared = w->shared;
     skv_row_samples *samples = samples_of(w, row);
-    shared->kernels->weigh(shared->rows, row, shared->constants, shared->boundary, samples);
+    shared->kernels->sample(shared->rows, row, shared->constants, shared->boundary, samples);
     shared->rows->row_walls[row] = samples->used;
     if (row == w->first)
-        reach(w, FIRST_WEIGHED);
+        reach(w, FIRST_SAMPLED);
 }
 
 void skv_row_density(const skv_row_worker *w, int row)
@@ -99,7 +99,7 @@ void skv_row_density(const skv_row_worker *w, int row)
     const skv_row_run *shared = w->shared;
     bool later = w->iteration > 0;
     if (row == w->last)
-        await(w, w->upper, FIRST_WEIGHED);
+        await(w, w->upper, FIRST_SAMPLED);
     if (!later)
         skv_rows_find_ranges(shared->rows, row);
     shared->kernels->density(shared->rows, row, later, shared->constants, shared->boundary,

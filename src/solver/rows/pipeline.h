@@ -1,7 +1,7 @@
 /* The passes of an iteration, each over one row of the calling thread, in step with the threads
  * that own the rows next to its own.
  *
- * Who may run when, for row R of one iteration (W weights, A density, L pressure, B displacement, U
+ * Who may run when, for row R of one iteration (W walls, A density, L pressure, B displacement, U
  * update): A(R) needs W(R) and W(R+1); L(R) needs A(R) and A(R-1); B(R) needs L(R) and L(R+1); U(R)
  * needs B(R) and B(R-1), and moves what A and B of rows R and R-1 read. Within a thread's rows the
  * caller's order sees to that. At the seam between two threads the lower one needs W of the upper
@@ -48,7 +48,7 @@ void skv_row_begin(skv_row_worker *worker);
  * row, A of the last row; then for each row R from the first to one after the last W(R+1) and A(R)
  * but for the last, L(R), B(R-1), U(R-1); then the update at the seam. The first row's U is left to
  * the latter where there is a seam below it. */
-void skv_row_weigh(const skv_row_worker *worker, int row);
+void skv_row_sample(const skv_row_worker *worker, int row);
 void skv_row_density(const skv_row_worker *worker, int row);
 void skv_row_pressure(const skv_row_worker *worker, int row);
 void skv_row_displacement(const skv_row_worker *worker, int row);

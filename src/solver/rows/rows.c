@@ -57,13 +57,13 @@ static void take_substep(skv_row_worker *w, bool first)
     book(rows, w->thread, ROW_SORT, &start);
     skv_row_begin(w);
     while (w->iteration < w->shared->constants->iterations) { /* Algorithm 6 */
-        skv_row_weigh(w, w->first);
+        skv_row_sample(w, w->first);
         if (w->last > w->first)
-            skv_row_weigh(w, w->last);
+            skv_row_sample(w, w->last);
         skv_row_density(w, w->last);
         for (int row = w->first; row <= w->last + 1; row++) {
             if (row + 1 < w->last)
-                skv_row_weigh(w, row + 1); /* for how many those beside walls stand */
+                skv_row_sample(w, row + 1); /* what the walls are to them */
             if (row != w->last)
                 skv_row_density(w, row);      /* densities, gradient */
             skv_row_pressure(w, row);         /* P and N */

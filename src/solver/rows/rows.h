@@ -11,7 +11,7 @@
  * tasks write the same place, and the result does not depend on threads, instruction set or
  * compiler.
  *
- * Within a substep the rows run through a pipeline: weights of row R+1, density of row R, pressure
+ * Within a substep the rows run through a pipeline: images of row R+1, density of row R, pressure
  * of row R, displacement of row R-1, update of row R-1; so a row's data is still in the cache, and
  * its pairs' q are kept for the displacement. Rows lie across the longer side of the world, to have
  * many of them.
@@ -32,12 +32,12 @@ typedef struct skv_row_constants {
     float warm_start, warm_limit, warm_slope, response_slope, response_floor, near_share;
     float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale,
         tension_from;
-    float adhesion, grip, wall_drag;
+    float adhesion, image_gradient, image_virial, image_near_virial, grip, wall_drag;
     float pressure_scale; /* from the virial to Pa m */
     float contact_distance, softness, friction;
     float wall_clearance; /* how close a move may come to a wall */
     int iterations;
-    bool clavet, weighs;
+    bool clavet, images;
     const skv_pull *pulls;
     int pull_count;
 } skv_row_constants;

@@ -11,9 +11,9 @@ typedef struct skv_row_kernels {
     /* Forces and advance. */
     void (*advance)(const skv_rows *rows, int row, const skv_row_constants *constants,
                     const skv_boundary *boundary, skv_impulse_sum *walls);
-    /* W: samples the walls, and finds the weights beside them. */
-    void (*weigh)(const skv_rows *rows, int row, const skv_row_constants *constants,
-                  const skv_boundary *boundary, skv_row_samples *samples);
+    /* W: samples the walls, and finds the image distances beside them. */
+    void (*sample)(const skv_rows *rows, int row, const skv_row_constants *constants,
+                   const skv_boundary *boundary, skv_row_samples *samples);
     /* A. `later` false: with the gradient that the calibrated law's tension needs; true: densities
      * only. Keeps the pairs if there is room. */
     void (*density)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,

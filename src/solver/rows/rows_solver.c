@@ -45,6 +45,9 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .tension_scale = c->tension_scale * inv_h,
         .tension_from = c->tension_from,
         .adhesion = c->adhesion,
+        .image_gradient = c->image_gradient,
+        .image_virial = c->image_virial,
+        .image_near_virial = c->image_near_virial,
         .grip = c->grip,
         .wall_drag = c->wall_drag,
         .pressure_scale = c->pressure_scale * c->h * c->h,
@@ -54,7 +57,7 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .wall_clearance = boundary->clearance * inv_h,
         .iterations = c->iterations,
         .clavet = c->clavet,
-        .weighs = c->weighs,
+        .images = c->images,
         .pull_count = step->pull_count,
     };
     if (boundary->swapped)

@@ -33,14 +33,14 @@
  * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
  * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
  * pairs that approach. WITH_GAUGE: it sums up what the gauge pressure follows from as well: the
- * virial. WITH_WEIGHTS: walls act by weights, and beside them it sums up the swell. */
+ * virial. WITH_IMAGES: walls act by images, and beside them it sums up their thrust. */
 enum {
     SMOOTH = 1,
     WITH_GRADIENT = 2,
     WITH_VISCOSITY = 4,
     KEEP_PAIRS = 8,
     WITH_GAUGE = 16,
-    WITH_WEIGHTS = 32
+    WITH_IMAGES = 32
 };
 
 /* Where the four particles of a tile are, each in all lanes. */
@@ -48,8 +48,8 @@ typedef struct tile {
     wide x[WIDES], y[WIDES];
     int place;                  /* of the first */
     const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
-    bool weighted;              /* it or one of its partners has a weight other than 1 */
-    const float *weights;       /* of all particles, by place */
+    bool imaged;                /* images are to be looked for */
+    const float *images;        /* of all particles, by place */
 } tile;
 
 /* What the displacement needs of them besides. */
@@ -64,7 +64,7 @@ typedef struct density_sums {
     wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES];
 } density_sums;
 typedef struct move_sums {
-    wide x[WIDES], y[WIDES], swell[WIDES];
+    wide x[WIDES], y[WIDES], thrust[WIDES];
 } move_sums;
 
 V8_INLINE void add_at(float *p, eight_part a)
@@ -99,7 +99,7 @@ V8_INLINE void sum_lanes(float to[TILE], const wide *first, const wide *last)
  * stored there has left the processor: a load that waited for it cost 3 to 5 %. */
 typedef struct tile_sums {
     float sum[ROW_SUMS][TILE];
-    bool swells; /* of the displacement: there is a swell among them */
+    bool thrusts; /* of the displacement: there is a thrust or virial among them */
 } tile_sums;
 
 V8_INLINE void add_tile(float *to, const float sum[TILE])

@@ -1,0 +1,68 @@
+/* Walls by images: what stands behind a wall for the fluid before it; the same in both solvers. On
+ * trial, by the parameter fluid.wall_images; docs/walls.md tells what it measures and what is open.
+ *
+ * Fluid before a flat wall moves without friction as if it went on behind it as its mirror image.
+ * So every particle beside a wall meets, besides its partners, their images and its own. With
+ * distances from the wall D, an image of j is seen from i at the distance r' with
+ *
+ *     r'^2 = r^2 + 4 Di Dj
+ *
+ * which asks for no place of the image, is the same from j to i, and holds for any field D. The
+ * densities' sums run over partners and images, and all forces are slopes of the same energy: along
+ * the wall an image's push is that of a pair, so the fluid there drags no more than inside, and
+ * out of the wall it is that push times 2 Dj/r' grad Di.
+ *
+ * D is smooth: a function of the share of the kernel that lies in the solid, which beside a flat
+ * wall is the distance. Where walls are not flat images alone would not make up for the solid; the
+ * rest adds a density of its own (terrain/wall_images.c).
+ *
+ * Lengths here are in smoothing radii. Invariant: where no wall is within h, D is SKV_FAR, and no
+ * image is seen from there.
+ */
+#ifndef SKV_SOLVER_WALL_IMAGE_H
+#define SKV_SOLVER_WALL_IMAGE_H
+
+/* D of what is farther than h from any wall: its square does not overflow. */
+#define SKV_FAR 1e9f
+
+/* Keeps r' above 0. */
+#define SKV_LEAST_IMAGE 1e-6f
+
+/* D where a particle touches a wall, and where it is free of it: the first layer lies at 0.11, the
+ * second at 0.43. */
+#define SKV_TOUCH 0.067f
+#define SKV_FREE  0.43f
+
+/* The share of the kernel in the solid at a distance from a flat wall; within 0.0005. */
+static inline float skv_flat_share(float distance)
+{
+    float left = distance < 1 ? 1 - distance : 0;
+    return left * left * left * (0.50011f + distance * (0.23053f - 0.92175f * distance));
+}
+
+/* How steeply it falls; within 0.001. */
+static inline float skv_flat_slope(float distance)
+{
+    float left = distance < 1 ? 1 - distance : 0;
+    float bend = 3.79846f + distance * (1.25245f - 4.08331f * distance);
+    return left * left * left * (1.27397f + distance * bend);
+}
+
+/* How much of the slip beside a wall a substep takes: friction, whole where a particle touches the
+ * wall and fading towards the second layer; and viscosity, for a fluid whose pairs have the
+ * strength `drag` there. The solid's part of the pairs, which rest and mirror the slip: beside a
+ * flat wall int q (T/r)^2 X/d over the solid, T along it, X across it and d the distance, is within
+ * 4 % share (0.5 - 0.4 share) / (1 - 2 share). */
+static inline float skv_wall_grip(float friction, float drag, float distance)
+{
+    float touch = (SKV_FREE - distance) / (SKV_FREE - SKV_TOUCH);
+    touch = touch < 0 ? 0 : touch < 1 ? touch : 1;
+    float grip = friction * (touch * touch);
+    if (drag > 0) {
+        float share = skv_flat_share(distance);
+        grip += share < 0.49f ? drag * share * (0.5f - 0.4f * share) / (1 - 2 * share) : 1;
+    }
+    return grip < 1 ? grip : 1;
+}
+
+#endif

@@ -1,0 +1,165 @@
+/* Walls by images: the shares beside a flat wall against their definition, what the walls read of a
+ * pool at rest in single layers, that its layers move alike, and that the clavet law does not know
+ * them. */
+#include "base/kernels.h"
+#include "solver/wall_image.h"
+#include "support/fixture.h"
+#include "world/world_internal.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+static skv_world_def imaged_def(skv_law law, float spacing)
+{
+    skv_world_def def = fixture_def(law, SKV_SOLVER_FAST, 0, spacing, 2);
+    def.fluid.wall_images = true;
+    return def;
+}
+
+/* The kernel along a line that passes its middle at a distance, by strips. */
+static double line_at(double distance)
+{
+    enum { STRIPS = 400 };
+    double sum = 0, reach = sqrt(1 - distance * distance);
+    for (int k = 0; k < STRIPS; k++)
+        sum += skv_kernel_density(SKV_KERNEL_SMOOTH,
+                                  1 - hypot(distance, reach * (k + 0.5) / STRIPS));
+    return 2 * reach / STRIPS * sum;
+}
+
+static void flat_shares_are_the_kernels(void **unused)
+{
+    (void)unused;
+    enum { PARTS = 500 };
+    const double whole = 3.141592653589793 / 5;
+    double share = 0;
+    for (int k = PARTS - 1; k >= 0; k--) {
+        double middle = (k + 0.5) / PARTS, line = line_at(middle) / whole;
+        share += line / PARTS;
+        assert_true(fabs((double)skv_flat_slope((float)middle) - line) < 0.002);
+        assert_true(fabs((double)skv_flat_share((float)k / PARTS) - share) < 0.001);
+    }
+    assert_true(skv_flat_share(1) == 0 && skv_flat_slope(1) == 0);
+    assert_true(skv_flat_share(SKV_FAR) == 0 && skv_flat_slope(SKV_FAR) == 0);
+}
+
+enum { LAYERS = 12, FRAMES = 180 };
+
+/* Mean pressures of layers half a spacing thick, by what they should be. */
+typedef struct layers {
+    double read[LAYERS], due[LAYERS];
+} layers;
+
+static void add_to_layers(layers *l, double distance, double pressure, double due)
+{
+    int layer = (int)(2 * distance);
+    if (layer >= LAYERS)
+        return;
+    l->read[layer] += pressure;
+    l->due[layer] += due;
+}
+
+static void expect_true(const layers *l, double least, double most_off)
+{
+    for (int i = 0; i < LAYERS; i++)
+        if (l->due[i] > least && !(fabs(l->read[i] / l->due[i] - 1) < most_off))
+            fail_msg("layer %d reads %g of rho g z", i, l->read[i] / l->due[i]);
+}
+
+static void single_layers_read_their_depth(void **unused)
+{
+    (void)unused;
+    skv_world_def def = imaged_def(SKV_LAW_CALIBRATED, 0.0155f);
+    def.depth = 0.45f;
+    skv_world *world;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 1.6f, 0.45f);
+    fixture_run(world, 6 * 60);
+    layers floor = {{0}, {0}}, side = {{0}, {0}};
+    double s = (double)skv_world_spacing(world), area = skv_world_particle_count(world) * s * s;
+    const double surface = 0.985 * area / 1.6;
+    for (int f = 0; f < FRAMES; f++) {
+        fixture_run(world, 1);
+        skv_particles p = skv_world_particles(world);
+        for (int i = 0; i < p.count; i++) {
+            double x = (double)p.x[i], y = (double)p.y[i], due = 9810 * (surface - y);
+            if (x > 0.3 && x < 1.3)
+                add_to_layers(&floor, y / s, (double)p.pressure[i], due);
+            if (y > 0.1 && y < 0.3)
+                add_to_layers(&side, x / s, (double)p.pressure[i], due);
+        }
+    }
+    /* Where hardly a particle comes by there is no mean. Without images the floor's layers are up
+     * to 21 % off, and the side's 30 %. */
+    expect_true(&floor, 12000.0 * FRAMES, 0.05);
+    expect_true(&side, 4000.0 * FRAMES, 0.05);
+    skv_world_destroy(world);
+}
+
+/* A pool that falls sideways along its floor: how fast the first layer is, by those above it. */
+static double first_layer(bool images)
+{
+    skv_world_def def = imaged_def(SKV_LAW_CALIBRATED, 0.0155f);
+    def.fluid.wall_images = images;
+    def.fluid.wall_friction = 0;
+    skv_world *world = fixture_dam_of(&def);
+    double sum[2] = {0, 0};
+    int count[2] = {0, 0};
+    for (int f = 0; f < 20; f++) {
+        fixture_run(world, 1);
+        skv_particles p = skv_world_particles(world);
+        double s = (double)skv_world_spacing(world);
+        for (int i = 0; i < p.count; i++) {
+            double up = (double)p.y[i] / s, x = (double)p.x[i];
+            if (f < 10 || x < 0.2 || x > 0.4 || up > 4)
+                continue;
+            int layer = up < 0.7 ? 0 : 1;
+            sum[layer] += (double)p.vx[i];
+            count[layer]++;
+        }
+    }
+    skv_world_destroy(world);
+    assert_true(count[0] > 20 && count[1] > 20);
+    return sum[0] / count[0] / (sum[1] / count[1]);
+}
+
+static void the_first_layer_moves_like_its_neighbours(void **unused)
+{
+    (void)unused;
+    double with = first_layer(true), without = first_layer(false);
+    if (!(with > 0.95 && with < 1.05 && without < 0.93))
+        fail_msg("the first layer has %g of its neighbours' speed, without images %g", with,
+                 without);
+}
+
+static void the_clavet_law_has_none(void **unused)
+{
+    (void)unused;
+    uint64_t hash[2];
+    for (int images = 0; images < 2; images++) {
+        skv_world_def def = imaged_def(SKV_LAW_CLAVET, 0.02f);
+        def.fluid.wall_images = images;
+        skv_world *world = fixture_dam_of(&def);
+        fixture_run(world, 60);
+        skv_particles p = skv_world_particles(world);
+        hash[images] = fixture_hash(&p);
+        skv_world_destroy(world);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(flat_shares_are_the_kernels),
+        cmocka_unit_test(single_layers_read_their_depth),
+        cmocka_unit_test(the_first_layer_moves_like_its_neighbours),
+        cmocka_unit_test(the_clavet_law_has_none),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
