@@ -92,38 +92,62 @@ static inline float skv_wall_keep_inside(float g, int blocks)
     return g < high ? g : high;
 }
 
-/* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
-static inline bool skv_wall_map_sample(const skv_wall_map *map, float x, float y,
-                                       skv_wall_sample *sample)
+/* Where a point lies between a block's samples: beyond sample (i, j) by (u, v), each 0..1. */
+typedef struct skv_wall_place {
+    int i, j;
+    float u, v;
+} skv_wall_place;
+
+/* Finds a point's block, and the place there if it is stored. Any finite point. */
+static inline int32_t skv_wall_find(const skv_wall_map *map, float x, float y,
+                                    skv_wall_place *place)
 {
-    *sample = (skv_wall_sample){0};
     float gx = skv_wall_keep_inside(x * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->columns);
     float gy = skv_wall_keep_inside(y * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->rows);
     int column = (int)gx / SKV_WALL_BLOCK, row = (int)gy / SKV_WALL_BLOCK;
     column = column < map->columns ? column : map->columns - 1;
     row = row < map->rows ? row : map->rows - 1;
     int32_t number = map->index[(size_t)row * (size_t)map->columns + (size_t)column];
-    if (number == SKV_WALL_AIR)
-        return false;
-    if (number == SKV_WALL_SOLID) {
-        sample->r = map->kernel.full[SKV_WALL_R];
-        sample->rn = map->kernel.full[SKV_WALL_RN];
-        return true;
-    }
+    if (number < 0)
+        return number;
     gx -= (float)(column * SKV_WALL_BLOCK);
     gy -= (float)(row * SKV_WALL_BLOCK);
     int i = gx < SKV_WALL_BLOCK ? (int)gx : SKV_WALL_BLOCK - 1,
         j = gy < SKV_WALL_BLOCK ? (int)gy : SKV_WALL_BLOCK - 1;
-    float u = gx - (float)i, v = gy - (float)j;
-    const skv_wall_block *b = &map->blocks[number];
+    *place = (skv_wall_place){i, j, gx - (float)i, gy - (float)j};
+    return number;
+}
+
+/* A block's values there, bilinear. */
+static inline void skv_wall_mix(const skv_wall_block *b, const skv_wall_place *place,
+                                float values[SKV_WALL_MAPS])
+{
+    const int i = place->i, j = place->j;
     const float *low0 = b->samples[j][i], *low1 = b->samples[j][i + 1];
     const float *high0 = b->samples[j + 1][i], *high1 = b->samples[j + 1][i + 1];
-    float values[SKV_WALL_MAPS];
     for (int k = 0; k < SKV_WALL_MAPS; k++) {
-        float low = low0[k] + u * (low1[k] - low0[k]);
-        float high = high0[k] + u * (high1[k] - high0[k]);
-        values[k] = low + v * (high - low);
+        float low = low0[k] + place->u * (low1[k] - low0[k]);
+        float high = high0[k] + place->u * (high1[k] - high0[k]);
+        values[k] = low + place->v * (high - low);
     }
+}
+
+/* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
+static inline bool skv_wall_map_sample(const skv_wall_map *map, float x, float y,
+                                       skv_wall_sample *sample)
+{
+    *sample = (skv_wall_sample){0};
+    skv_wall_place place;
+    int32_t number = skv_wall_find(map, x, y, &place);
+    if (number == SKV_WALL_AIR)
+        return false;
+    if (number < 0) {
+        sample->r = map->kernel.full[SKV_WALL_R];
+        sample->rn = map->kernel.full[SKV_WALL_RN];
+        return true;
+    }
+    float values[SKV_WALL_MAPS];
+    skv_wall_mix(&map->blocks[number], &place, values);
     *sample = (skv_wall_sample){
         .r = values[SKV_WALL_R],
         .rn = values[SKV_WALL_RN],
