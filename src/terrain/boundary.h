@@ -145,6 +145,26 @@ static inline float skv_boundary_sample(const skv_boundary *b, float x, float y,
     return distance * b->per_unit;
 }
 
+/* What images need at a point, for walls that have them; returns the distance to the nearest wall.
+ */
+static inline float skv_boundary_sample_image(const skv_boundary *b, float x, float y,
+                                              skv_image_sample *image)
+{
+    float distance;
+    skv_boundary_to_world(b, &x, &y);
+    if (skv_wall_map_near_thin(b->walls, x, y)) {
+        float nx, ny;
+        distance = skv_normal_at(b->terrain, x, y, &nx, &ny);
+        skv_wall_map_sample_image_beside(b->walls, x, y, distance, nx, ny, image);
+    } else {
+        skv_wall_map_sample_image(b->walls, x, y, image);
+        distance = skv_distance_at(b->terrain, x, y);
+    }
+    skv_boundary_swap(b, &image->nx, &image->ny);
+    skv_boundary_swap(b, &image->f1x, &image->f1y);
+    return distance * b->per_unit;
+}
+
 /* True if a thin wall stands between two places within h of each other, so that the particles there
  * feel nothing of each other; the same for both orders. The bounds are lower bounds of the places'
  * distances from walls; 0: not known. */

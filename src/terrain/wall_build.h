@@ -33,11 +33,20 @@ static inline float skv_wall_clear_distance(double side)
 /* What becomes of block (x, y): SKV_WALL_AIR, SKV_WALL_SOLID, or 0 where a wall is near. */
 int skv_wall_sort_block(const skv_wall_builder *b, int x, int y);
 
+/* The solid share of cell (x, y). */
+float skv_wall_solid_share(const skv_wall_builder *b, int x, int y);
+
 /* Fills block (x, y), but for what stands beside thin walls. */
 void skv_wall_build_block(const skv_wall_builder *b, int x, int y, skv_wall_block *made);
 
 /* Makes room for so many blocks; nothing changes on failure. */
 skv_result skv_wall_reserve_blocks(skv_wall_map *map, size_t room, skv_error *error);
+
+/* Makes the images of the blocks at these places of the index, those of them that are stored, from
+ * what all blocks hold. Their distances are written first, those of others are taken as they are.
+ */
+void skv_wall_build_images(const skv_wall_builder *b, const size_t *blocks, int count,
+                           skv_pool *pool);
 
 /* Takes over what has been found of thin walls, for a map that holds nothing of the kind. */
 void skv_wall_take_found(skv_wall_map *map, skv_thin_walls *found, const skv_shadow_rays *rays);

@@ -51,8 +51,7 @@ static float solid_share_at(float distance, float side)
     return share <= least ? 0 : share >= 1 - least ? 1 : share;
 }
 
-/* The solid share of cell (x, y). */
-static float solid_share(const skv_wall_builder *b, int x, int y)
+float skv_wall_solid_share(const skv_wall_builder *b, int x, int y)
 {
     float middle = distance_at(b, x + 0.5, y + 0.5), clear = skv_wall_clear_distance(b->cell);
     if (middle >= clear)
@@ -97,7 +96,7 @@ static void fill_window(const skv_wall_builder *b, int x0, int y0, window *w)
     for (int y = 0; y < WINDOW; y++) {
         float least = 1, most = 0;
         for (int x = 0; x < WINDOW; x++) {
-            float share = solid_share(b, x0 + x, y0 + y);
+            float share = skv_wall_solid_share(b, x0 + x, y0 + y);
             w->share[y][x] = share;
             least = share < least ? share : least;
             most = share > most ? share : most;
@@ -207,20 +206,26 @@ skv_result skv_wall_reserve_blocks(skv_wall_map *map, size_t room, skv_error *er
     if (room <= map->room && map->blocks)
         return SKV_OK;
     skv_wall_block *blocks = skv_calloc(room, sizeof *blocks);
+    skv_wall_block *images = map->images ? skv_calloc(room, sizeof *images) : NULL;
     int32_t *spare = skv_calloc(room, sizeof *spare);
-    if (!blocks || !spare) {
+    if (!blocks || !spare || (map->images && !images)) {
         skv_free(blocks);
+        skv_free(images);
         skv_free(spare);
         return skv_fail(error, SKV_ERROR_MEMORY,
                         "walls: no memory for %zu blocks; a wider spacing needs fewer", room);
     }
     if (map->blocks)
         memcpy(blocks, map->blocks, map->count * sizeof *blocks);
+    if (images)
+        memcpy(images, map->images, map->count * sizeof *images);
     if (map->spare)
         memcpy(spare, map->spare, map->spare_count * sizeof *spare);
     skv_free(map->blocks);
+    skv_free(map->images);
     skv_free(map->spare);
     map->blocks = blocks;
+    map->images = images;
     map->spare = spare;
     map->room = room;
     return SKV_OK;
@@ -288,6 +293,7 @@ void skv_wall_map_destroy(skv_wall_map *map)
     skv_thin_walls_destroy(map->found);
     skv_free(map->index);
     skv_free(map->blocks);
+    skv_free(map->images);
     skv_free(map->spare);
     skv_free(map);
 }
@@ -295,8 +301,9 @@ void skv_wall_map_destroy(skv_wall_map *map)
 size_t skv_wall_map_bytes(const skv_wall_map *map)
 {
     SKV_ASSERT_OR(map, 0);
+    size_t block = sizeof *map->blocks + (map->images ? sizeof *map->images : 0);
     return sizeof *map + (size_t)map->columns * (size_t)map->rows * sizeof *map->index +
-           map->room * (sizeof *map->blocks + sizeof *map->spare);
+           map->room * (block + sizeof *map->spare);
 }
 
 /* The table for points too near to a thin wall. */
@@ -346,7 +353,7 @@ static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
 
 skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error)
 {
-    SKV_ASSERT_OR(map && terrain && !map->found, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(map && terrain && !map->found && !map->images, SKV_ERROR_VALUE);
     skv_thin_walls *found;
     skv_result result =
         skv_thin_walls_create(terrain, (float)map->radius, NULL, NULL, &found, error);

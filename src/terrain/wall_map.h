@@ -6,6 +6,9 @@
  * r^ pointing away from the solid; W, F and gain are those of the pressure's kernel. R and F1 carry
  * its weight for walls. Stored on a grid of about h/10 and sampled bilinearly; bilinear samples of
  * central differences drive creeping flow, so the vectors are stored, not derived.
+ *
+ * Walls may also be met by images (terrain/image_distance.h): then a second set of blocks holds the
+ * image distance D and its gradient, and what images leave over of R and F1.
  */
 #ifndef SKV_TERRAIN_WALL_MAP_H
 #define SKV_TERRAIN_WALL_MAP_H
@@ -27,6 +30,9 @@ enum {
 /* Nearer to a thin wall than so many cells samples are not mixed; a table serves instead. */
 #define SKV_WALL_KEEP_OFF 1.5
 
+/* What a block of images holds, in the order of skv_image_sample. */
+enum { SKV_IMAGE_DISTANCE, SKV_IMAGE_NX, SKV_IMAGE_NY, SKV_IMAGE_R, SKV_IMAGE_F1X, SKV_IMAGE_F1Y };
+
 typedef struct skv_wall_block {
     float samples[SKV_WALL_SAMPLES][SKV_WALL_SAMPLES][SKV_WALL_MAPS];
 } skv_wall_block;
@@ -40,8 +46,9 @@ typedef struct skv_wall_map {
     int columns, rows; /* blocks */
     int32_t *index;    /* columns * rows: a stored block, or one of those that are not */
     skv_wall_block *blocks;
-    size_t count, room; /* blocks numbered so far, and that there is memory for */
-    int32_t *spare;     /* numbers that were given back */
+    skv_wall_block *images; /* of the same numbers; null: they have not been asked for */
+    size_t count, room;     /* blocks numbered so far, and that there is memory for */
+    int32_t *spare;         /* numbers that were given back */
     size_t spare_count;
     skv_wall_kernel kernel;
     const skv_thin_walls *thin; /* null: there are none */
@@ -57,6 +64,14 @@ typedef struct skv_wall_sample {
     float f2x, f2y; /* F2: dimensionless */
 } skv_wall_sample;
 
+/* What images need at one point. */
+typedef struct skv_image_sample {
+    float distance; /* D, in h: 1 farther than h from any wall, 0 deep inside solid */
+    float nx, ny;   /* h grad D: about a unit vector out of the wall */
+    float r;        /* R less what images give in a uniform fluid: dimensionless */
+    float f1x, f1y; /* F1 likewise */
+} skv_image_sample;
+
 /* Builds the maps of a terrain for one h, s and kernel. `terrain` is only read during the call. */
 skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
                                skv_kernel pressure, skv_wall_map **map, skv_error *error);
@@ -67,9 +82,14 @@ void skv_wall_map_destroy(skv_wall_map *map);
  * for all that they would have given. Once for a map; on failure it stays as it was. */
 skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error);
 
-/* Makes a map, and what is known of thin walls, that of another terrain of the same size, whose
- * picture differs in the squares `changed` alone: bit for bit what they would be if they were made
- * for it. On failure nothing has changed. */
+/* Adds what images need to a map for the smooth kernel, after shading. Once for a map; on failure
+ * it stays as it was. */
+skv_result skv_wall_map_add_images(skv_wall_map *map, const skv_terrain *terrain, skv_pool *pool,
+                                   skv_error *error);
+
+/* Makes a map, what is known of thin walls, and its images if it has them, those of another terrain
+ * of the same size, whose picture differs in the squares `changed` alone: bit for bit what they
+ * would be if they were made for it. On failure nothing has changed. */
 skv_result skv_wall_map_update(skv_wall_map *map, const skv_terrain *before,
                                const skv_terrain *terrain, const skv_squares *changed,
                                skv_pool *pool, skv_error *error);
@@ -92,38 +112,62 @@ static inline float skv_wall_keep_inside(float g, int blocks)
     return g < high ? g : high;
 }
 
-/* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
-static inline bool skv_wall_map_sample(const skv_wall_map *map, float x, float y,
-                                       skv_wall_sample *sample)
+/* Where a point lies between a block's samples: beyond sample (i, j) by (u, v), each 0..1. */
+typedef struct skv_wall_place {
+    int i, j;
+    float u, v;
+} skv_wall_place;
+
+/* Finds a point's block, and the place there if it is stored. Any finite point. */
+static inline int32_t skv_wall_find(const skv_wall_map *map, float x, float y,
+                                    skv_wall_place *place)
 {
-    *sample = (skv_wall_sample){0};
     float gx = skv_wall_keep_inside(x * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->columns);
     float gy = skv_wall_keep_inside(y * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->rows);
     int column = (int)gx / SKV_WALL_BLOCK, row = (int)gy / SKV_WALL_BLOCK;
     column = column < map->columns ? column : map->columns - 1;
     row = row < map->rows ? row : map->rows - 1;
     int32_t number = map->index[(size_t)row * (size_t)map->columns + (size_t)column];
-    if (number == SKV_WALL_AIR)
-        return false;
-    if (number == SKV_WALL_SOLID) {
-        sample->r = map->kernel.full[SKV_WALL_R];
-        sample->rn = map->kernel.full[SKV_WALL_RN];
-        return true;
-    }
+    if (number < 0)
+        return number;
     gx -= (float)(column * SKV_WALL_BLOCK);
     gy -= (float)(row * SKV_WALL_BLOCK);
     int i = gx < SKV_WALL_BLOCK ? (int)gx : SKV_WALL_BLOCK - 1,
         j = gy < SKV_WALL_BLOCK ? (int)gy : SKV_WALL_BLOCK - 1;
-    float u = gx - (float)i, v = gy - (float)j;
-    const skv_wall_block *b = &map->blocks[number];
+    *place = (skv_wall_place){i, j, gx - (float)i, gy - (float)j};
+    return number;
+}
+
+/* A block's values there, bilinear. */
+static inline void skv_wall_mix(const skv_wall_block *b, const skv_wall_place *place,
+                                float values[SKV_WALL_MAPS])
+{
+    const int i = place->i, j = place->j;
     const float *low0 = b->samples[j][i], *low1 = b->samples[j][i + 1];
     const float *high0 = b->samples[j + 1][i], *high1 = b->samples[j + 1][i + 1];
-    float values[SKV_WALL_MAPS];
     for (int k = 0; k < SKV_WALL_MAPS; k++) {
-        float low = low0[k] + u * (low1[k] - low0[k]);
-        float high = high0[k] + u * (high1[k] - high0[k]);
-        values[k] = low + v * (high - low);
+        float low = low0[k] + place->u * (low1[k] - low0[k]);
+        float high = high0[k] + place->u * (high1[k] - high0[k]);
+        values[k] = low + place->v * (high - low);
     }
+}
+
+/* Samples the maps. Returns false, with zeros, where no wall is within h. Any finite point. */
+static inline bool skv_wall_map_sample(const skv_wall_map *map, float x, float y,
+                                       skv_wall_sample *sample)
+{
+    *sample = (skv_wall_sample){0};
+    skv_wall_place place;
+    int32_t number = skv_wall_find(map, x, y, &place);
+    if (number == SKV_WALL_AIR)
+        return false;
+    if (number < 0) {
+        sample->r = map->kernel.full[SKV_WALL_R];
+        sample->rn = map->kernel.full[SKV_WALL_RN];
+        return true;
+    }
+    float values[SKV_WALL_MAPS];
+    skv_wall_mix(&map->blocks[number], &place, values);
     *sample = (skv_wall_sample){
         .r = values[SKV_WALL_R],
         .rn = values[SKV_WALL_RN],
@@ -159,6 +203,42 @@ static inline bool skv_wall_map_sample_beside(const skv_wall_map *map, float x, 
     sample->f2x *= ratio[3];
     sample->f2y *= ratio[3];
     return any;
+}
+
+/* Samples the images of a map that has them. Any finite point. */
+static inline void skv_wall_map_sample_image(const skv_wall_map *map, float x, float y,
+                                             skv_image_sample *image)
+{
+    skv_wall_place place;
+    int32_t number = skv_wall_find(map, x, y, &place);
+    if (number < 0) {
+        *image = (skv_image_sample){.distance = number == SKV_WALL_AIR ? 1 : 0};
+        return;
+    }
+    float values[SKV_WALL_MAPS];
+    skv_wall_mix(&map->images[number], &place, values);
+    *image = (skv_image_sample){
+        .distance = values[SKV_IMAGE_DISTANCE],
+        .nx = values[SKV_IMAGE_NX],
+        .ny = values[SKV_IMAGE_NY],
+        .r = values[SKV_IMAGE_R],
+        .f1x = values[SKV_IMAGE_F1X],
+        .f1y = values[SKV_IMAGE_F1Y],
+    };
+}
+
+/* The same near a thin wall, for a point at `distance` from a wall with the normal (nx, ny): nearer
+ * than one and a half cells as at that distance, but for D, which is less by the way there. */
+static inline void skv_wall_map_sample_image_beside(const skv_wall_map *map, float x, float y,
+                                                    float distance, float nx, float ny,
+                                                    skv_image_sample *image)
+{
+    float missing = (float)SKV_WALL_KEEP_OFF - distance * map->per_metre;
+    missing = missing > 0 ? missing : 0;
+    float shift = missing / map->per_metre;
+    skv_wall_map_sample_image(map, x + shift * nx, y + shift * ny, image);
+    float left = image->distance - missing / SKV_WALL_REACH;
+    image->distance = left > 0 ? left : 0;
 }
 
 #endif

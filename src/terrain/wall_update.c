@@ -3,8 +3,9 @@
  * A block's sums depend on the solid shares of cells within h; where it is shaded they depend on
  * how far rays see. So three things make a sample another one: walls that have changed within h of
  * it, a thin wall's mark that has come or gone, and near a thin wall distances that have changed
- * within sight. Invariant: whatever can fail is done first; then nothing fails, and every block is
- * what it would be if the map were made for the terrain.
+ * within sight. Images depend besides on the blocks around theirs. Invariant: whatever can fail is
+ * done first; then nothing fails, and every block is what it would be if the map were made for the
+ * terrain.
  */
 #include "base/assert.h"
 #include "base/memory.h"
@@ -26,6 +27,8 @@ typedef struct update {
     size_t *blocks; /* those to be looked at: their places in the index ... */
     int32_t *was;   /* ... and what stood there */
     int count;
+    size_t *images; /* places of the blocks whose images are made anew; null: there are none */
+    int image_count;
 } update;
 
 /* Finds squares in which a distance has changed. Rays go on by 0.9 of a distance until they have
@@ -119,6 +122,26 @@ static skv_result list_blocks(update *u, skv_error *error)
     return skv_wall_reserve_blocks(map, needed + map->room / 2, error);
 }
 
+/* Lists the blocks whose images may change: those listed and all beside them. Images reach a radius
+ * and three cells beyond their block, which is less than a block. What is so near and has changed,
+ * be it a share, a distance, a sight or a mark, has made the block a listed one that it lies in. */
+static void list_images(update *u)
+{
+    const size_t columns = (size_t)u->b.map->columns, rows = (size_t)u->b.map->rows;
+    for (int k = 0; k < u->count; k++) {
+        size_t column = u->blocks[k] % columns, row = u->blocks[k] / columns;
+        for (size_t y = row > 0 ? row - 1 : 0; y <= row + 1 && y < rows; y++) {
+            for (size_t x = column > 0 ? column - 1 : 0; x <= column + 1 && x < columns; x++)
+                u->images[y * columns + x] = 1;
+        }
+    }
+    /* From marks to a list, in place: this never overtakes the marks. */
+    for (size_t at = 0; at < columns * rows; at++) {
+        if (u->images[at])
+            u->images[u->image_count++] = at;
+    }
+}
+
 /* All that can fail. */
 static skv_result prepare(update *u, skv_error *error)
 {
@@ -128,7 +151,9 @@ static skv_result prepare(update *u, skv_error *error)
     u->blocks = skv_calloc(blocks, sizeof *u->blocks);
     u->was = skv_calloc(blocks, sizeof *u->was);
     skv_result result = SKV_OK;
-    if (!u->blocks || !u->was)
+    if (map->images)
+        u->images = skv_calloc(blocks, sizeof *u->images);
+    if (!u->blocks || !u->was || (map->images && !u->images))
         result = skv_fail(error, SKV_ERROR_MEMORY, "walls: no memory for %zu blocks", blocks);
     if (result == SKV_OK && u->former)
         result = skv_thin_walls_create(terrain, (float)map->radius, u->former, u->changed,
@@ -137,7 +162,11 @@ static skv_result prepare(update *u, skv_error *error)
         result = skv_squares_create(terrain->columns, terrain->rows, &u->seen, error);
     if (result == SKV_OK && u->found && u->found->any)
         result = find_seen(u, error);
-    return result == SKV_OK ? list_blocks(u, error) : result;
+    if (result == SKV_OK)
+        result = list_blocks(u, error);
+    if (result == SKV_OK && u->images)
+        list_images(u);
+    return result;
 }
 
 /* Gives the listed blocks their new places. */
@@ -222,6 +251,8 @@ skv_result skv_wall_map_update(skv_wall_map *map, const skv_terrain *before,
         if (u.found)
             skv_wall_take_found(map, u.found, &u.rays);
         skv_pool_run(pool, u.count, build_blocks, &u);
+        if (map->images)
+            skv_wall_build_images(&u.b, u.images, u.image_count, pool);
         skv_thin_walls_destroy(u.former);
     } else {
         skv_thin_walls_destroy(u.found);
@@ -229,5 +260,6 @@ skv_result skv_wall_map_update(skv_wall_map *map, const skv_terrain *before,
     skv_squares_destroy(&u.seen);
     skv_free(u.blocks);
     skv_free(u.was);
+    skv_free(u.images);
     return result;
 }

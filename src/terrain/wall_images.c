@@ -1,0 +1,397 @@
+/* Images: the distances at which walls mirror a particle, and what is left of the wall sums when
+ * the images of a uniform fluid are taken off.
+ *
+ * Beside a flat wall little is left. In corners, at edges and behind thin walls images lie wrong; a
+ * sample's rest is its R less the sum of the images' W over the map's own cells, each as far as it
+ * is free. Next to a wall and inside it sums would be of no use, yet sampling touches samples
+ * there, so these hold the rest of a place a little off the wall. Invariant: what a block's images
+ * are depends on the blocks around it alone, and on walls, marks and sights as far as a radius and
+ * three cells.
+ */
+#include "base/assert.h"
+#include "base/exact.h"
+#include "base/memory.h"
+#include "terrain/image_distance.h"
+#include "terrain/wall_build.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    BLOCK = SKV_WALL_BLOCK,
+    SAMPLES = SKV_WALL_SAMPLES,
+    REACH = SKV_WALL_REACH,
+    RAYS = SKV_SHADOW_RAYS,
+    LANES = 8,
+    SPAN = 2 * REACH + 2, /* cells a side that a place between samples may have within h ... */
+    WIDTH = 24,           /* ... and in a row, rounded up for whole vectors */
+    SHIFT = 3,            /* cells, at most, to the place off the wall */
+    LOW = REACH + SHIFT,  /* cells of a window before the block's first sample */
+    ROWS = SAMPLES + SHIFT - 1 + SPAN - 1 + SHIFT,
+    COLUMNS = 48
+};
+
+/* In cells: how near to a wall the rest is taken as it is, and how deep in the solid there is one.
+ */
+#define OFF_WALL 0.5f
+#define DEEPEST  2.5f
+
+/* The cells around a block. */
+typedef struct window {
+    float distance[ROWS][COLUMNS]; /* D */
+    float free[ROWS][COLUMNS];     /* the free shares */
+} window;
+
+/* Where the cells around a place lie for its rays: behind which ray, how far on to the next, and
+ * how far away, in cells. */
+typedef struct bearings {
+    uint8_t ray[SPAN][WIDTH];
+    float part[SPAN][WIDTH], way[SPAN][WIDTH];
+} bearings;
+
+typedef struct images {
+    skv_wall_builder b;
+    skv_image_law law, seen_law; /* for sums over cells, and along rays */
+    skv_shadow_rays rays;
+    bearings bearings; /* of samples */
+    const size_t *blocks;
+} images;
+
+/* A place whose rest is wanted: beyond a sample of the block by less than a cell. */
+typedef struct place {
+    int column, row;
+    float u, v;
+    float x, y;  /* m */
+    bool shaded; /* only what it sees counts */
+    float distance, nx, ny;
+    float r, f1x, f1y;
+} place;
+
+/* D and its gradient, by R and F1. */
+static void find_distance(const images *m, const skv_image_law *law, float r, float f1x, float f1y,
+                          float *distance, float *nx, float *ny)
+{
+    const double full = (double)m->b.map->kernel.full[SKV_WALL_R];
+    double slope, d = skv_image_distance(law, (double)r / full, &slope);
+    double gain = slope * skv_kernel_gain(SKV_KERNEL_SMOOTH) / full;
+    *distance = (float)d;
+    *nx = (float)(gain * (double)f1x);
+    *ny = (float)(gain * (double)f1y);
+}
+
+/* The same inside a thin wall, whose R is that of the wall alone while what lies before it takes
+ * all behind its face for solid: as behind a flat wall's face. */
+static void find_depth(const images *m, float x, float y, float *values)
+{
+    float nx, ny, depth = -skv_normal_at(m->b.terrain, x, y, &nx, &ny) * m->b.map->per_metre;
+    double fall, slope;
+    depth = skv_clamp(depth, 0, DEEPEST);
+    double share = 1 - skv_image_share(&m->seen_law, (double)(depth / REACH), &fall);
+    values[SKV_IMAGE_DISTANCE] = (float)skv_image_distance(&m->seen_law, share, &slope);
+    values[SKV_IMAGE_NX] = (float)(slope * fall) * nx;
+    values[SKV_IMAGE_NY] = (float)(slope * fall) * ny;
+}
+
+/* Writes the distances of block (x, y). */
+static void measure_block(const images *m, int x, int y, int32_t number)
+{
+    const skv_wall_map *map = m->b.map;
+    for (int j = 0; j < SAMPLES; j++) {
+        for (int i = 0; i < SAMPLES; i++) {
+            const float *wall = map->blocks[number].samples[j][i];
+            float *image = map->images[number].samples[j][i];
+            float sx = skv_wall_sample_place(map, x * BLOCK + i);
+            float sy = skv_wall_sample_place(map, y * BLOCK + j);
+            bool seen = skv_wall_map_near_thin(map, sx, sy);
+            if (seen && !skv_wall_is_shaded(map->thin, m->b.terrain, sx, sy))
+                find_depth(m, sx, sy, image);
+            else
+                find_distance(m, seen ? &m->seen_law : &m->law, wall[SKV_WALL_R],
+                              wall[SKV_WALL_F1X], wall[SKV_WALL_F1Y], &image[SKV_IMAGE_DISTANCE],
+                              &image[SKV_IMAGE_NX], &image[SKV_IMAGE_NY]);
+        }
+    }
+}
+
+/* The block along one axis that has a cell, and the cell's place there; beyond the map it is as at
+ * its rim. */
+static int block_of(int cell, int blocks, int *inside)
+{
+    cell = cell > 0 ? cell : 0;
+    cell = cell < blocks * BLOCK ? cell : blocks * BLOCK;
+    int block = cell / BLOCK < blocks ? cell / BLOCK : blocks - 1;
+    *inside = cell - block * BLOCK;
+    return block;
+}
+
+/* Collects the cells around block (x, y). */
+static void fill_window(const images *m, int x, int y, window *w)
+{
+    const skv_wall_map *map = m->b.map;
+    memset(w, 0, sizeof *w);
+    for (int j = 0; j < ROWS; j++) {
+        int row = y * BLOCK + j - LOW, inside_y;
+        const int32_t *index =
+            map->index + (size_t)block_of(row, map->rows, &inside_y) * (size_t)map->columns;
+        for (int i = 0; i < ROWS; i++) {
+            int column = x * BLOCK + i - LOW, inside_x;
+            int32_t number = index[block_of(column, map->columns, &inside_x)];
+            if (number == SKV_WALL_SOLID)
+                continue;
+            w->distance[j][i] = 1;
+            w->free[j][i] = 1;
+            if (number == SKV_WALL_AIR)
+                continue;
+            w->distance[j][i] = map->images[number].samples[inside_y][inside_x][SKV_IMAGE_DISTANCE];
+            w->free[j][i] = 1 - skv_wall_solid_share(&m->b, column, row);
+        }
+    }
+}
+
+/* The ray behind a direction, and how far on it lies to the next: 0..1. */
+static int find_ray(const skv_shadow_rays *rays, double x, double y, double *part)
+{
+    /* Quarters of a turn, about. */
+    double sum = fabs(x) + fabs(y), turn = sum > 0 ? y / sum : 0;
+    turn = x < 0 ? 2 - turn : y < 0 ? 4 + turn : turn;
+    int a = (int)(turn * (RAYS / 4)) % RAYS, b;
+    while (rays->x[a] * y - rays->y[a] * x < 0)
+        a = (a + RAYS - 1) % RAYS;
+    for (;; a = b) {
+        b = (a + 1) % RAYS;
+        double past = rays->x[a] * y - rays->y[a] * x, missing = x * rays->y[b] - y * rays->x[b];
+        if (missing > 0 || !(past > 0)) {
+            *part = past > 0 ? past / (past + missing) : 0;
+            return a;
+        }
+    }
+}
+
+static void take_bearings(const skv_shadow_rays *rays, float u, float v, bearings *made)
+{
+    memset(made, 0, sizeof *made);
+    for (int j = 0; j < SPAN; j++) {
+        for (int i = 0; i < SPAN; i++) {
+            double x = i - REACH - (double)u, y = j - REACH - (double)v, part;
+            made->ray[j][i] = (uint8_t)find_ray(rays, x, y, &part);
+            made->part[j][i] = (float)part;
+            made->way[j][i] = (float)sqrt(x * x + y * y);
+        }
+    }
+}
+
+/* The free shares of the cells around a place, of those that it sees. Beside a flat wall the
+ * reciprocals of sights change evenly from ray to ray. */
+static void find_seen(const images *m, const place *p, const float *free, float seen[SPAN][WIDTH])
+{
+    const skv_terrain *terrain = m->b.terrain;
+    const double least = 0.01; /* of a cell: a reciprocal is to be had */
+    double sights[RAYS];
+    float nearness[RAYS + 1];
+    bearings own;
+    const bearings *at = &m->bearings;
+    if (p->u != 0 || p->v != 0) {
+        take_bearings(&m->rays, p->u, p->v, &own);
+        at = &own;
+    }
+    skv_shadow_sights(&m->rays, terrain, skv_to_grid(terrain, p->x), skv_to_grid(terrain, p->y),
+                      m->b.map->radius * (double)terrain->per_metre, sights);
+    for (int i = 0; i < RAYS; i++)
+        nearness[i] = (float)(1 / skv_max(sights[i] / m->b.cell, least));
+    nearness[RAYS] = nearness[0];
+    for (int j = 0; j < SPAN; j++, free += COLUMNS) {
+        for (int i = 0; i < WIDTH; i++) {
+            const float *ray = nearness + at->ray[j][i];
+            float sight = 1 / (ray[0] + at->part[j][i] * (ray[1] - ray[0]));
+            float share = skv_maxf(0.5f + sight - at->way[j][i], 0);
+            seen[j][i] = skv_minf(free[i], share);
+        }
+    }
+}
+
+/* What images give in a uniform fluid: sums over cells. */
+typedef struct sums {
+    float density[LANES];
+    float x[LANES], y[LANES], mirror[LANES]; /* of pushes: along r, and across the mirror */
+} sums;
+
+/* Adds LANES cells of a row; `x` and `y` are the ways there, in radii, `near` is 4 D. The push F
+ * over r' is q^2. */
+static void add_cells(const float *distance, const float *free, const float *x, float y, float near,
+                      sums *s)
+{
+    for (int lane = 0; lane < LANES; lane++) {
+        float r = sqrtf(x[lane] * x[lane] + y * y + near * distance[lane]);
+        float q = skv_maxf(1 - r, 0), push = free[lane] * (q * q);
+        s->density[lane] += push * (q * (4 - 3 * q));
+        s->x[lane] -= push * x[lane];
+        s->y[lane] -= push * y;
+        s->mirror[lane] += push * distance[lane];
+    }
+}
+
+static float total(const float lanes[LANES])
+{
+    float sum = 0;
+    for (int lane = 0; lane < LANES; lane++)
+        sum += lanes[lane];
+    return sum;
+}
+
+/* Writes what is left of the wall sums at a place. */
+static void find_rest(const images *m, const window *w, const place *p, float *image)
+{
+    const float cell = 1.0f / REACH;
+    const float *distance = &w->distance[p->row + SHIFT][p->column + SHIFT];
+    const float *free = &w->free[p->row + SHIFT][p->column + SHIFT];
+    size_t free_row = COLUMNS;
+    float seen[SPAN][WIDTH], x[WIDTH];
+    if (p->shaded) {
+        find_seen(m, p, free, seen);
+        free = seen[0];
+        free_row = WIDTH;
+    }
+    for (int i = 0; i < WIDTH; i++)
+        x[i] = ((float)(i - REACH) - p->u) * cell;
+    sums s = {0};
+    for (int j = 0; j < SPAN; j++, distance += COLUMNS, free += free_row) {
+        float y = ((float)(j - REACH) - p->v) * cell;
+        for (int i = 0; i < WIDTH; i += LANES)
+            add_cells(distance + i, free + i, x + i, y, 4 * p->distance, &s);
+    }
+    float each = (float)m->b.map->density * (cell * cell), mirror = 2 * total(s.mirror);
+    image[SKV_IMAGE_R] = p->r - each * total(s.density);
+    image[SKV_IMAGE_F1X] = p->f1x - each * (total(s.x) + mirror * p->nx);
+    image[SKV_IMAGE_F1Y] = p->f1y - each * (total(s.y) + mirror * p->ny);
+}
+
+/* Moves a place that is `missing` cells too near to a wall, or behind its face, away from it. */
+static void keep_off(const images *m, float missing, float nx, float ny, place *p)
+{
+    const skv_wall_map *map = m->b.map;
+    const float most = SHIFT;
+    float shift = missing / map->per_metre;
+    p->x += shift * nx;
+    p->y += shift * ny;
+    float u = skv_clamp(missing * nx, -most, most), v = skv_clamp(missing * ny, -most, most);
+    /* Rounded down: the cell that is left of the place and below. */
+    int i = (int)(u + most) - SHIFT, j = (int)(v + most) - SHIFT;
+    i = i < SHIFT ? i : SHIFT - 1;
+    j = j < SHIFT ? j : SHIFT - 1;
+    p->column += i;
+    p->row += j;
+    p->u = u - (float)i;
+    p->v = v - (float)j;
+    p->shaded = skv_wall_map_near_thin(map, p->x, p->y);
+    skv_wall_sample wall;
+    if (p->shaded)
+        skv_wall_map_sample_beside(map, p->x, p->y, OFF_WALL / map->per_metre, nx, ny, &wall);
+    else
+        skv_wall_map_sample(map, p->x, p->y, &wall);
+    p->r = wall.r;
+    p->f1x = wall.f1x;
+    p->f1y = wall.f1y;
+    find_distance(m, p->shaded ? &m->seen_law : &m->law, p->r, p->f1x, p->f1y, &p->distance, &p->nx,
+                  &p->ny);
+}
+
+/* Writes the rest of sample (i, j) of a block at (x, y). */
+static void finish_sample(const images *m, const window *w, int x, int y, int i, int j,
+                          const float *wall, float *image)
+{
+    const skv_wall_map *map = m->b.map;
+    image[SKV_IMAGE_R] = image[SKV_IMAGE_F1X] = image[SKV_IMAGE_F1Y] = 0;
+    if (!(wall[SKV_WALL_R] > 0))
+        return;
+    place p = {
+        .column = i,
+        .row = j,
+        .x = skv_wall_sample_place(map, x * BLOCK + i),
+        .y = skv_wall_sample_place(map, y * BLOCK + j),
+        .distance = image[SKV_IMAGE_DISTANCE],
+        .nx = image[SKV_IMAGE_NX],
+        .ny = image[SKV_IMAGE_NY],
+        .r = wall[SKV_WALL_R],
+        .f1x = wall[SKV_WALL_F1X],
+        .f1y = wall[SKV_WALL_F1Y],
+    };
+    float nx, ny, off = skv_normal_at(m->b.terrain, p.x, p.y, &nx, &ny) * map->per_metre;
+    if (off < -DEEPEST)
+        return;
+    if (off < OFF_WALL)
+        keep_off(m, OFF_WALL - off, nx, ny, &p);
+    else
+        p.shaded = skv_wall_map_near_thin(map, p.x, p.y);
+    find_rest(m, w, &p, image);
+}
+
+static void measure_blocks(int begin, int end, void *context)
+{
+    const images *m = context;
+    const skv_wall_map *map = m->b.map;
+    for (int k = begin; k < end; k++) {
+        size_t at = m->blocks[k], columns = (size_t)map->columns;
+        if (map->index[at] >= 0)
+            measure_block(m, (int)(at % columns), (int)(at / columns), map->index[at]);
+    }
+}
+
+static void finish_blocks(int begin, int end, void *context)
+{
+    const images *m = context;
+    const skv_wall_map *map = m->b.map;
+    for (int k = begin; k < end; k++) {
+        size_t at = m->blocks[k], columns = (size_t)map->columns;
+        int32_t number = map->index[at];
+        if (number < 0)
+            continue;
+        int x = (int)(at % columns), y = (int)(at / columns);
+        window w;
+        fill_window(m, x, y, &w);
+        for (int j = 0; j < SAMPLES; j++) {
+            for (int i = 0; i < SAMPLES; i++)
+                finish_sample(m, &w, x, y, i, j, map->blocks[number].samples[j][i],
+                              map->images[number].samples[j][i]);
+        }
+    }
+}
+
+void skv_wall_build_images(const skv_wall_builder *b, const size_t *blocks, int count,
+                           skv_pool *pool)
+{
+    images m = {.b = *b, .blocks = blocks};
+    skv_image_law_make(true, &m.law);
+    skv_image_law_make(false, &m.seen_law);
+    if (b->map->thin) {
+        skv_shadow_rays_make(&m.rays);
+        take_bearings(&m.rays, 0, 0, &m.bearings);
+    }
+    /* All distances first: rests ask the neighbours for theirs. */
+    skv_pool_run(pool, count, measure_blocks, &m);
+    skv_pool_run(pool, count, finish_blocks, &m);
+}
+
+skv_result skv_wall_map_add_images(skv_wall_map *map, const skv_terrain *terrain, skv_pool *pool,
+                                   skv_error *error)
+{
+    SKV_ASSERT_OR(map && terrain && !map->images && map->pressure == SKV_KERNEL_SMOOTH,
+                  SKV_ERROR_VALUE);
+    skv_wall_block *made = skv_calloc(map->room, sizeof *made);
+    size_t *blocks = skv_calloc(map->count, sizeof *blocks);
+    if (!made || !blocks) {
+        skv_free(made);
+        skv_free(blocks);
+        return skv_fail(error, SKV_ERROR_MEMORY, "walls: no memory for the images of %zu blocks",
+                        map->count);
+    }
+    int count = 0;
+    for (size_t at = 0; at < (size_t)map->columns * (size_t)map->rows; at++) {
+        if (map->index[at] >= 0)
+            blocks[count++] = at;
+    }
+    map->images = made;
+    skv_wall_builder b = skv_wall_builder_of(map, terrain, map->radius);
+    skv_wall_build_images(&b, blocks, count, pool);
+    skv_free(blocks);
+    return SKV_OK;
+}
