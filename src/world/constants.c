@@ -45,7 +45,7 @@ skv_kernel skv_law_kernel(skv_law law)
     return law == SKV_LAW_CLAVET ? SKV_KERNEL_SPIKY : SKV_KERNEL_SMOOTH;
 }
 
-static bool has_images(const skv_fluid_def *f)
+bool skv_has_images(const skv_fluid_def *f)
 {
     return f->wall_images && f->law == SKV_LAW_CALIBRATED;
 }
@@ -53,7 +53,7 @@ static bool has_images(const skv_fluid_def *f)
 float skv_contact_distance(const skv_fluid_def *f)
 {
     /* Images hold particles off by themselves; contact is for what is thrown in. */
-    return (has_images(f) ? 0.5f : 1) * f->contact_distance * f->spacing;
+    return (skv_has_images(f) ? 0.5f : 1) * f->contact_distance * f->spacing;
 }
 
 /* The stiffness k that the calibrated law's relaxation amounts to in the bulk, m/s^2: particles
@@ -192,7 +192,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
     c->wall_virial = 1.0f / 6;
     c->loose_push = (float)h;
-    if (has_images(f))
+    if (skv_has_images(f))
         set_images(c, f, dt);
 }
 

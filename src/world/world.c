@@ -72,6 +72,8 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
                                      skv_law_kernel(world->fluid.law), &world->walls, error);
     if (result == SKV_OK)
         result = skv_wall_map_shade(world->walls, terrain, error);
+    if (result == SKV_OK && skv_has_images(&world->fluid))
+        result = skv_wall_map_add_images(world->walls, terrain, world->pool, error);
     if (result == SKV_OK) {
         const skv_fluid_def *fluid = &world->fluid;
         float pixel = skv_terrain_pixel_size(terrain);

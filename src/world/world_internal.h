@@ -69,6 +69,9 @@ void skv_set_stiffness(skv_constants *constants, float cold);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);
 
+/* Whether walls act by images. */
+bool skv_has_images(const skv_fluid_def *fluid);
+
 /* Closer to a wall than this is contact, m. */
 float skv_contact_distance(const skv_fluid_def *fluid);
 
