@@ -283,14 +283,19 @@ static void keep_off(const images *m, float missing, float nx, float ny, place *
     p->u = u - (float)i;
     p->v = v - (float)j;
     p->shaded = skv_wall_map_near_thin(map, p->x, p->y);
-    skv_wall_sample wall;
-    if (p->shaded)
-        skv_wall_map_sample_beside(map, p->x, p->y, OFF_WALL / map->per_metre, nx, ny, &wall);
-    else
+    if (p->shaded) {
+        float values[SKV_WALL_MAPS];
+        skv_wall_shade_sample(map, m->b.terrain, &m->rays, p->x, p->y, values);
+        p->r = values[SKV_WALL_R];
+        p->f1x = values[SKV_WALL_F1X];
+        p->f1y = values[SKV_WALL_F1Y];
+    } else {
+        skv_wall_sample wall;
         skv_wall_map_sample(map, p->x, p->y, &wall);
-    p->r = wall.r;
-    p->f1x = wall.f1x;
-    p->f1y = wall.f1y;
+        p->r = wall.r;
+        p->f1x = wall.f1x;
+        p->f1y = wall.f1y;
+    }
     find_distance(m, p->shaded ? &m->seen_law : &m->law, p->r, p->f1x, p->f1y, &p->distance, &p->nx,
                   &p->ny);
 }
