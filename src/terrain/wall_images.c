@@ -22,6 +22,7 @@ enum {
     SAMPLES = SKV_WALL_SAMPLES,
     REACH = SKV_WALL_REACH,
     RAYS = SKV_SHADOW_RAYS,
+    QUARTER = RAYS / 4, /* of a turn */
     LANES = 8,
     SPAN = 2 * REACH + 2, /* cells a side that a place between samples may have within h ... */
     WIDTH = 24,           /* ... and in a row, rounded up for whole vectors */
@@ -151,11 +152,10 @@ static void fill_window(const images *m, int x, int y, window *w)
 /* The ray behind a direction, and how far on it lies to the next: 0..1. */
 static int find_ray(const skv_shadow_rays *rays, double x, double y, double *part)
 {
-    const double quarter = RAYS / 4; /* in rays */
     double sum = fabs(x) + fabs(y), turn = sum > 0 ? y / sum : 0;
     /* In quarters, about. */
     turn = x < 0 ? 2 - turn : y < 0 ? 4 + turn : turn;
-    int a = (int)(turn * quarter) % RAYS, b;
+    int a = (int)(turn * QUARTER) % RAYS, b;
     while (rays->x[a] * y - rays->y[a] * x < 0)
         a = (a + RAYS - 1) % RAYS;
     for (;; a = b) {
