@@ -7,8 +7,12 @@
 #include "world/snapshot.h"
 
 /* What a world was built around. The rest can change while it runs, and comes with the snapshot. */
-static const skv_parameter fixed[] = {SKV_P_SOLVER, SKV_P_SLEEP, SKV_P_FLUID_LAW,
-                                      SKV_P_FLUID_SPACING, SKV_P_FLUID_RADIUS_RATIO};
+static const skv_parameter fixed[] = {SKV_P_SOLVER,
+                                      SKV_P_SLEEP,
+                                      SKV_P_FLUID_LAW,
+                                      SKV_P_FLUID_SPACING,
+                                      SKV_P_FLUID_RADIUS_RATIO,
+                                      SKV_P_FLUID_WALL_IMAGES};
 
 static skv_result check_match(const skv_world *world, const skv_snapshot *s, skv_error *error)
 {
