@@ -45,7 +45,7 @@ typedef struct kind {
     skv_solver_kind solver;
     float viscosity;
     unsigned open_sides;
-    bool stirred, calm;
+    bool stirred, calm, images;
 } kind;
 
 static const kind kinds[] = {
@@ -59,6 +59,7 @@ static const kind kinds[] = {
      .viscosity = 3,
      .open_sides = SKV_SIDE_RIGHT,
      .stirred = true},
+    {.name = "fast, images", .stirred = true, .images = true},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -74,6 +75,7 @@ static skv_world *make_world(const kind *k, int threads)
     def.fluid = skv_default_fluid_def(k->law);
     def.fluid.spacing = k->calm ? 0.02f : 0.025f;
     def.fluid.viscosity_linear = def.fluid.viscosity_quadratic = k->viscosity;
+    def.fluid.wall_images = k->images;
     def.solver = k->solver;
     def.threads = threads;
     skv_world *world;
@@ -317,9 +319,11 @@ static void another_kind_of_world_is_refused(void **unused)
     (void)unused;
     skv_world *world = make_filled(&kinds[0]);
     skv_world *const others[] = {make_world(&kinds[1], 1), make_world(&kinds[2], 1),
-                                 make_world(&kinds[3], 1), make_world(&kinds[4], 1)};
-    const char *const named[] = {"fluid.law", "terrain", "fluid.spacing", "solver"};
-    for (int i = 0; i < 4; i++) {
+                                 make_world(&kinds[3], 1), make_world(&kinds[4], 1),
+                                 make_world(&kinds[KINDS - 1], 1)};
+    const char *const named[] = {"fluid.law", "terrain", "fluid.spacing", "solver",
+                                 "fluid.wall_images"};
+    for (int i = 0; i < 5; i++) {
         expect_refused(world, others[i], named[i]);
         assert_int_equal(skv_world_particle_count(others[i]), 0);
         skv_world_destroy(others[i]);
