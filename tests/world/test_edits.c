@@ -54,10 +54,20 @@ static skv_terrain *made_anew(const skv_terrain *terrain)
     return made;
 }
 
-static skv_world *make_world(skv_terrain *terrain, float spacing, int threads,
+/* The kinds of world whose walls are drawn. */
+typedef struct kind {
+    skv_solver_kind solver;
+    bool images;
+} kind;
+
+static const kind usual = {SKV_SOLVER_FAST, false};
+
+static skv_world *make_world(const kind *k, skv_terrain *terrain, float spacing, int threads,
                              skv_instruction_set set)
 {
     skv_world_def def = skv_default_world_def();
+    def.solver = k->solver;
+    def.fluid.wall_images = k->images;
     def.terrain = terrain;
     def.fluid.spacing = spacing;
     def.threads = threads;
@@ -123,9 +133,10 @@ static void expect_same_future(skv_world *world, skv_world *other)
 }
 
 /* Paints for some frames, and compares with what is made anew. */
-static void paint_and_compare(unsigned open_sides, float spacing, int threads, uint32_t seed)
+static void paint_and_compare(const kind *k, unsigned open_sides, float spacing, int threads,
+                              uint32_t seed)
 {
-    skv_world *world = make_world(make_terrain(open_sides), spacing, threads, SKV_ISA_BEST);
+    skv_world *world = make_world(k, make_terrain(open_sides), spacing, threads, SKV_ISA_BEST);
     fixture_fill(world, 0, 0, 0.96f, 0.3f);
     skv_brush_stroke strokes[3] = {{.x1 = 0.3f, .y1 = 0.2f}};
     for (int frame = 0; frame < 24; frame++) {
@@ -150,7 +161,7 @@ static void paint_and_compare(unsigned open_sides, float spacing, int threads, u
             continue;
         skv_terrain *anew = made_anew(painted);
         expect_same_terrains(painted, anew);
-        skv_world *other = make_world(anew, spacing, 3 - threads, SKV_ISA_SCALAR);
+        skv_world *other = make_world(k, anew, spacing, 3 - threads, SKV_ISA_SCALAR);
         expect_same_walls(world->walls, other->walls);
         expect_same_future(world, other);
         skv_world_destroy(other);
@@ -161,10 +172,13 @@ static void paint_and_compare(unsigned open_sides, float spacing, int threads, u
 static void edits_equal_the_picture_loaded(void **state)
 {
     (void)state;
-    paint_and_compare(0, 0.02f, 1, 1);
-    paint_and_compare(0, 0.012f, 2, 2);
-    paint_and_compare(SKV_SIDE_TOP | SKV_SIDE_RIGHT, 0.016f, 1, 3);
-    paint_and_compare(0, 0.04f, 2, 4);
+    paint_and_compare(&usual, 0, 0.02f, 1, 1);
+    paint_and_compare(&usual, 0, 0.012f, 2, 2);
+    paint_and_compare(&usual, SKV_SIDE_TOP | SKV_SIDE_RIGHT, 0.016f, 1, 3);
+    paint_and_compare(&usual, 0, 0.04f, 2, 4);
+    const kind reference = {SKV_SOLVER_REFERENCE, false}, images = {SKV_SOLVER_FAST, true};
+    paint_and_compare(&reference, 0, 0.02f, 1, 5);
+    paint_and_compare(&images, 0, 0.02f, 2, 6);
 }
 
 /* A stroke's edge lies where it says, and the thinnest holds water. */
@@ -229,7 +243,7 @@ static void hostile_numbers_are_refused(void **state)
     skv_terrain_def def = skv_default_terrain_def();
     skv_terrain *larger;
     assert_int_equal(skv_terrain_create(&def, &larger, NULL), SKV_OK);
-    skv_world *world = make_world(tank, 0.02f, 1, SKV_ISA_BEST);
+    skv_world *world = make_world(&usual, tank, 0.02f, 1, SKV_ISA_BEST);
     skv_error error = {0};
     assert_int_equal(skv_world_set_terrain(world, larger, NULL, &error), SKV_ERROR_VALUE);
     assert_non_null(strstr(error.text, "640 x 360"));
@@ -242,7 +256,7 @@ static void hostile_numbers_are_refused(void **state)
 static void failures_change_nothing(void **state)
 {
     (void)state;
-    skv_world *world = make_world(make_terrain(0), 0.03f, 1, SKV_ISA_BEST);
+    skv_world *world = make_world(&usual, make_terrain(0), 0.03f, 1, SKV_ISA_BEST);
     fixture_fill(world, 0, 0, 0.96f, 0.3f);
     const skv_brush_stroke walls[2] = {{0.2f, 0, 0.2f, 0.5f, 0.002f, false},
                                        {0.6f, 0.1f, 0.7f, 0.5f, 0.03f, false}};
@@ -274,7 +288,7 @@ static void failures_change_nothing(void **state)
         assert_int_equal(result, SKV_ERROR_MEMORY);
         assert_ptr_equal(skv_world_terrain(world), before);
         assert_true(skv_world_hash(world) == hash);
-        skv_world *other = make_world(made_anew(before), 0.03f, 1, SKV_ISA_BEST);
+        skv_world *other = make_world(&usual, made_anew(before), 0.03f, 1, SKV_ISA_BEST);
         expect_same_walls(world->walls, other->walls);
         expect_same_future(world, other);
         skv_world_destroy(other);
@@ -288,7 +302,7 @@ static void failures_change_nothing(void **state)
 static void snapshots_know_their_terrain(void **state)
 {
     (void)state;
-    skv_world *world = make_world(make_terrain(0), 0.02f, 1, SKV_ISA_BEST);
+    skv_world *world = make_world(&usual, make_terrain(0), 0.02f, 1, SKV_ISA_BEST);
     fixture_fill(world, 0, 0, 0.4f, 0.4f);
     fixture_run(world, 10);
     skv_terrain *first = skv_terrain_share(skv_world_terrain(world)), *second;
@@ -328,7 +342,7 @@ static void erased_walls_let_go(void **state)
     skv_terrain *tank = make_terrain(0), *walled;
     const skv_brush_stroke wall = {0.3f, -0.1f, 0.3f, 0.7f, 0.012f, false};
     assert_int_equal(skv_terrain_paint(tank, &wall, 1, &walled, NULL), SKV_OK);
-    skv_world *world = make_world(walled, 0.015f, 1, SKV_ISA_BEST);
+    skv_world *world = make_world(&usual, walled, 0.015f, 1, SKV_ISA_BEST);
     fixture_fill(world, 0, 0, 0.28f, 0.3f);
     int count = skv_world_particle_count(world);
     for (int i = 0; i < 3000 && skv_world_awake_count(world) > 0; i++)
@@ -366,7 +380,7 @@ static int count_inside(const skv_world *world, float deeper_than)
 static void new_walls_take_their_place(void **state)
 {
     (void)state;
-    skv_world *world = make_world(make_terrain(0), 0.01f, 1, SKV_ISA_BEST);
+    skv_world *world = make_world(&usual, make_terrain(0), 0.01f, 1, SKV_ISA_BEST);
     fixture_fill(world, 0, 0, 0.96f, 0.3f);
     fixture_run(world, 30);
     const skv_brush_stroke block = {0.4f, 0.15f, 0.5f, 0.15f, 0.06f, false};

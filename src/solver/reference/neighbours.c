@@ -16,7 +16,7 @@ skv_result skv_neighbours_create(skv_neighbours *n, float x0, float y0, float x1
     n->origin_x = x0;
     n->origin_y = y0;
     n->inv_cell = 1 / h;
-    n->boundary = boundary && skv_boundary_has_thin(boundary) ? boundary : NULL;
+    n->boundary = boundary;
     double columns = (double)(x1 - x0) / h + 1, rows = (double)(y1 - y0) / h + 1;
     if (columns * rows > (double)MAX_CELLS)
         return skv_fail(error, SKV_ERROR_LIMIT,
@@ -116,6 +116,9 @@ static int gather(const build *b, int i, int *out)
 {
     const skv_neighbours *n = b->n;
     const float *restrict x = b->x, *restrict y = b->y;
+    /* Asked each time: walls that are drawn come and go. */
+    const skv_boundary *thin =
+        n->boundary && skv_boundary_has_thin(n->boundary) ? n->boundary : NULL;
     int column = n->cell[i] % n->columns, row = n->cell[i] / n->columns;
     int first = column > 0 ? column - 1 : 0;
     int last = column + 1 < n->columns ? column + 1 : column;
@@ -128,7 +131,7 @@ static int gather(const build *b, int i, int *out)
             float dx = x[j] - x[i], dy = y[j] - y[i];
             if (!(dx * dx + dy * dy < b->h_squared) || j == i)
                 continue;
-            if (n->boundary && skv_boundary_occluded(n->boundary, x[i], y[i], 0, x[j], y[j], 0))
+            if (thin && skv_boundary_occluded(thin, x[i], y[i], 0, x[j], y[j], 0))
                 continue;
             if (out)
                 out[found] = j;
