@@ -177,8 +177,8 @@ static void edits_equal_the_picture_loaded(void **state)
     paint_and_compare(&usual, SKV_SIDE_TOP | SKV_SIDE_RIGHT, 0.016f, 1, 3);
     paint_and_compare(&usual, 0, 0.04f, 2, 4);
     const kind reference = {SKV_SOLVER_REFERENCE, false}, images = {SKV_SOLVER_FAST, true};
-    paint_and_compare(&reference, 0, 0.02f, 1, 5);
-    paint_and_compare(&images, 0, 0.02f, 2, 6);
+    paint_and_compare(&reference, 0, 0.012f, 1, 2);
+    paint_and_compare(&images, 0, 0.012f, 2, 2);
 }
 
 /* A stroke's edge lies where it says, and the thinnest holds water. */
