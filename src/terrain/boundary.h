@@ -126,20 +126,26 @@ static inline bool skv_boundary_near_thin(const skv_boundary *b, float x, float 
     return skv_wall_map_near_thin(b->walls, x, y);
 }
 
+/* The distance to the nearest wall, in m, from a point that it turns to the world's; beside a thin
+ * wall, which it tells, with the normal. */
+static inline float skv_boundary_face(const skv_boundary *b, float *x, float *y, bool *thin,
+                                      float *nx, float *ny)
+{
+    skv_boundary_to_world(b, x, y);
+    *thin = skv_wall_map_near_thin(b->walls, *x, *y);
+    return *thin ? skv_normal_at(b->terrain, *x, *y, nx, ny) : skv_distance_at(b->terrain, *x, *y);
+}
+
 /* The wall sums at a point; returns the distance to the nearest wall. */
 static inline float skv_boundary_sample(const skv_boundary *b, float x, float y,
                                         skv_wall_sample *wall)
 {
-    float distance;
-    skv_boundary_to_world(b, &x, &y);
-    if (skv_wall_map_near_thin(b->walls, x, y)) {
-        float nx, ny;
-        distance = skv_normal_at(b->terrain, x, y, &nx, &ny);
+    bool thin;
+    float nx = 0, ny = 0, distance = skv_boundary_face(b, &x, &y, &thin, &nx, &ny);
+    if (thin)
         skv_wall_map_sample_beside(b->walls, x, y, distance, nx, ny, wall);
-    } else {
+    else
         skv_wall_map_sample(b->walls, x, y, wall);
-        distance = skv_distance_at(b->terrain, x, y);
-    }
     skv_boundary_swap(b, &wall->f1x, &wall->f1y);
     skv_boundary_swap(b, &wall->f2x, &wall->f2y);
     return distance * b->per_unit;
@@ -150,16 +156,12 @@ static inline float skv_boundary_sample(const skv_boundary *b, float x, float y,
 static inline float skv_boundary_sample_image(const skv_boundary *b, float x, float y,
                                               skv_image_sample *image)
 {
-    float distance;
-    skv_boundary_to_world(b, &x, &y);
-    if (skv_wall_map_near_thin(b->walls, x, y)) {
-        float nx, ny;
-        distance = skv_normal_at(b->terrain, x, y, &nx, &ny);
+    bool thin;
+    float nx = 0, ny = 0, distance = skv_boundary_face(b, &x, &y, &thin, &nx, &ny);
+    if (thin)
         skv_wall_map_sample_image_beside(b->walls, x, y, distance, nx, ny, image);
-    } else {
+    else
         skv_wall_map_sample_image(b->walls, x, y, image);
-        distance = skv_distance_at(b->terrain, x, y);
-    }
     skv_boundary_swap(b, &image->nx, &image->ny);
     skv_boundary_swap(b, &image->f1x, &image->f1y);
     return distance * b->per_unit;

@@ -11,7 +11,7 @@
  * tasks write the same place, and the result does not depend on threads, instruction set or
  * compiler.
  *
- * Within a substep the rows run through a pipeline: images of row R+1, density of row R, pressure
+ * Within a substep the rows run through a pipeline: walls of row R+1, density of row R, pressure
  * of row R, displacement of row R-1, update of row R-1; so a row's data is still in the cache, and
  * its pairs' q are kept for the displacement. Rows lie across the longer side of the world, to have
  * many of them.
