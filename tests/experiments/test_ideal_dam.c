@@ -6,7 +6,7 @@
  */
 #include "experiments/theory.h"
 #include "ideal_dam.h"
-#include "quarter_flow.h"
+#include "mirrored_flow.h"
 #include "support/fixture.h"
 
 #include <math.h>
@@ -83,14 +83,14 @@ static double top_acceleration(void)
 static void the_column_begins_as_the_series_says(void **unused)
 {
     (void)unused;
-    static ideal_dam dam;
-    static double u[DAM_VERTICES], v[DAM_VERTICES];
+    static ideal_surface dam;
+    static double u[SURFACE_VERTICES], v[SURFACE_VERTICES];
     ideal_dam_begin(&dam, HEIGHT, 2);
     /* After a short time the potential on the surface is -g y t: the velocity is t times the
      * acceleration. */
     for (int i = 0; i < dam.count; i++)
         dam.potential[i] = -dam.y[i];
-    assert_true(ideal_dam_velocity(&dam, u, v));
+    assert_true(ideal_surface_velocity(&dam, u, v));
     assert_near(v[0], top_acceleration(), 2e-3);
     int seen = 0;
     for (int i = 0; i < dam.count; i++) {
@@ -113,17 +113,17 @@ typedef struct fall {
 /* A state runs alone: it is large. */
 static fall fall_of(double height, double fineness)
 {
-    static ideal_dam dam;
+    static ideal_surface dam;
     fall f = {.area_lost = 0};
     ideal_dam_begin(&dam, height, fineness);
-    double area = ideal_dam_area(&dam), energy = ideal_dam_energy(&dam);
+    double area = ideal_surface_area(&dam), energy = ideal_surface_energy(&dam);
     for (int i = 0; i < DAM_POINTS; i++) {
-        assert_true(ideal_dam_run(&dam, time_of(skv_theory_dam[i].time)));
+        assert_true(ideal_surface_run(&dam, time_of(skv_theory_dam[i].time)));
         for (int k = 0; k < DAM_HEIGHTS; k++)
             f.front[i][k] = ideal_dam_front(&dam, skv_theory_dam_heights[k]);
         f.level[i] = dam.y[0];
-        f.area_lost = fmax(f.area_lost, fabs(1 - ideal_dam_area(&dam) / area));
-        f.energy_lost = fmax(f.energy_lost, fabs(1 - ideal_dam_energy(&dam) / energy));
+        f.area_lost = fmax(f.area_lost, fabs(1 - ideal_surface_area(&dam) / area));
+        f.energy_lost = fmax(f.energy_lost, fabs(1 - ideal_surface_energy(&dam) / energy));
     }
     int last = DAM_POINTS - 1;
     f.speed = (f.front[last][1] - f.front[last - 1][1]) /

@@ -1,11 +1,13 @@
-/* Boundary elements for Laplace's equation in a quarter of the plane.
+/* Boundary elements for Laplace's equation between mirrors.
  *
- * Green's third identity holds on the surface alone, for wall and floor are mirrors: with its three
- * images the surface is closed. Elements are straight, the potential is linear on each, the speed
- * through it one number, and the identity is asked of their middles, where no corner disturbs it.
- * Invariant: all integrals are exact, also where surface and image nearly touch.
+ * Green's third identity holds on the surface alone, for walls and floor are mirrors: with its
+ * images the surface is closed. A tank has endlessly many; but z -> -cos(pi z) makes its walls and
+ * its floor one straight mirror, and keeps potentials and what flows through an element. Elements
+ * are straight, the potential is linear on each, the speed through it one number, and the identity
+ * is asked of their middles, where no corner disturbs it. Invariant: all integrals are exact, also
+ * where surface and image nearly touch.
  */
-#include "quarter_flow.h"
+#include "mirrored_flow.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,15 +36,16 @@ static influence influence_of(double x1, double y1, double x2, double y2, double
     return (influence){end * log2 - along * log1 - length + across * angle, angle - moment, moment};
 }
 
-/* Adds those of an element and its images, for the middle of an element. */
-static influence influence_with_images(const double *x, const double *y, int element, double px,
-                                       double py, bool own)
+/* Adds those of an element and its images, for the middle of an element. There are two images, by
+ * the floor y = 0, or four, by the wall x = 0 as well. */
+static influence influence_with_images(const double *x, const double *y, int images, int element,
+                                       double px, double py, bool own)
 {
     influence sum = {0, 0, 0};
-    for (int image = 0; image < 4; image++) {
+    for (int image = 0; image < images; image++) {
         /* The image of the point stands for that of the element. */
         influence i = influence_of(x[element], y[element], x[element + 1], y[element + 1],
-                                   image & 1 ? -px : px, image & 2 ? -py : py);
+                                   image & 2 ? -px : px, image & 1 ? -py : py);
         sum.single += i.single;
         if (own && image == 0)
             continue; /* a straight element does not turn past its own middle */
@@ -85,8 +88,8 @@ static bool solve(int n, double *matrix, double *value)
     return true;
 }
 
-bool quarter_flow(int count, const double *x, const double *y, const double *potential,
-                  double *through)
+static bool flow(int count, const double *x, const double *y, int images, const double *potential,
+                 double *through)
 {
     int n = count - 1;
     double *matrix = malloc((size_t)n * (size_t)n * sizeof *matrix);
@@ -96,12 +99,38 @@ bool quarter_flow(int count, const double *x, const double *y, const double *pot
         double px = (x[i] + x[i + 1]) / 2, py = (y[i] + y[i + 1]) / 2;
         through[i] = -PI * (potential[i] + potential[i + 1]) / 2;
         for (int j = 0; j < n; j++) {
-            influence at = influence_with_images(x, y, j, px, py, i == j);
+            influence at = influence_with_images(x, y, images, j, px, py, i == j);
             matrix[i * n + j] = at.single;
             through[i] += at.first * potential[j] + at.second * potential[j + 1];
         }
     }
     bool solved = solve(n, matrix, through);
     free(matrix);
+    return solved;
+}
+
+bool quarter_flow(int count, const double *x, const double *y, const double *potential,
+                  double *through)
+{
+    return flow(count, x, y, 4, potential, through);
+}
+
+bool tank_flow(int count, const double *x, const double *y, const double *potential,
+               double *through)
+{
+    double *across = malloc(2 * (size_t)count * sizeof *across), *up = across + count;
+    if (!across)
+        return false;
+    double scale = 1 / cosh(PI * y[0]); /* so that a deep tank is not FAR */
+    for (int i = 0; i < count; i++) {
+        across[i] = -scale * cos(PI * x[i]) * cosh(PI * y[i]);
+        up[i] = scale * sin(PI * x[i]) * sinh(PI * y[i]);
+    }
+    up[0] = up[count - 1] = 0;
+    bool solved = flow(count, across, up, 2, potential, through);
+    for (int i = 0; i + 1 < count; i++)
+        through[i] *= hypot(across[i + 1] - across[i], up[i + 1] - up[i]) /
+                      hypot(x[i + 1] - x[i], y[i + 1] - y[i]);
+    free(across);
     return solved;
 }
