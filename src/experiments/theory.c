@@ -24,6 +24,49 @@ double skv_theory_slosh_period(double gravity, double width, double depth)
     return 2 * PI / sqrt(gravity * k * (1 - square) / (1 + square));
 }
 
+double skv_theory_slosh_height(double width, double depth, double slope)
+{
+    double square = skv_exp(-2 * skv_min(PI / width * depth, 50));
+    return slope * PI / 2 * (1 + square) / (1 - square);
+}
+
+const double skv_theory_slosh_depths[SLOSH_DEPTHS] = {0.05, 0.075, 0.1, 0.125, 0.15, 0.175,
+                                                      0.2,  0.25,  0.3, 0.4,   0.6,  1};
+const double skv_theory_slosh_heights[SLOSH_HEIGHTS] = {0, 0.1, 0.2, 0.3, 0.4, 0.45};
+const double skv_theory_slosh_kept[SLOSH_DEPTHS][SLOSH_HEIGHTS] = {
+    {0.995, 0.968, 0.897, 0.798, 0.691, 0.640}, {0.990, 0.968, 0.906, 0.817, 0.717, 0.667},
+    {0.983, 0.964, 0.910, 0.831, 0.739, 0.692}, {0.973, 0.958, 0.913, 0.847, 0.773, 0.737},
+    {0.973, 0.960, 0.925, 0.872, 0.812, 0.782}, {0.979, 0.969, 0.940, 0.896, 0.845, 0.818},
+    {0.986, 0.977, 0.953, 0.916, 0.872, 0.847}, {0.995, 0.988, 0.971, 0.943, 0.907, 0.886},
+    {0.997, 0.992, 0.978, 0.956, 0.926, 0.909}, {0.993, 0.990, 0.981, 0.965, 0.944, 0.931},
+    {0.987, 0.985, 0.979, 0.968, 0.953, 0.944}, {0.984, 0.983, 0.977, 0.968, 0.956, 0.948},
+};
+
+/* How far a value is from the number before at[*i] to the one there; 0 and 1 beyond the ends. */
+static double share_of(const double *at, int count, double value, int *i)
+{
+    *i = 1;
+    while (*i < count - 1 && at[*i] < value)
+        ++*i;
+    return fmin(fmax((value - at[*i - 1]) / (at[*i] - at[*i - 1]), 0), 1);
+}
+
+double skv_theory_slosh_amplitude(double width, double depth, double slope)
+{
+    double height = skv_theory_slosh_height(width, depth, slope);
+    /* The loss grows as the square of the height. */
+    double squares[SLOSH_HEIGHTS];
+    for (int i = 0; i < SLOSH_HEIGHTS; i++)
+        squares[i] = skv_theory_slosh_heights[i] * skv_theory_slosh_heights[i];
+    int i, k;
+    double deeper = share_of(skv_theory_slosh_depths, SLOSH_DEPTHS, depth / width, &i);
+    double higher = share_of(squares, SLOSH_HEIGHTS, height * height, &k);
+    const double *above = skv_theory_slosh_kept[i - 1], *below = skv_theory_slosh_kept[i];
+    double low = above[k - 1] + deeper * (below[k - 1] - above[k - 1]);
+    double high = above[k] + deeper * (below[k] - above[k]);
+    return low + higher * (high - low);
+}
+
 const dam_point skv_theory_dam[DAM_POINTS] = {
     {0.41, 1.11, {1.122, 1.111, 1.100, 1.093, 1.082, 1.074}},
     {0.84, 1.22, {1.412, 1.403, 1.396, 1.391, 1.351, 1.316}},
@@ -46,12 +89,10 @@ const double skv_theory_dam_heights[DAM_HEIGHTS] = {0.01, 0.02, 0.03, 0.04, 0.06
 
 double skv_theory_dam_front(int point, double height)
 {
-    const double *heights = skv_theory_dam_heights, *fronts = skv_theory_dam[point].ideal;
-    int i = 1;
-    while (i < DAM_HEIGHTS - 1 && heights[i] < height)
-        i++;
-    double share = (height - heights[i - 1]) / (heights[i] - heights[i - 1]);
-    return fronts[i - 1] + fmin(fmax(share, 0), 1) * (fronts[i] - fronts[i - 1]);
+    const double *fronts = skv_theory_dam[point].ideal;
+    int i;
+    double share = share_of(skv_theory_dam_heights, DAM_HEIGHTS, height, &i);
+    return fronts[i - 1] + share * (fronts[i] - fronts[i - 1]);
 }
 
 double skv_theory_jet_speed(double gravity, double head)

@@ -19,6 +19,25 @@ double skv_theory_inertial_length(double arm, double gap, double level);
  * Hydrodynamics section 228). For small amplitudes. */
 double skv_theory_slosh_period(double gravity, double width, double depth);
 
+/* How high a wave of the first kind is: its rise at a wall, slope width / 2, in the depth that it
+ * feels, tanh(k d) / k. That is the rise over the depth in shallow water and k rise in deep water;
+ * at some 0.5 waves break at any depth. */
+double skv_theory_slosh_height(double width, double depth, double slope);
+
+/* What an ideal liquid keeps of the amplitude of its centre after one period, released at rest from
+ * a straight slope: it loses height, because the wave steepens. For skv_theory_slosh_depths, in
+ * widths, and skv_theory_slosh_heights; by boundary elements (tests/experiments/ideal_tank.h), to
+ * 0.001. */
+enum { SLOSH_DEPTHS = 12, SLOSH_HEIGHTS = 6 };
+extern const double skv_theory_slosh_depths[SLOSH_DEPTHS];
+extern const double skv_theory_slosh_heights[SLOSH_HEIGHTS];
+extern const double skv_theory_slosh_kept[SLOSH_DEPTHS][SLOSH_HEIGHTS];
+
+/* The same for any tank: between the table's entries to 0.003. Beyond them it is that of the
+ * nearest depth, which is as good in deeper water and 0.011 too much in half the shallowest, and of
+ * the nearest height, which is too much. */
+double skv_theory_slosh_amplitude(double width, double depth, double slope);
+
 /* A collapsing column, width a and height n^2 a, n^2 = 2: when, in T = n t sqrt(g/a), the front
  * reaches Z = x/a. Measured by Martin and Moyce 1952, Phil. Trans. R. Soc. A 244, 312-324, a = 2.25
  * in; for an ideal liquid, released at once, by boundary elements (tests/experiments/ideal_dam.h):
