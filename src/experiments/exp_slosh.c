@@ -14,7 +14,7 @@
 
 enum { WAIT = 4, HALF_SWINGS = 4, GAUGES = 9, MAX_SAMPLES = 4000 };
 enum { WIDTH, DEPTH, ANGLE };
-enum { C_WIDTH, C_DEPTH, C_GRAVITY, C_START, C_TIME };
+enum { C_WIDTH, C_DEPTH, C_GRAVITY, C_SLOPE, C_TIME };
 
 #define PERIODS 3.5
 /* At the start, unless told: this slope, and no more than this share of the depth at a wall, since
@@ -82,8 +82,7 @@ static void measure(stage *s, findings *found)
     found->condition[C_WIDTH] = t.width;
     found->condition[C_DEPTH] = depth;
     found->condition[C_GRAVITY] = t.gravity;
-    /* The centre of a wedge of that slope: slope width^2 / (12 depth). */
-    found->condition[C_START] = t.slope * t.width * t.width / (12 * depth);
+    found->condition[C_SLOPE] = t.slope;
     found->condition[C_TIME] = watch;
     found->foreseen = true;
     skv_stage_show(s, draw, &t);
@@ -98,11 +97,12 @@ static void measure(stage *s, findings *found)
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
 {
-    expected->theory[0] =
-        skv_theory_slosh_period(condition[C_GRAVITY], condition[C_WIDTH], condition[C_DEPTH]);
-    expected->theory[1] = 1;
-    skv_plot_swing(plot, "theory: small waves", condition[C_START], expected->theory[0],
-                   condition[C_TIME]);
+    double width = condition[C_WIDTH], depth = condition[C_DEPTH], slope = condition[C_SLOPE];
+    expected->theory[0] = skv_theory_slosh_period(condition[C_GRAVITY], width, depth);
+    expected->theory[1] = skv_theory_slosh_amplitude(width, depth, slope);
+    /* It begins where the centre of a wedge of that slope is. */
+    skv_plot_swing(plot, "theory: small waves", slope * width * width / (12 * depth),
+                   expected->theory[0], condition[C_TIME]);
 }
 
 const experiment skv_exp_slosh = {
@@ -120,9 +120,10 @@ const experiment skv_exp_slosh = {
                 "The tank starts with a sloping surface. The centre of mass of all water is "
                 "followed sideways: its crossings give the period, its turning points the loss.",
             .compare = "The lowest standing wave is twice as long as the tank: omega^2 = g k "
-                       "tanh(k depth) with k = pi / width. Theory for small waves loses nothing; "
-                       "at this slope an ideal liquid keeps 0.92, because the wave steepens. What "
-                       "is lost beyond that goes to the walls.",
+                       "tanh(k depth) with k = pi / width. The amplitude is compared with an "
+                       "ideal liquid's, which has no friction: from the default slope it keeps "
+                       "0.92, because the wave steepens; small waves keep nearly all. What is lost "
+                       "beyond that goes to the walls.",
             .x_label = "time (s)",
             .y_label = "centre of mass, x - middle (m)",
         },
