@@ -316,6 +316,18 @@ static void theory_follows_the_parameters(void **unused)
     skv_report_destroy(NULL);
 }
 
+/* A flatter wave steepens less, so more of it is expected to be left. */
+static void a_flatter_tank_is_to_keep_more(void **unused)
+{
+    (void)unused;
+    const skv_setting list[] = {{"particles", "600"}, {"slosh.angle", "0.05"}};
+    skv_report *high = run("slosh", list, 1), *flat = run("slosh", list, 2);
+    assert_near(skv_report_row(high, 1)->theory, 0.915, 0.01);
+    assert_near(skv_report_row(flat, 1)->theory, 0.983, 0.005);
+    skv_report_destroy(high);
+    skv_report_destroy(flat);
+}
+
 static void reports_are_drawn_and_written(void **unused)
 {
     (void)unused;
@@ -520,6 +532,7 @@ int main(void)
         cmocka_unit_test(theory_gets_the_water_that_is_there),
         cmocka_unit_test(walls_by_images_do_not_drag),
         cmocka_unit_test(theory_follows_the_parameters),
+        cmocka_unit_test(a_flatter_tank_is_to_keep_more),
         cmocka_unit_test(reports_are_drawn_and_written),
         cmocka_unit_test(odd_curves_are_drawn),
         cmocka_unit_test(an_experiment_can_be_stopped),

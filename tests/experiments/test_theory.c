@@ -73,6 +73,19 @@ static void sloshing_in_shallow_and_deep_water(void **unused)
     assert_near(skv_theory_slosh_period(9.81, 1.6, 0.4), 1.7679, 1e-4);
 }
 
+static void a_sloshing_wave_has_a_height(void **unused)
+{
+    (void)unused;
+    /* In shallow water the rise at a wall over the depth, in deep water k times the rise. */
+    assert_near(skv_theory_slosh_height(2, 0.02, 0.006), 0.006 / 0.02, 1e-3);
+    assert_near(skv_theory_slosh_height(2, 8, 0.2), PI / 2 * 0.2, 1e-6);
+    /* All sizes are alike. An ideal liquid in the lab's tank, by an expansion to fifth order. */
+    assert_near(skv_theory_slosh_amplitude(1.6, 0.4, 0.15), 0.92, 0.005);
+    assert_near(skv_theory_slosh_amplitude(0.4, 0.1, 0.15) /
+                    skv_theory_slosh_amplitude(1.6, 0.4, 0.15),
+                1, 1e-9);
+}
+
 static void jets_and_bodies(void **unused)
 {
     (void)unused;
@@ -129,6 +142,7 @@ int main(void)
         cmocka_unit_test(a_column_swings_as_its_equation_says),
         cmocka_unit_test(inertial_length_of_slim_and_wide_tubes),
         cmocka_unit_test(sloshing_in_shallow_and_deep_water),
+        cmocka_unit_test(a_sloshing_wave_has_a_height),
         cmocka_unit_test(jets_and_bodies),
         cmocka_unit_test(the_dam_agrees_with_another_reading_of_the_figure),
         cmocka_unit_test(swings_are_read),
