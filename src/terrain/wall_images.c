@@ -4,9 +4,9 @@
  * Beside a flat wall little is left. In corners, at edges and behind thin walls images lie wrong; a
  * sample's rest is its R less the sum of the images' W over the map's own cells, each as far as it
  * is free. Next to a wall and inside it sums would be of no use, yet sampling touches samples
- * there, so these hold the rest of a place a little off the wall. Invariant: what a block's images
- * are depends on the blocks around it alone, and on walls, marks and sights as far as a radius and
- * three cells.
+ * there, so these hold the rest of a place a little off the wall, without the push across it.
+ * Invariant: what a block's images are depends on the blocks around it alone, and on walls, marks
+ * and sights as far as a radius and three cells.
  */
 #include "base/assert.h"
 #include "base/exact.h"
@@ -324,11 +324,19 @@ static void finish_sample(const images *m, const window *w, int x, int y, int i,
     float nx, ny, off = skv_normal_at(m->b.terrain, p.x, p.y, &nx, &ny) * map->per_metre;
     if (off < -DEEPEST)
         return;
-    if (off < OFF_WALL)
+    bool kept_off = off < OFF_WALL;
+    if (kept_off)
         keep_off(m, OFF_WALL - off, nx, ny, &p);
     else
         p.shaded = skv_wall_map_near_thin(map, p.x, p.y);
     find_rest(m, w, &p, image);
+    if (kept_off) {
+        /* R is the same up to the wall, so across it has no slope: a push there would be none of an
+         * energy, and what is pressed into a corner would be heated by it. */
+        float across = image[SKV_IMAGE_F1X] * nx + image[SKV_IMAGE_F1Y] * ny;
+        image[SKV_IMAGE_F1X] -= across * nx;
+        image[SKV_IMAGE_F1Y] -= across * ny;
+    }
 }
 
 static void measure_blocks(int begin, int end, void *context)

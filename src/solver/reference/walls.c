@@ -87,11 +87,11 @@ static void sample_solid(const skv_substep *sub, int i)
     s->facing_x[i] = s->facing_y[i] = 0;
 }
 
-/* What images leave to the solid has the near density of the lattice, so it is no crowd. */
+/* What images leave to the solid is a crowd. */
 static void sample_image(const skv_substep *sub, int i)
 {
     const skv_pass_data *s = &sub->data;
-    const float share = sub->constants->near_share;
+    const float share = sub->constants->rest_share;
     skv_image_sample wall;
     float distance = skv_boundary_sample_image(sub->boundary, s->x[i], s->y[i], &wall);
     bool near = distance < sub->constants->h && wall.distance < 1;
