@@ -41,7 +41,7 @@ typedef struct skv_constants {
     float tension_from;   /* gradient up to which there is none */
     /* Walls by images alone. */
     float adhesion;       /* share of a wall's pull that holds against gravity */
-    float rest_share;     /* near density per density of what images leave over */
+    float leftover_share; /* near density per density of what images leave over */
     float image_gradient; /* F1 beside a flat wall, per slope of the solid's share */
     float image_virial, image_near_virial; /* of fluid and images as one body, per h P and h N */
     float grip;      /* share of the slip along a wall that friction takes a substep */

@@ -118,9 +118,10 @@ bool quarter_flow(int count, const double *x, const double *y, const double *pot
 bool tank_flow(int count, const double *x, const double *y, const double *potential,
                double *through)
 {
-    double *across = malloc(2 * (size_t)count * sizeof *across), *up = across + count;
+    double *across = malloc(2 * (size_t)count * sizeof *across);
     if (!across)
         return false;
+    double *up = across + count;
     double scale = 1 / cosh(PI * y[0]); /* so that a deep tank is not FAR */
     for (int i = 0; i < count; i++) {
         across[i] = -scale * cos(PI * x[i]) * cosh(PI * y[i]);

@@ -99,7 +99,7 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
     float q = 1 - 2 * image->distance;
     q = q > 0 ? q : 0;
     own->density[i] += image->r + smooth(q);
-    own->near_density[i] += c->rest_share * image->r + q * q * q;
+    own->near_density[i] += c->leftover_share * image->r + q * q * q;
     if (graded) {
         float flat = c->image_gradient * skv_flat_slope(image->distance);
         own->gradient_x[i] -= image->f1x + flat * image->nx;
@@ -268,7 +268,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
                 c->wall_virial * push * solid->r + 2.0f / 3 * near_push * solid->rn;
     } else {
         const skv_image_sample *image = &wall->at.image;
-        float q = 1 - 2 * image->distance, rest = push + 4 * c->rest_share * near_push;
+        float q = 1 - 2 * image->distance, rest = push + 4 * c->leftover_share * near_push;
         q = q > 0 ? q : 0;
         float out = s->own_move.thrust[i] + s->next_move.thrust[i];
         out += 2 * (push * ((1 - q) * (q * q)) + near_push * (q * q));

@@ -32,7 +32,8 @@ typedef struct skv_row_constants {
     float warm_start, warm_limit, warm_slope, response_slope, response_floor, near_share;
     float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale,
         tension_from;
-    float adhesion, rest_share, image_gradient, image_virial, image_near_virial, grip, wall_drag;
+    float adhesion, leftover_share, image_gradient, image_virial, image_near_virial, grip,
+        wall_drag;
     float pressure_scale; /* from the virial to Pa m */
     float contact_distance, softness, friction;
     float wall_clearance; /* how close a move may come to a wall */

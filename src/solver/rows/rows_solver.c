@@ -46,7 +46,7 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .tension_from = c->tension_from,
         .adhesion = c->adhesion,
         .image_gradient = c->image_gradient,
-        .rest_share = c->rest_share,
+        .leftover_share = c->leftover_share,
         .image_virial = c->image_virial,
         .image_near_virial = c->image_near_virial,
         .grip = c->grip,
