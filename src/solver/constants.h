@@ -29,7 +29,7 @@ typedef struct skv_constants {
     /* Calibrated law alone. */
     float warm_start; /* share of the last substep's push with which the next one starts; 0: cold */
     float warm_limit; /* the most of that push that counts, m */
-    float warm_slope; /* how steeply that grows to all of it with the excess of density */
+    float warm_most;  /* ... and the most of it, per push that the excess of density finds */
     float response_slope; /* how strongly the density answers to a push, per density, ... */
     float response_floor; /* ... and at least */
     float near_share;     /* near density per density in the lattice at rest: more is a crowd */
@@ -39,6 +39,7 @@ typedef struct skv_constants {
     float cohesion_slope; /* ... and how steeply its share grows to 1 from there */
     float tension_scale;  /* of the surface tension, m */
     float tension_from;   /* gradient up to which there is none */
+    float tension_until;  /* push of the last substep from which on there is none, m */
     /* Walls by images alone. */
     float adhesion;       /* share of a wall's pull that holds against gravity */
     float leftover_share; /* near density per density of what images leave over */

@@ -19,7 +19,7 @@
 #define WARM_SUBSTEPS    0.75  /* as stiff as one cold one, if they start warm: fewer flicker */
 #define MOST_LIVELY      3.2   /* omega eta^2 of a fluid that starts warm */
 #define WARM_REACH       0.7   /* of the pressure at the expected depth: more is found cold */
-#define WARM_FULL        0.01  /* rest densities too many, from which on the start is warm */
+#define WARM_MOST        6     /* pushes that are found, at most; at rest it is up to 1.6 */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
@@ -31,6 +31,7 @@
 #define COHESION_PULL    3.57  /* F is so much weaker here than q, for which k_coh was meant */
 #define COHESION_TENSION 0.255 /* of k_coh; more makes drops stiffer, less lets them come apart */
 #define TENSION_FROM     0.2   /* of |g| at a flat surface: how uneven the bulk may be */
+#define TENSION_UNTIL    0.1   /* of the push at the expected depth: what is pressed so has none */
 #define STICKS           0.05  /* wall friction from which on a viscous fluid does not slip */
 #define LEFTOVER_CROWD   2     /* how crowded what images leave over is, to the lattice */
 #define GRIP             0.2   /* of the friction in contact: it acts on all of the layer */
@@ -125,13 +126,17 @@ int skv_warm_substeps(const skv_fluid_def *f, int cold)
 void skv_set_stiffness(skv_constants *c, float cold)
 {
     float square = cold * cold;
-    if (square <= 1) {
-        c->push_scale *= square;
+    if (c->clavet)
         return;
-    }
-    c->warm_start = 1 - 1 / square;
-    c->warm_limit = (float)(WARM_REACH * COMPRESSION) * (float)c->iterations * c->push_scale *
-                    c->rest_density / c->response_floor * square;
+    if (square <= 1)
+        c->push_scale *= square;
+    else
+        c->warm_start = 1 - 1 / square;
+    /* What the pressure pushes in a substep at the expected depth. */
+    float deep = (float)COMPRESSION * (float)c->iterations * c->push_scale * c->rest_density /
+                 c->response_floor / (1 - c->warm_start);
+    c->warm_limit = (float)WARM_REACH * deep;
+    c->tension_until = (float)TENSION_UNTIL * deep;
 }
 
 double skv_speed_of_sound(const skv_fluid_def *f, double dt)
@@ -182,7 +187,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     /* A displacement in each iteration that amounts to half an acceleration of 1 in the bulk. */
     double half = dt * dt * lattice.response / (2 * f->iterations);
     c->rest_density = (float)rest;
-    c->warm_slope = (float)(1 / (WARM_FULL * rest));
+    c->warm_most = WARM_MOST;
     c->push_scale = (float)((double)f->relaxation * h / skv_kernel_gain(SKV_KERNEL_SMOOTH));
     c->response_slope = (float)(lattice.response / rest);
     c->response_floor = (float)lattice.response;
@@ -197,6 +202,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
     c->wall_virial = 1.0f / 6;
     c->loose_push = (float)h;
+    skv_set_stiffness(c, 1);
     if (skv_has_images(f))
         set_images(c, f, dt);
 }

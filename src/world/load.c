@@ -174,6 +174,21 @@ void skv_load_add(skv_world *world, int count)
         bear(world, measure(world) + 2 * (highest - lowest));
 }
 
+void skv_load_rest(skv_world *world, float depth)
+{
+    skv_load *l = &world->load;
+    if (!is_followed(world))
+        return;
+    float load = (float)skv_load_of_depth(gravity_of(world), depth, 0);
+    load = skv_maxf(load, skv_emitted_head(&world->acting));
+    int needed = skv_substep_rule(&world->fluid, (double)(MARGIN * load));
+    if (needed >= l->wanted)
+        return;
+    l->wanted = needed;
+    l->stiffness = (float)needed;
+    take(world, needed);
+}
+
 /* Whether one of `a_second` moments lies between two times, or on the later one. */
 static bool has_come(double before, double now, int a_second)
 {

@@ -37,7 +37,7 @@ typedef struct plan {
     bool slows; /* shorter substeps put it in order more slowly */
 } plan;
 
-static const plan aided = {500, 60, 500, 0.006, 0.01f, true};
+static const plan aided = {500, 200, 1000, 0.002, 0.01f, true};
 /* Where nothing rests: fluid that is more relaxed is more ordered, and sets out later. */
 static const plan flowing = {200, 60, 200, 0, 0.015f, true};
 /* For a law that does not say how far to sink, and pushes as far in a substep of any length. */
@@ -106,6 +106,19 @@ static bool anything_rests(const settling *s)
     return false;
 }
 
+/* The deepest column's depth, m, if all of the fluid rests; else 0. At its top the integral of the
+ * depth is half of the depth's square. */
+static float resting_depth(const settling *s)
+{
+    float most = 0;
+    for (int i = 0; i < s->world->state.count; i++) {
+        if (s->lies.lie[i] != SKV_RESTS)
+            return 0;
+        most = skv_maxf(most, s->lies.weight[i]);
+    }
+    return sqrtf(2 * most);
+}
+
 static bool is_calm(const settling *s)
 {
     const skv_state *p = &s->world->state;
@@ -135,12 +148,15 @@ static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
  * the less is calm. */
 static skv_result relax_all(settling *s, skv_error *error)
 {
-    const skv_world *world = s->world;
+    skv_world *world = s->world;
     const plan *most = anything_rests(s) ? &aided : &flowing;
     if (!(softness_of(s, world->load.wanted) > 0))
         most = &unaided;
     float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
     float depth = world->filled * skv_extent_along_gravity(world);
+    float resting = resting_depth(s);
+    if (resting > 0)
+        skv_load_rest(world, resting);
     int last = world->load.wanted,
         first = skv_substep_rule(&s->fluid, skv_load_of_depth(g, depth, 0));
     first = first < last ? first : last;

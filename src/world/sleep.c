@@ -11,8 +11,10 @@
  * Every WINDOW there is a look round: the particles of a tile become calm if none has gone far and
  * they have not drifted on average. The average tells slow flow, which goes on, from the method's
  * jitter, which leads nowhere. Calm particles of an awake tile become restless at once when one
- * goes far or the tile sets in motion as a whole. The limits are in spacings and in sqrt(g s), the
- * speed gained in falling half a spacing; how they were found is in docs/model.md.
+ * goes far or the tile sets in motion as a whole. A jerk is no motion: what was held lies under
+ * forces that have changed meanwhile, and two tiles would wake each other by turns for ever. The
+ * limits are in spacings and in sqrt(g s), the speed gained in falling half a spacing; how they
+ * were found is in docs/model.md.
  *
  * Invariant: a calm particle outside awake tiles has no velocity and does not move; who sleeps
  * depends on the particles alone, not on threads.
@@ -31,6 +33,7 @@
 #define MOST_DRIFT   0.05f /* spacings in a window, a tile's average */
 #define MOST_WAY     0.2f  /* spacings in a window, a particle's */
 #define SETS_OUT     0.01f /* sqrt(g s): a tile's average speed */
+#define JERK         0.01f /* spacings, a tile's average: what was held jerks by less when let go */
 #define FALL_GRAVITY 9.81f /* m/s^2 of that scale, whatever the world's gravity */
 #define WAY_MARGIN   1.5f  /* how much faster than it is a particle may get within a call */
 
@@ -262,8 +265,10 @@ static void judge(const skv_world *world, bool look_round)
         skv_tile *tile = &s->tiles[t];
         bool drifts =
             look_round && is_longer(tile, tile->moved_x, tile->moved_y, MOST_DRIFT * spacing);
-        if (drifts || tile->farthest > MOST_WAY * MOST_WAY * spacing * spacing ||
-            is_longer(tile, tile->speed_x, tile->speed_y, sets_out))
+        bool sets_off =
+            is_longer(tile, tile->speed_x, tile->speed_y, sets_out) &&
+            (look_round || is_longer(tile, tile->moved_x, tile->moved_y, JERK * spacing));
+        if (drifts || sets_off || tile->farthest > MOST_WAY * MOST_WAY * spacing * spacing)
             tile->state = RESTLESS;
     }
 }

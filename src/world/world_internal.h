@@ -64,7 +64,7 @@ int skv_substep_rule(const skv_fluid_def *fluid, double load);
  * (docs/model.md); with the clavet law so many. */
 int skv_warm_substeps(const skv_fluid_def *fluid, int cold);
 /* Makes a substep's pressure as stiff as that of so many substeps that start cold: weaker if they
- * are less than one, warm if they are more. */
+ * are less than one, warm if they are more. Not with the clavet law, which is as stiff as it is. */
 void skv_set_stiffness(skv_constants *constants, float cold);
 /* The kernel of a law's pressure. */
 skv_kernel skv_law_kernel(skv_law law);

@@ -72,7 +72,9 @@ static void randomise(twin *t)
         set(s->y, o->y, i, spacing * (i / 20 + uniform(-close, close)));
         set(s->vx, o->vx, i, uniform(-2, 2));
         set(s->vy, o->vy, i, uniform(-2, 2));
-        set(s->warm_push, o->warm, i, uniform(0, 1) < 0.5 ? uniform(0, 100) : 0);
+        double loose = (double)t->constants.tension_until / (o->dt * o->dt);
+        double most = uniform(0, 1) < 0.5 ? 100 : uniform(0, 1) < 0.5 ? 2 * loose : 0;
+        set(s->warm_push, o->warm, i, uniform(0, most));
         double wall = uniform(0, 1) < 0.3 ? 1 : 0, angle = uniform(0, 6.28);
         set(s->wall_density, o->wall_density, i, wall * uniform(0, 2));
         set(s->wall_near, o->wall_near, i, wall * uniform(0, 1));

@@ -174,6 +174,13 @@ static double flat_slope(const oracle *o, int i)
     return slope * 3.14159265358979 / 5 * o->eta * o->eta / 12;
 }
 
+/* What the pressure pushes in a substep that starts warm, at the depth that it is made for. */
+static double deep_push(const oracle *o)
+{
+    double step = o->omega * radius_of(o) / 12 * 0.04 * oracle_rest_density(o);
+    return o->iterations * step / lattice_response(o->eta) / (1 - o->warm_start);
+}
+
 void oracle_density(oracle *o, bool gradient)
 {
     for (int i = 0; i < o->n; i++) {
@@ -200,6 +207,7 @@ void oracle_density(oracle *o, bool gradient)
         /* A fifth of what it is at a flat surface does not count. */
         double size = hypot(o->gx[i], o->gy[i]), bulk = o->clavet ? 0 : 0.2 * o->eta * o->eta / 15;
         double share = size > bulk ? 1 - bulk / size : 0;
+        share *= o->clavet ? 1 : fmax(0, 1 - o->dt * o->dt * o->warm[i] / (0.1 * deep_push(o)));
         o->gx[i] *= gradient ? share : 1;
         o->gy[i] *= gradient ? share : 1;
     }
@@ -221,10 +229,8 @@ static void pressure_calibrated(oracle *o, int i, bool first)
     double fill = o->density[i] / rest, softer = 1 / fmax(1, fill);
     double share = o->dt * o->dt / o->iterations * softer;
     double push = o->omega * radius_of(o) / 12 * rest * fmax(0, fill - 1) / response * softer;
-    double limit = o->iterations * o->omega * radius_of(o) / 12 * 0.7 * 0.04 * rest / response /
-                   (1 - o->warm_start);
-    double warm = o->warm_start * fmin(o->dt * o->dt * o->warm[i], limit);
-    push += first ? fmin(1, fmax(0, (fill - 1) / 0.01)) * warm : 0;
+    double warm = o->warm_start * fmin(o->dt * o->dt * o->warm[i], 0.7 * deep_push(o));
+    push += first ? fmin(warm, 6 * push) : 0;
     o->warm[i] = (first ? 0 : o->warm[i]) + push / (o->dt * o->dt);
     double held = fmin(1, fmax(0, (fill - 0.25) / 0.25));
     double pull = 3.57 * o->k_coh / 2 * rest * fmax(0, 0.95 - fill) * held;

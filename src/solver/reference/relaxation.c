@@ -40,6 +40,9 @@ void skv_pass_density(const skv_substep *sub, int begin, int end)
             gy -= s->f1y[i] + flat * s->facing_y[i];
             float size = sqrtf(gx * gx + gy * gy);
             float share = size > c->tension_from ? (size - c->tension_from) / size : 0;
+            /* Only loose fluid has a surface that matters: what was pressed fades. */
+            float pressed = c->dt * c->dt * s->warm_push[i] / c->tension_until;
+            share *= pressed < 1 ? 1 - pressed : 0;
             s->gradient_x[i] = share * gx;
             s->gradient_y[i] = share * gy;
         }
@@ -71,10 +74,10 @@ void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
          * comes first. What is left to find is less, and so is the density that finds it. */
         float before = s->warm_push[i];
         if (sub->first) {
-            float share = excess > 0 ? c->warm_slope * excess : 0;
-            float last = square * before;
+            float last = square * before, most = c->warm_most * push;
             last = last < c->warm_limit ? last : c->warm_limit;
-            push += (share < 1 ? share : 1) * (c->warm_start * last);
+            float start = c->warm_start * last;
+            push += start < most ? start : most;
             before = 0;
         }
         s->warm_push[i] = before + push / square;

@@ -25,12 +25,15 @@ static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, i
 }
 
 /* Samples the walls for the particles near one, keeps the samples until the update, and notes the
- * distances of images. */
+ * distances of images, and who may have a gradient. */
 static void sample(const skv_rows *s, int row, const skv_row_constants *c,
                    const skv_boundary *boundary, skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
     int begin = s->row_start[row], end = s->row_end[row], used = 0;
+    for (int i = begin; !c->clavet && i < skv_row_padded_end(end); i += ROW_LANES)
+        s->graded[i / ROW_LANES] =
+            v8_any_below(v8_load(p->warm_push + i), v8_set(c->tension_until)) != 0;
     for (int i = begin; c->images && i < skv_row_padded_end(end); i += ROW_LANES)
         v8_store(s->image + i, v8_set(SKV_FAR));
     for (int i = begin; i < end; i++) {
@@ -78,6 +81,15 @@ V8_INLINE float smooth(float q)
     return q * q * q * (4 - 3 * q);
 }
 
+/* Adds what is no pair to a particle's sums. The calibrated law's are those of q^3 and q^4, of
+ * which its density is 4 and -3. */
+V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_row_constants *c, float density,
+                           float near_density)
+{
+    s->own.density[i] += c->clavet ? density : (4 * near_density - density) * (1.0f / 3);
+    s->own.near_density[i] += near_density;
+}
+
 /* The solid's share of the sums; with images, a particle's own image and what they leave over,
  * which is a crowd. */
 V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
@@ -87,8 +99,7 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
     int i = wall->particle;
     if (!c->images) {
         const skv_wall_sample *solid = &wall->at.wall;
-        own->density[i] += solid->r;
-        own->near_density[i] += solid->rn;
+        add_to_sums(s, i, c, solid->r, solid->rn);
         if (graded) {
             own->gradient_x[i] -= solid->f1x;
             own->gradient_y[i] -= solid->f1y;
@@ -98,8 +109,7 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
     const skv_image_sample *image = &wall->at.image;
     float q = 1 - 2 * image->distance;
     q = q > 0 ? q : 0;
-    own->density[i] += image->r + smooth(q);
-    own->near_density[i] += c->leftover_share * image->r + q * q * q;
+    add_to_sums(s, i, c, image->r + smooth(q), c->leftover_share * image->r + q * q * q);
     if (graded) {
         float flat = c->image_gradient * skv_flat_slope(image->distance);
         own->gradient_x[i] -= image->f1x + flat * image->nx;
@@ -108,18 +118,27 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
- * unevenness of the bulk, times the tension's strength. In the sums' place. */
+ * unevenness of the bulk, times the tension's strength, which fades with what has pressed them in
+ * the last substep. In the sums' place; notes of each eight whether one has any. */
 static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c)
 {
-    const v8 zero = v8_set(0), scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
-    const v8 tiny = v8_set(TINY_SQUARED);
+    const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
+    const v8 scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
+    const v8 until = v8_set(c->tension_until);
+    const float *warm_push = s->set[s->current].warm_push;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
-        v8 gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
-        v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
-        v8 share = v8_div(v8_mul(scale, v8_max(v8_sub(size, bulk), zero)), size);
+        v8 gx = zero, gy = zero, share = zero;
+        if (s->graded[i / ROW_LANES]) {
+            gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
+            gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
+            v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
+            v8 loose = v8_max(v8_sub(one, v8_div(v8_load(warm_push + i), until)), zero);
+            share = v8_div(v8_mul(scale, v8_max(v8_sub(size, bulk), zero)), size);
+            share = v8_mul(share, loose);
+        }
         v8_store(s->gradient_x + i, v8_mul(share, gx));
         v8_store(s->gradient_y + i, v8_mul(share, gy));
+        s->graded[i / ROW_LANES] = v8_any_below(zero, share) != 0;
     }
 }
 
@@ -133,9 +152,8 @@ V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_row_const
     if (later) {
         v8_store(remembered, v8_add(before, push));
     } else {
-        v8 share = v8_min(v8_mul(v8_set(c->warm_slope), excess), v8_set(1));
         v8 start = v8_mul(v8_set(c->warm_start), v8_min(before, v8_set(c->warm_limit)));
-        push = v8_add(push, v8_mul(share, start));
+        push = v8_add(push, v8_min(start, v8_mul(v8_set(c->warm_most), push)));
         v8_store(remembered, push);
     }
     return push;
@@ -150,8 +168,9 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
     const v8 near_push = v8_set(c->near_push_scale);
     const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(4 * c->near_share);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 density = collected(s->own.density + i, s->next.density + i);
         v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
+        v8 quartic = collected(s->own.density + i, s->next.density + i);
+        v8 density = v8_sub(v8_mul(v8_set(4), near_density), v8_mul(v8_set(3), quartic));
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
@@ -187,12 +206,12 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_row_const
 {
     bool graded = !c->clavet && !later;
     for_walls(s, row, c, boundary, samples, add_solid, graded ? &graded : NULL);
+    if (graded) /* while the push of the last substep is known */
+        keep_gradient(s, row, c);
     if (c->clavet)
         pressure_clavet(s, row, c);
     else
         pressure_calibrated(s, row, later, c);
-    if (graded)
-        keep_gradient(s, row, c);
 }
 
 /* Gauge pressure from the virial of the pairs, summed over the iterations. Fluid and images are one

@@ -47,9 +47,10 @@
  *    [2]                                             own thrust      own thrust
  *    [3]                         image (W)           image           image
  *
- * The gradient belongs to the calibrated law and the first iteration, the gauge pressure to the
- * last substep of a call. `thrust` is there with walls by images; else it holds the virial.
- * skv_rows_lend_buffers, in memory.c, is this table in code.
+ * Densities are sums of W with the clavet law, of q^4 with the calibrated one, whose W is 4 q^3 - 3
+ * q^4 and follows when all pairs are summed up. The gradient belongs to that law and the first
+ * iteration, the gauge pressure to the last substep of a call. `thrust` is there with walls by
+ * images; else it holds the virial. skv_rows_lend_buffers, in memory.c, is this table in code.
  */
 #ifndef SKV_ROWS_LAYOUT_H
 #define SKV_ROWS_LAYOUT_H
@@ -165,6 +166,9 @@ struct skv_rows {
 
     /* Per tile: its ranges of partners. */
     int *own_end, *next_begin, *next_end;
+
+    /* Per eight places: whether one of them may have a gradient, then whether it has. */
+    bool *graded;
 
     /* Per cell and per row. */
     int *cell_start; /* row_count * stride: place of each cell's first particle */

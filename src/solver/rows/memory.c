@@ -188,7 +188,8 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
     enum { FLOATS = sizeof floats / sizeof *floats, INTS = 2, TILE_INTS = 3 };
     size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
-    size_t total = stride * (FLOATS + INTS) + TILE_INTS * tiles;
+    size_t eights = array_stride(slots / ROW_LANES / sizeof(float) + 1);
+    size_t total = stride * (FLOATS + INTS) + TILE_INTS * tiles + eights;
     float *block = skv_calloc(total, sizeof *block);
     if (!block)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
@@ -200,6 +201,7 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
         *ints[i] = (int *)(void *)block;
     for (int i = 0; i < TILE_INTS; i++, block += tiles)
         *by_tile[i] = (int *)(void *)block;
+    rows->graded = (bool *)(void *)block;
     rows->capacity = capacity;
     rows->slots = (int)slots;
     rows->memory.particles = total * sizeof *block;

@@ -57,19 +57,17 @@ VARIANT void measure_images(const float *image, int i, int j, const wide *q, wid
     }
 }
 
-/* Adds the images' kernels W and q^3 to those of a tile and a part of its partners. */
+/* Adds the images' kernels q^4 and q^3 to those of a tile and a part of its partners. */
 static __attribute__((noinline)) void add_image_kernels(const float *image, int i, int j,
                                                         const wide q[WIDES], wide kernel[2][WIDES])
 {
-    const wide three = wide_set(3), four = wide_set(4);
     wide seen[WIDES];
     measure_images(image, i, j, q, seen);
     EACH(k)
     {
-        wide cube = wide_mul(wide_mul(seen[k], seen[k]), seen[k]);
-        wide w = wide_mul(cube, wide_sub(four, wide_mul(three, seen[k])));
-        kernel[0][k] = wide_add(kernel[0][k], w);
-        kernel[1][k] = wide_add(kernel[1][k], cube);
+        wide square = wide_mul(seen[k], seen[k]);
+        kernel[0][k] = wide_add(kernel[0][k], wide_mul(square, square));
+        kernel[1][k] = wide_add(kernel[1][k], wide_mul(square, seen[k]));
     }
 }
 

@@ -83,11 +83,10 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     }
     EACH(k) q2[k] = wide_mul(q[k], q[k]);
     EACH(k) q3[k] = wide_mul(q2[k], q[k]);
+    /* W = 4 q^3 - 3 q^4 is put together when all is summed up: two operations a pair less. */
+    EACH(k) w[k] = q2[k];
     if (with & SMOOTH) {
-        const wide three = wide_set(3), four = wide_set(4);
-        EACH(k) w[k] = wide_mul(q3[k], wide_sub(four, wide_mul(three, q[k])));
-    } else {
-        EACH(k) w[k] = q2[k];
+        EACH(k) w[k] = wide_mul(q2[k], q2[k]);
     }
     if (with & WITH_IMAGES && t->imaged) {
         wide pairs[WIDES], kernel[2][WIDES];
@@ -130,100 +129,137 @@ static void zero_row(const skv_rows *s, float *array, int row)
     memset(array + begin, 0, (size_t)(end - begin) * sizeof *array);
 }
 
-static void zero_sums(const skv_rows *s, const skv_row_sums *sums, int row, unsigned with)
+static void zero_sums(const skv_rows *s, const skv_row_sums *sums, int row, bool graded)
 {
     zero_row(s, sums->density, row);
     zero_row(s, sums->near_density, row);
-    if (with & WITH_GRADIENT) {
+    if (graded) {
         zero_row(s, sums->gradient_x, row);
         zero_row(s, sums->gradient_y, row);
     }
 }
 
-VARIANT void sum_densities(tile_sums *to, unsigned with, const density_sums *sums)
+VARIANT void sum_densities(tile_sums *to, const density_sums *sums)
 {
     const density_sums *last = &sums[PARTS - 1];
     sum_lanes(to->sum[0], sums->density, last->density);
     sum_lanes(to->sum[1], sums->near_density, last->near_density);
-    if (with & WITH_GRADIENT) {
+    if (to->more) {
         sum_lanes(to->sum[2], sums->gradient_x, last->gradient_x);
         sum_lanes(to->sum[3], sums->gradient_y, last->gradient_y);
     }
 }
 
-VARIANT void add_densities(const skv_row_sums *to, int i, unsigned with, const tile_sums *late)
+VARIANT void add_densities(const skv_row_sums *to, const tile_sums *late)
 {
+    int i = late->place;
     add_tile(to->density + i, late->sum[0]);
     add_tile(to->near_density + i, late->sum[1]);
-    if (with & WITH_GRADIENT) {
+    if (late->more) {
         add_tile(to->gradient_x + i, late->sum[2]);
         add_tile(to->gradient_y + i, late->sum[3]);
     }
 }
 
-VARIANT void density_row(const skv_rows *s, int row, unsigned with, const skv_boundary *boundary,
-                         float *keep)
+/* Whether one of a tile's particles or of its partners may have a gradient: of all that lie in the
+ * blocks that the loops compute. */
+static __attribute__((noinline)) bool may_have_gradient(const skv_rows *s, int i)
+{
+    int own_end = s->own_end[i / TILE] > i + 1 ? s->own_end[i / TILE] : i + 2;
+    int next_begin = s->next_begin[i / TILE], next_end = s->next_end[i / TILE];
+    bool may = false;
+    for (int e = i / ROW_LANES; e <= (own_end + ROW_LANES - 2) / ROW_LANES; e++)
+        may |= s->graded[e];
+    for (int e = next_begin / ROW_LANES;
+         next_begin < next_end && e <= (next_end + ROW_LANES - 2) / ROW_LANES; e++)
+        may |= s->graded[e];
+    return may;
+}
+
+/* Pass A for a tile and all its partners. Returns where the next tile's pairs are to be kept. */
+VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsigned with,
+                            const tile *t, tile_sums *late, float *keep)
+{
+    const skv_row_sums own = s->own, next = s->next;
+    const int i = t->place, step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
+    density_sums sums[PARTS];
+    EACH(k)
+    {
+        EACH_PART(n)
+        sums[n].density[k] = sums[n].near_density[k] = sums[n].gradient_x[k] =
+            sums[n].gradient_y[k] = wide_set(0);
+    }
+    /* First the partners in the own row, then those in the next: one loop for both, which is
+     * unrolled once. */
+    skv_row_sums to = own;
+    int j = i + 1, last = s->own_end[i / TILE];
+    density_block(p, j, true, with, t, sums, &to, keep);
+    keep += step;
+    j += ROW_LANES;
+    for (bool in_own = true;; in_own = false) {
+        for (; j < last; j += ROW_LANES, keep += step)
+            density_block(p, j, false, with, t, sums, &to, keep);
+        if (!in_own)
+            break;
+        j = s->next_begin[i / TILE];
+        last = s->next_end[i / TILE];
+        to = next;
+    }
+    if (late->place >= 0)
+        add_densities(&own, late);
+    late->place = i;
+    late->more = with & WITH_GRADIENT;
+    sum_densities(late, sums);
+    return keep;
+}
+
+/* Tiles that meet no gradient leave it out: where `with` is known to the compiler in loops of their
+ * own, which the second iteration shares, for it has `graded` false. */
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool known, bool graded,
+                         const skv_boundary *boundary, float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
     const skv_row_sums own = s->own, next = s->next;
-    const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
-    zero_sums(s, &own, row, with);
-    zero_sums(s, &next, row + 1, with);
+    const unsigned plain = with & ~WITH_GRADIENT;
+    zero_sums(s, &own, row, graded);
+    zero_sums(s, &next, row + 1, graded);
     int begin = s->row_start[row], end = s->row_end[row];
-    tile_sums late;
+    tile_sums late = {.place = -1};
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
         t.imaged = with & WITH_IMAGES && meets_images(s, i, false);
         t.images = s->image;
-        density_sums sums[PARTS];
         EACH(k)
         {
             t.x[k] = wide_spread(p->x + i + k, WIDES);
             t.y[k] = wide_spread(p->y + i + k, WIDES);
-            EACH_PART(n)
-            sums[n].density[k] = sums[n].near_density[k] = sums[n].gradient_x[k] =
-                sums[n].gradient_y[k] = wide_set(0);
         }
-        /* First the partners in the own row, then those in the next: one loop for both, which is
-         * unrolled once. */
-        skv_row_sums to = own;
-        int j = i + 1, last = s->own_end[i / TILE];
-        density_block(p, j, true, with, &t, sums, &to, keep);
-        keep += step;
-        j += ROW_LANES;
-        for (bool in_own = true;; in_own = false) {
-            for (; j < last; j += ROW_LANES, keep += step)
-                density_block(p, j, false, with, &t, sums, &to, keep);
-            if (!in_own)
-                break;
-            j = s->next_begin[i / TILE];
-            last = s->next_end[i / TILE];
-            to = next;
-        }
-        if (i > begin)
-            add_densities(&own, i - TILE, with, &late);
-        sum_densities(&late, with, sums);
+        bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
+        if (known && meets)
+            keep = density_tile(s, p, with, &t, &late, keep);
+        else
+            keep = density_tile(s, p, known || !meets ? plain : with, &t, &late, keep);
     }
-    if (begin < end)
-        add_densities(&own, (end - 1) & ~(TILE - 1), with, &late);
+    if (late.place >= 0)
+        add_densities(&own, &late);
 }
 
 /* A row whose pairs have no room, as in the crowds of a splash, or whose walls act by images:
  * one function for all variants, which looks while it runs. */
 static __attribute__((noinline)) void density_any(const skv_rows *s, int row, unsigned with,
-                                                  const skv_boundary *b, float *keep)
+                                                  bool graded, const skv_boundary *b, float *keep)
 {
-    density_row(s, row, with, b, keep);
+    density_row(s, row, with, false, graded, b, keep);
 }
 
-VARIANT void density_variant(const skv_rows *s, int row, unsigned with, const skv_boundary *b,
-                             const skv_row_kept *kept)
+VARIANT void density_variant(const skv_rows *s, int row, unsigned with, bool graded,
+                             const skv_boundary *b, const skv_row_kept *kept)
 {
     if (kept->used >= 0)
-        density_row(s, row, with | KEEP_PAIRS, b, kept->pairs);
+        density_row(s, row, with | KEEP_PAIRS, true, graded, b, kept->pairs);
     else
-        density_any(s, row, with, b, NULL);
+        density_any(s, row, with, graded, b, NULL);
 }
 
 /* The variant that reads the kept pairs, if they had room. */
@@ -238,15 +274,13 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     int blocks = s->row_blocks[row];
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     kept->used = blocks <= kept->room ? blocks : -1;
+    const unsigned calibrated = SMOOTH | WITH_GRADIENT;
     if (c->clavet)
-        density_variant(s, row, 0, b, kept);
+        density_variant(s, row, 0, false, b, kept);
     else if (c->images)
-        density_any(s, row, with_kept(SMOOTH | WITH_IMAGES | (later ? 0u : WITH_GRADIENT), kept), b,
-                    kept->pairs);
-    else if (later)
-        density_variant(s, row, SMOOTH, b, kept);
+        density_any(s, row, with_kept(calibrated | WITH_IMAGES, kept), !later, b, kept->pairs);
     else
-        density_variant(s, row, SMOOTH | WITH_GRADIENT, b, kept);
+        density_variant(s, row, calibrated, !later, b, kept);
 }
 
 /* What the displacement reads of the partners. */
@@ -254,13 +288,6 @@ typedef struct partners {
     const float *push, *near_push, *gradient_x, *gradient_y;
     float sigma, beta; /* of viscosity */
 } partners;
-
-/* Whether one of eight partners has a gradient. */
-V8_INLINE bool has_gradient_at(const partners *others, int j)
-{
-    v8 gx = v8_load(others->gradient_x + j), gy = v8_load(others->gradient_y + j);
-    return v8_any_below(v8_set(0), v8_add(v8_mul(gx, gx), v8_mul(gy, gy)));
-}
 
 /* The tension of a pair: e being the difference of the gradients, d that of the places, q^2 e less
  * 2 (q/r)(e d) d. Leaves the first part in ex, ey and the factor of d in `along`. */
@@ -281,13 +308,13 @@ VARIANT void tension(const partners *others, int j, const pushes *t, const wide 
 /* Adds the impulse of pairs that approach each other to their displacement, which is dx, dy times
  * size: from i to j, in displacement units. */
 VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j, const pushes *t,
-                       const wide *dx, const wide *dy, const wide *r, const wide *q, wide *size)
+                       const wide *dx, const wide *dy, const wide *inverse, const wide *q,
+                       wide *size)
 {
     const wide zero = wide_set(0), one = wide_set(1), half = wide_set(0.5f);
     wide uj = wide_each(part_load(p->u + j)), vj = wide_each(part_load(p->v + j));
     wide sigma = wide_set(others->sigma), beta = wide_set(others->beta);
-    wide inverse[WIDES], w[WIDES], share[WIDES];
-    EACH(k) inverse[k] = wide_div(one, r[k]);
+    wide w[WIDES], share[WIDES];
     EACH(k)
     w[k] = wide_add(wide_mul(wide_sub(t->u[k], uj), dx[k]), wide_mul(wide_sub(t->v[k], vj), dy[k]));
     EACH(k) w[k] = wide_mul(wide_max(w[k], zero), inverse[k]);
@@ -299,12 +326,11 @@ VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j
 
 /* Pass B for a tile and a part of eight partners. Where q is kept, r is 1 - q. */
 VARIANT void displacement_part(const skv_row_particles *p, const partners *others, int j,
-                               bool first, bool has_gradient, unsigned with, const tile *t,
-                               const pushes *pressed, move_sums *sums, const skv_row_moves *to,
-                               const float *keep)
+                               bool first, unsigned with, const tile *t, const pushes *pressed,
+                               move_sums *sums, const skv_row_moves *to, const float *keep)
 {
     const wide one = wide_set(1);
-    wide dx[WIDES], dy[WIDES], r[WIDES], q[WIDES], ratio[WIDES], size[WIDES];
+    wide dx[WIDES], dy[WIDES], r[WIDES], q[WIDES], inverse[WIDES], ratio[WIDES], size[WIDES];
     if (with & KEEP_PAIRS) {
         wide xj = wide_each(part_load(p->x + j)), yj = wide_each(part_load(p->y + j));
         EACH(k) dx[k] = wide_sub(xj, t->x[k]);
@@ -314,19 +340,18 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
         measure(p, j, first, t, dx, dy, r, q);
     }
     EACH(k) r[k] = wide_sub(one, q[k]);
-    EACH(k) ratio[k] = wide_div(q[k], r[k]);
+    /* The one division of a pair, for everything. */
+    EACH(k) inverse[k] = wide_div(one, r[k]);
+    EACH(k) ratio[k] = wide_mul(q[k], inverse[k]);
     wide push = wide_each(part_load(others->push + j)),
          near_push = wide_each(part_load(others->near_push + j));
-    EACH(k) size[k] = wide_mul(wide_add(pressed->near_push[k], near_push), q[k]);
     wide q2[WIDES], ex[WIDES] = {0}, ey[WIDES] = {0}, along[WIDES];
     EACH(k) q2[k] = wide_mul(q[k], q[k]);
-    if (with & SMOOTH) {
-        EACH(k) size[k] = wide_mul(size[k], ratio[k]);
-        EACH(k) size[k] = wide_add(wide_mul(wide_add(pressed->push[k], push), q2[k]), size[k]);
-    } else {
-        EACH(k) size[k] = wide_mul(wide_add(wide_add(pressed->push[k], push), size[k]), ratio[k]);
-    }
-    if (has_gradient) {
+    EACH(k) size[k] = wide_add(pressed->near_push[k], near_push);
+    EACH(k) size[k] = wide_mul(size[k], with & SMOOTH ? inverse[k] : q[k]);
+    EACH(k) size[k] = wide_add(wide_add(pressed->push[k], push), size[k]);
+    EACH(k) size[k] = wide_mul(size[k], with & SMOOTH ? q2[k] : ratio[k]);
+    if (with & WITH_GRADIENT) {
         tension(others, j, pressed, dx, dy, q2, ratio, ex, ey, along);
         EACH(k) size[k] = wide_add(size[k], along[k]);
     }
@@ -334,7 +359,7 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
     if (with & WITH_GAUGE) {
         /* Distance times force. */
         EACH(k) virial[k] = wide_mul(wide_mul(r[k], r[k]), size[k]);
-        if (has_gradient) {
+        if (with & WITH_GRADIENT) {
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ex[k], dx[k]));
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ey[k], dy[k]));
         }
@@ -353,10 +378,10 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
         add_at(to->thrust + j, over_tile(virial));
     }
     if (with & WITH_VISCOSITY)
-        viscosity(p, others, j, pressed, dx, dy, r, q, size);
+        viscosity(p, others, j, pressed, dx, dy, inverse, q, size);
     EACH(k) dx[k] = wide_mul(dx[k], size[k]);
     EACH(k) dy[k] = wide_mul(dy[k], size[k]);
-    if (has_gradient) {
+    if (with & WITH_GRADIENT) {
         EACH(k) dx[k] = wide_sub(dx[k], ex[k]);
         EACH(k) dy[k] = wide_sub(dy[k], ey[k]);
     }
@@ -371,12 +396,9 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
                                 bool first, unsigned with, const tile *t, const pushes *pressed,
                                 move_sums *sums, const skv_row_moves *to, const float *keep)
 {
-    /* Inside the fluid there is none to be had. */
-    bool has_gradient =
-        with & WITH_GRADIENT && (pressed->has_gradient || has_gradient_at(others, j));
     EACH_PART(n)
-    displacement_part(p, others, j + n * PART_LEN, first && n == 0, has_gradient, with, t, pressed,
-                      &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
+    displacement_part(p, others, j + n * PART_LEN, first && n == 0, with, t, pressed, &sums[n], to,
+                      with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
 static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, bool thrust)
@@ -392,118 +414,138 @@ VARIANT void sum_moves(tile_sums *to, const move_sums *sums)
     const move_sums *last = &sums[PARTS - 1];
     sum_lanes(to->sum[0], sums->x, last->x);
     sum_lanes(to->sum[1], sums->y, last->y);
-    if (to->thrusts)
+    if (to->more)
         sum_lanes(to->sum[2], sums->thrust, last->thrust);
 }
 
-VARIANT void add_moves(const skv_row_moves *to, int i, const tile_sums *late)
+VARIANT void add_moves(const skv_row_moves *to, const tile_sums *late)
 {
+    int i = late->place;
     add_tile(to->x + i, late->sum[0]);
     add_tile(to->y + i, late->sum[1]);
-    if (late->thrusts)
+    if (late->more)
         add_tile(to->thrust + i, late->sum[2]);
 }
 
-VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, const skv_row_constants *c,
-                              const skv_boundary *boundary, const float *keep)
+/* Pass B for a tile and all its partners. Returns where the next tile's pairs are kept. */
+VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particles *p,
+                                       const partners *others, unsigned with, const tile *t,
+                                       tile_sums *late, const float *keep)
+{
+    const skv_row_moves own = s->own_move, next = s->next_move;
+    const int i = t->place, step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
+    pushes pressed;
+    move_sums sums[PARTS];
+    EACH(k)
+    {
+        pressed.push[k] = wide_spread(others->push + i + k, WIDES);
+        pressed.near_push[k] = wide_spread(others->near_push + i + k, WIDES);
+        EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].thrust[k] = wide_set(0);
+        pressed.u[k] = pressed.v[k] = wide_set(0);
+        pressed.gradient_x[k] = pressed.gradient_y[k] = wide_set(0);
+        if (with & WITH_VISCOSITY) {
+            pressed.u[k] = wide_spread(p->u + i + k, WIDES);
+            pressed.v[k] = wide_spread(p->v + i + k, WIDES);
+        }
+        if (with & WITH_GRADIENT) {
+            pressed.gradient_x[k] = wide_spread(others->gradient_x + i + k, WIDES);
+            pressed.gradient_y[k] = wide_spread(others->gradient_y + i + k, WIDES);
+        }
+    }
+    skv_row_moves to = own;
+    int j = i + 1, last = s->own_end[i / TILE];
+    displacement_block(p, others, j, true, with, t, &pressed, sums, &to, keep);
+    keep += step;
+    j += ROW_LANES;
+    for (bool in_own = true;; in_own = false) {
+        for (; j < last; j += ROW_LANES, keep += step)
+            displacement_block(p, others, j, false, with, t, &pressed, sums, &to, keep);
+        if (!in_own)
+            break;
+        j = s->next_begin[i / TILE];
+        last = s->next_end[i / TILE];
+        to = next;
+    }
+    if (late->place >= 0)
+        add_moves(&own, late);
+    late->place = i;
+    late->more = with & WITH_GAUGE || t->imaged;
+    sum_moves(late, sums);
+    return keep;
+}
+
+/* As density_row. */
+VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool known, bool graded,
+                              const skv_row_constants *c, const skv_boundary *boundary,
+                              const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
     const partners others = {s->push,       s->near_push,        s->gradient_x,
                              s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
-    const int step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
+    const unsigned plain = with & ~WITH_GRADIENT;
     zero_moves(s, &own, row, with & (WITH_GAUGE | WITH_IMAGES));
     zero_moves(s, &next, row + 1, with & (WITH_GAUGE | WITH_IMAGES));
     int begin = s->row_start[row], end = s->row_end[row];
-    tile_sums late = {.thrusts = false};
+    tile_sums late = {.place = -1};
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i};
         t.imaged = with & WITH_IMAGES && meets_images(s, i, with & WITH_GAUGE);
         t.images = s->image;
         if (!(with & KEEP_PAIRS))
             t.beside = find_thin_wall(p, i, end, boundary);
-        pushes pressed = {.has_gradient = false};
-        move_sums sums[PARTS];
         EACH(k)
         {
             t.x[k] = wide_spread(p->x + i + k, WIDES);
             t.y[k] = wide_spread(p->y + i + k, WIDES);
-            pressed.push[k] = wide_spread(others.push + i + k, WIDES);
-            pressed.near_push[k] = wide_spread(others.near_push + i + k, WIDES);
-            EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].thrust[k] = wide_set(0);
-            if (with & WITH_VISCOSITY) {
-                pressed.u[k] = wide_spread(p->u + i + k, WIDES);
-                pressed.v[k] = wide_spread(p->v + i + k, WIDES);
-            }
-            if (with & WITH_GRADIENT) {
-                pressed.gradient_x[k] = wide_spread(others.gradient_x + i + k, WIDES);
-                pressed.gradient_y[k] = wide_spread(others.gradient_y + i + k, WIDES);
-            }
         }
-        for (int k = i; with & WITH_GRADIENT && k < i + TILE && k < end; k++)
-            pressed.has_gradient =
-                pressed.has_gradient || others.gradient_x[k] != 0 || others.gradient_y[k] != 0;
-        skv_row_moves to = own;
-        int j = i + 1, last = s->own_end[i / TILE];
-        displacement_block(p, &others, j, true, with, &t, &pressed, sums, &to, keep);
-        keep += step;
-        j += ROW_LANES;
-        for (bool in_own = true;; in_own = false) {
-            for (; j < last; j += ROW_LANES, keep += step)
-                displacement_block(p, &others, j, false, with, &t, &pressed, sums, &to, keep);
-            if (!in_own)
-                break;
-            j = s->next_begin[i / TILE];
-            last = s->next_end[i / TILE];
-            to = next;
-        }
-        if (i > begin)
-            add_moves(&own, i - TILE, &late);
-        late.thrusts = with & WITH_GAUGE || t.imaged;
-        sum_moves(&late, sums);
+        bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
+        if (known && meets)
+            keep = displacement_tile(s, p, &others, with, &t, &late, keep);
+        else
+            keep =
+                displacement_tile(s, p, &others, known || !meets ? plain : with, &t, &late, keep);
     }
-    if (begin < end)
-        add_moves(&own, (end - 1) & ~(TILE - 1), &late);
+    if (late.place >= 0)
+        add_moves(&own, &late);
 }
 
 /* As density_any. */
 static __attribute__((noinline)) void displacement_any(const skv_rows *s, int row, unsigned with,
-                                                       const skv_row_constants *c,
+                                                       bool graded, const skv_row_constants *c,
                                                        const skv_boundary *b, const float *keep)
 {
-    displacement_row(s, row, with, c, b, keep);
+    displacement_row(s, row, with, false, graded, c, b, keep);
 }
 
-VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with,
+VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with, bool graded,
                                   const skv_row_constants *c, const skv_boundary *b,
                                   const skv_row_kept *kept)
 {
     if (kept->used >= 0)
-        displacement_row(s, row, with | KEEP_PAIRS, c, b, kept->pairs);
+        displacement_row(s, row, with | KEEP_PAIRS, true, graded, c, b, kept->pairs);
     else
-        displacement_any(s, row, with, c, b, NULL);
+        displacement_any(s, row, with, graded, c, b, NULL);
 }
 
 static void displacement(const skv_rows *s, int row, bool later, const skv_row_constants *c,
                          const skv_boundary *b, const skv_row_kept *kept)
 {
     bool viscous = !later && (c->viscosity_linear > 0 || c->viscosity_quadratic > 0);
-    unsigned with = (c->clavet ? 0u : SMOOTH) | (c->clavet || later ? 0u : WITH_GRADIENT) |
-                    (viscous ? WITH_VISCOSITY : 0u) | (c->images ? WITH_IMAGES : 0u) |
-                    (s->gauged ? WITH_GAUGE : 0u);
+    const unsigned calibrated = SMOOTH | WITH_GRADIENT;
+    unsigned with = (c->clavet ? 0u : calibrated) | (viscous ? WITH_VISCOSITY : 0u) |
+                    (c->images ? WITH_IMAGES : 0u) | (s->gauged ? WITH_GAUGE : 0u);
     /* What most substeps are made of has functions of its own; what the gauge pressure follows
      * from is wanted in the last of a call alone, and makes do with the function for all, as do
      * images. The variants that this spares are 5 KB of the page. */
     if (with == 0)
-        displacement_variant(s, row, 0, c, b, kept);
+        displacement_variant(s, row, 0, false, c, b, kept);
     else if (with == WITH_VISCOSITY)
-        displacement_variant(s, row, WITH_VISCOSITY, c, b, kept);
-    else if (with == SMOOTH)
-        displacement_variant(s, row, SMOOTH, c, b, kept);
-    else if (with == (SMOOTH | WITH_GRADIENT))
-        displacement_variant(s, row, SMOOTH | WITH_GRADIENT, c, b, kept);
+        displacement_variant(s, row, WITH_VISCOSITY, false, c, b, kept);
+    else if (with == calibrated)
+        displacement_variant(s, row, calibrated, !later, c, b, kept);
     else
-        displacement_any(s, row, with_kept(with, kept), c, b, kept->pairs);
+        displacement_any(s, row, with_kept(with, kept), !later, c, b, kept->pairs);
 }
 
 #endif

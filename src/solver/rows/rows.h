@@ -29,9 +29,9 @@ typedef struct skv_row_constants {
     float max_speed;
     float viscosity_linear, viscosity_quadratic;
     float rest_density, push_scale, near_push_scale, push_limit, wall_virial, loose_push;
-    float warm_start, warm_limit, warm_slope, response_slope, response_floor, near_share;
-    float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope, tension_scale,
-        tension_from;
+    float warm_start, warm_limit, warm_most, response_slope, response_floor, near_share;
+    float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope;
+    float tension_scale, tension_from, tension_until;
     float adhesion, leftover_share, image_gradient, image_virial, image_near_virial, grip,
         wall_drag;
     float pressure_scale; /* from the virial to Pa m */

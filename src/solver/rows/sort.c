@@ -177,7 +177,8 @@ static void put_dummies(skv_rows *rows, int row)
     const skv_row_particles *p = &rows->set[!rows->current];
     for (int i = rows->new_end[row]; i < skv_row_padded_end(rows->new_end[row]); i++) {
         p->x[i] = p->y[i] = p->clearance[i] = ROW_FAR;
-        p->u[i] = p->v[i] = p->warm_push[i] = 0;
+        p->u[i] = p->v[i] = 0;
+        p->warm_push[i] = ROW_FAR; /* nobody looks for a gradient because of them */
     }
 }
 

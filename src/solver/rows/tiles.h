@@ -56,7 +56,6 @@ typedef struct tile {
 typedef struct pushes {
     wide push[WIDES], near_push[WIDES], gradient_x[WIDES], gradient_y[WIDES];
     wide u[WIDES], v[WIDES];
-    bool has_gradient; /* that of one of them is not 0 */
 } pushes;
 
 /* The sums for the tile's own particles, over the same part of all partners. */
@@ -98,8 +97,9 @@ V8_INLINE void sum_lanes(float to[TILE], const wide *first, const wide *last)
  * the tiles before; no later tile of the row adds to that. It is added a tile later, when what was
  * stored there has left the processor: a load that waited for it cost 3 to 5 %. */
 typedef struct tile_sums {
+    int place; /* of the tile's first particle; -1: there is none yet */
+    bool more; /* than two sums: gradients, or the displacement's thrust or virial */
     float sum[ROW_SUMS][TILE];
-    bool thrusts; /* of the displacement: there is a thrust or virial among them */
 } tile_sums;
 
 V8_INLINE void add_tile(float *to, const float sum[TILE])
