@@ -179,9 +179,10 @@ void skv_load_rest(skv_world *world, float depth)
     skv_load *l = &world->load;
     if (!is_followed(world))
         return;
-    float load = (float)skv_load_of_depth(gravity_of(world), depth, 0);
-    load = skv_maxf(load, skv_emitted_head(&world->acting));
-    int needed = skv_substep_rule(&world->fluid, (double)(MARGIN * load));
+    float head = skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
+                                 skv_terrain_height(world->terrain));
+    double load = skv_load_of_depth(gravity_of(world), depth, head);
+    int needed = skv_substep_rule(&world->fluid, (double)MARGIN * load);
     if (needed >= l->wanted)
         return;
     l->wanted = needed;

@@ -35,7 +35,7 @@ void skv_load_expect(skv_world *world, int needed);
 /* Particles have been added, the last `count`: their weight will come. */
 void skv_load_add(skv_world *world, int count);
 
-/* All fluid is going to rest, so deep, m: takes what it will come to anyway. */
+/* All fluid is going to rest, so deep, m: takes at once what it would come to by and by. */
 void skv_load_rest(skv_world *world, float depth);
 
 /* After a step that began at `before`, s: follows the load. */

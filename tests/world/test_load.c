@@ -162,6 +162,25 @@ static void calm_water_stays_calm(void **unused)
     skv_world_destroy(both[1]);
 }
 
+/* Settled water begins with what its own depth asks for, unless a force will press it. */
+static void settled_water_begins_with_what_it_needs(void **unused)
+{
+    (void)unused;
+    for (int forced = 0; forced < 2; forced++) {
+        skv_world *world = make_tank(0.0135f, 0, 1);
+        skv_force force = {.area = skv_box(0, 0, 1.6f, 0.9f), .ax = 300};
+        assert_int_equal(skv_world_set_forces(world, &force, forced, NULL), SKV_OK);
+        fixture_fill(world, 0, 0, 1.6f, 0.3f);
+        assert_int_equal(skv_world_settle(world, NULL), SKV_OK);
+        int needed = skv_substep_rule(&world->fluid, skv_load_of_depth(9.81f, 0.3f, 0));
+        if (forced)
+            assert_int_equal(world->load.wanted, world->load.most);
+        else
+            assert_in_range(world->load.wanted, needed, world->load.most - 1);
+        skv_world_destroy(world);
+    }
+}
+
 /* A column is put on calm water: it takes more substeps before its weight has come, and splashes no
  * more than with all of them. */
 static void added_weight_is_expected(void **unused)
@@ -281,6 +300,7 @@ int main(void)
         cmocka_unit_test(lively_fluids_start_cold),
         cmocka_unit_test(water_becomes_calm_while_they_change),
         cmocka_unit_test(calm_water_stays_calm),
+        cmocka_unit_test(settled_water_begins_with_what_it_needs),
         cmocka_unit_test(added_weight_is_expected),
         cmocka_unit_test(falling_water_is_met_with_more),
         cmocka_unit_test(stronger_gravity_is_expected),
