@@ -111,13 +111,15 @@ float dither(vec2 pixel)
     return (fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
 }
 
-// The middle of the pixels about a whole number of `line`, 1 there and 0 elsewhere.
+// The middle of the pixels about a whole number of `line`, 1 there and 0 elsewhere. Not about 0: that
+// is the outline, and in what flies, whose pressure is 0 everywhere, rounding would say where it lies.
 float isoline(float line, float width)
 {
     float a_pixel = max(fwidth(line), 1.0e-5);
     float from_line = abs(fract(line - 0.5) - 0.5) / a_pixel; // pixels
     float crowded = 1.0 - smoothstep(0.08, 0.25, a_pixel);    // too many to tell apart
-    return crowded * (1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, from_line));
+    return step(0.5, abs(line)) * crowded *
+           (1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, from_line));
 }
 
 #ifdef FULL
