@@ -1,9 +1,6 @@
 /* What the pair passes do for walls by images (solver/wall_image.h). Included by pair_passes.h
  * alone. Invariant: where no pair of a tile has an image the sums are those without images, to the
  * last bit.
- *
- * These are functions of their own, once for all variants of the loops, and take copies of what the
- * loops hold in registers.
  */
 #ifndef SKV_ROW_PAIR_IMAGES_H
 #define SKV_ROW_PAIR_IMAGES_H
@@ -45,30 +42,27 @@ static __attribute__((noinline)) bool meets_images(const skv_rows *s, int i, boo
 
 /* q of the images of a tile's pairs, from their own: r'^2 = r^2 + 4 Di Dj. 0 where there is none.
  */
-VARIANT void measure_images(const float *image, int i, int j, const wide *q, wide *seen)
+VARIANT void measure_images(const tile *t, int j, const wide *q, wide *seen)
 {
+    const float *image = t->images;
     const wide one = wide_set(1), zero = wide_set(0), least = wide_set(SKV_LEAST_IMAGE);
     wide partner = wide_mul(wide_set(4), wide_each(part_load(image + j)));
     EACH(k)
     {
-        wide r = wide_sub(one, q[k]), own = wide_spread(image + i + k, WIDES);
+        wide r = wide_sub(one, q[k]), own = wide_spread(image + t->place + k, WIDES);
         r = wide_sqrt(wide_add(wide_mul(r, r), wide_mul(own, partner)));
         seen[k] = wide_max(wide_sub(one, wide_max(r, least)), zero);
     }
 }
 
 /* Adds the images' kernels q^4 and q^3 to those of a tile and a part of its partners. */
-static __attribute__((noinline)) void add_image_kernels(const float *image, int i, int j,
-                                                        const wide q[WIDES], wide kernel[2][WIDES])
+RARE void add_image_kernels(const tile *t, int j, const wide *q, wide *quartic, wide *cubic)
 {
-    wide seen[WIDES];
-    measure_images(image, i, j, q, seen);
-    EACH(k)
-    {
-        wide square = wide_mul(seen[k], seen[k]);
-        kernel[0][k] = wide_add(kernel[0][k], wide_mul(square, square));
-        kernel[1][k] = wide_add(kernel[1][k], wide_mul(square, seen[k]));
-    }
+    wide seen[WIDES], square[WIDES];
+    measure_images(t, j, q, seen);
+    EACH(k) square[k] = wide_mul(seen[k], seen[k]);
+    EACH(k) quartic[k] = wide_add(quartic[k], wide_mul(square[k], square[k]));
+    EACH(k) cubic[k] = wide_add(cubic[k], wide_mul(square[k], seen[k]));
 }
 
 /* Whether a particle is farther than h from walls: 1, else 0. */
@@ -78,34 +72,33 @@ VARIANT wide is_far(wide image)
 }
 
 /* Adds the images' pushes to those of a tile's pairs, along the wall, and sums up their thrust out
- * of it: the partners' here, the tile's in the place of q. Where the gauge pressure is wanted,
- * particles far from walls get the virial instead. */
-static __attribute__((noinline)) void
-add_image_pushes(bool gauged, const float *all_pushes, const float *all_near, const float *image,
-                 int i, int j, wide q[WIDES], const wide *virial, wide size[WIDES], float *thrust)
+ * of it: the partners' here, the tile's in `thrust`. Where the gauge pressure is wanted, particles
+ * far from walls get the virial instead. */
+RARE void add_image_pushes(bool gauged, const pushes *own, wide push, wide near_push, const tile *t,
+                           int j, const wide *q, const wide *virial, wide *size, wide *thrust,
+                           float *partners_thrust)
 {
     const wide one = wide_set(1), two = wide_set(2);
-    wide seen[WIDES], other[WIDES];
-    measure_images(image, i, j, q, seen);
-    wide push = wide_each(part_load(all_pushes + j)),
-         near_push = wide_each(part_load(all_near + j)), partner = wide_each(part_load(image + j));
-    EACH(k)
-    {
-        wide own = wide_spread(image + i + k, WIDES);
-        wide near = wide_add(wide_spread(all_near + i + k, WIDES), near_push);
-        /* For each h of way to the image. */
-        wide each = wide_add(wide_spread(all_pushes + i + k, WIDES), push);
-        each = wide_add(each, wide_div(near, wide_sub(one, seen[k])));
-        each = wide_mul(wide_mul(each, seen[k]), seen[k]);
-        size[k] = wide_add(size[k], each);
-        q[k] = wide_mul(wide_mul(two, each), partner);
-        other[k] = wide_mul(wide_mul(two, each), own);
-        if (gauged) {
-            q[k] = wide_add(q[k], wide_mul(is_far(own), wide_sub(virial[k], q[k])));
-            other[k] = wide_add(other[k], wide_mul(is_far(partner), wide_sub(virial[k], other[k])));
+    const float *image = t->images, *tile_image = image + t->place;
+    wide seen[WIDES], each[WIDES], other[WIDES], partner = wide_each(part_load(image + j));
+    measure_images(t, j, q, seen);
+    EACH(k) each[k] = wide_add(own->near_push[k], near_push);
+    EACH(k) each[k] = wide_div(each[k], wide_sub(one, seen[k]));
+    /* For each h of way to the image. */
+    EACH(k) each[k] = wide_add(wide_add(own->push[k], push), each[k]);
+    EACH(k) each[k] = wide_mul(wide_mul(each[k], seen[k]), seen[k]);
+    EACH(k) size[k] = wide_add(size[k], each[k]);
+    EACH(k) thrust[k] = wide_mul(wide_mul(two, each[k]), partner);
+    EACH(k) other[k] = wide_mul(wide_mul(two, each[k]), wide_spread(tile_image + k, WIDES));
+    if (gauged) {
+        EACH(k)
+        {
+            wide far = is_far(wide_spread(tile_image + k, WIDES)), theirs = is_far(partner);
+            thrust[k] = wide_add(thrust[k], wide_mul(far, wide_sub(virial[k], thrust[k])));
+            other[k] = wide_add(other[k], wide_mul(theirs, wide_sub(virial[k], other[k])));
         }
     }
-    add_at(thrust, over_tile(other));
+    add_at(partners_thrust, over_tile(other));
 }
 
 #endif

@@ -88,15 +88,8 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     if (with & SMOOTH) {
         EACH(k) w[k] = wide_mul(q2[k], q2[k]);
     }
-    if (with & WITH_IMAGES && t->imaged) {
-        wide pairs[WIDES], kernel[2][WIDES];
-        EACH(k) pairs[k] = q[k];
-        EACH(k) kernel[0][k] = w[k];
-        EACH(k) kernel[1][k] = q3[k];
-        add_image_kernels(t->images, t->place, j, pairs, kernel);
-        EACH(k) w[k] = kernel[0][k];
-        EACH(k) q3[k] = kernel[1][k];
-    }
+    if (with & WITH_IMAGES)
+        add_image_kernels(t, j, q, w, q3);
     EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
     EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
     add_at(to->density + j, over_tile(w));
@@ -213,22 +206,38 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
     return keep;
 }
 
+/* The same for what is rare, as in the crowds of a splash or beside walls that act by images: one
+ * function for all variants, which looks while it runs. */
+static __attribute__((noinline)) float *density_any_tile(const skv_rows *s,
+                                                         const skv_row_particles *p, unsigned with,
+                                                         const tile *t, tile_sums *late,
+                                                         float *keep)
+{
+#if FULL_VARIANTS
+    if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES))
+        return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late, keep);
+#endif
+    return density_tile(s, p, with, t, late, keep);
+}
+
 /* Tiles that meet no gradient leave it out: where `with` is known to the compiler in loops of their
- * own, which the second iteration shares, for it has `graded` false. */
-VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool known, bool graded,
+ * own, which the second iteration shares, for it has `graded` false. Without a place to keep pairs,
+ * as in the crowds of a splash, no loop but that for all is taken. */
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images, bool graded,
                          const skv_boundary *boundary, float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
     const skv_row_sums own = s->own, next = s->next;
     const unsigned plain = with & ~WITH_GRADIENT;
+    const bool kept = keep != NULL;
     zero_sums(s, &own, row, graded);
     zero_sums(s, &next, row + 1, graded);
     int begin = s->row_start[row], end = s->row_end[row];
     tile_sums late = {.place = -1};
     for (int i = begin; i < end; i += TILE) {
         tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
-        t.imaged = with & WITH_IMAGES && meets_images(s, i, false);
+        bool imaged = images && meets_images(s, i, false);
         t.images = s->image;
         EACH(k)
         {
@@ -236,36 +245,18 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool known, 
             t.y[k] = wide_spread(p->y + i + k, WIDES);
         }
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
-        if (known && meets)
-            keep = density_tile(s, p, with, &t, &late, keep);
+        if (!kept || imaged)
+            keep = density_any_tile(s, p,
+                                    (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |
+                                        (imaged ? WITH_IMAGES : 0u),
+                                    &t, &late, keep);
+        else if (meets)
+            keep = density_tile(s, p, with | KEEP_PAIRS, &t, &late, keep);
         else
-            keep = density_tile(s, p, known || !meets ? plain : with, &t, &late, keep);
+            keep = density_tile(s, p, plain | KEEP_PAIRS, &t, &late, keep);
     }
     if (late.place >= 0)
         add_densities(&own, &late);
-}
-
-/* A row whose pairs have no room, as in the crowds of a splash, or whose walls act by images:
- * one function for all variants, which looks while it runs. */
-static __attribute__((noinline)) void density_any(const skv_rows *s, int row, unsigned with,
-                                                  bool graded, const skv_boundary *b, float *keep)
-{
-    density_row(s, row, with, false, graded, b, keep);
-}
-
-VARIANT void density_variant(const skv_rows *s, int row, unsigned with, bool graded,
-                             const skv_boundary *b, const skv_row_kept *kept)
-{
-    if (kept->used >= 0)
-        density_row(s, row, with | KEEP_PAIRS, true, graded, b, kept->pairs);
-    else
-        density_any(s, row, with, graded, b, NULL);
-}
-
-/* The variant that reads the kept pairs, if they had room. */
-static unsigned with_kept(unsigned with, const skv_row_kept *kept)
-{
-    return with | (kept->used >= 0 ? KEEP_PAIRS : 0u);
 }
 
 static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
@@ -274,13 +265,11 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     int blocks = s->row_blocks[row];
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     kept->used = blocks <= kept->room ? blocks : -1;
-    const unsigned calibrated = SMOOTH | WITH_GRADIENT;
+    float *keep = kept->used >= 0 ? kept->pairs : NULL;
     if (c->clavet)
-        density_variant(s, row, 0, false, b, kept);
-    else if (c->images)
-        density_any(s, row, with_kept(calibrated | WITH_IMAGES, kept), !later, b, kept->pairs);
+        density_row(s, row, 0, false, false, b, keep);
     else
-        density_variant(s, row, calibrated, !later, b, kept);
+        density_row(s, row, SMOOTH | WITH_GRADIENT, c->images, !later, b, keep);
 }
 
 /* What the displacement reads of the partners. */
@@ -364,14 +353,10 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ey[k], dy[k]));
         }
     }
-    if (with & WITH_IMAGES && t->imaged) {
-        wide thrust[WIDES], shown[WIDES], pushed[WIDES];
-        EACH(k) thrust[k] = q[k];
-        EACH(k) shown[k] = virial[k];
-        EACH(k) pushed[k] = size[k];
-        add_image_pushes(with & WITH_GAUGE, others->push, others->near_push, t->images, t->place, j,
-                         thrust, shown, pushed, to->thrust + j);
-        EACH(k) size[k] = pushed[k];
+    if (with & WITH_IMAGES) {
+        wide thrust[WIDES];
+        add_image_pushes(with & WITH_GAUGE, pressed, push, near_push, t, j, q, virial, size, thrust,
+                         to->thrust + j);
         EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], thrust[k]);
     } else if (with & WITH_GAUGE) {
         EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], virial[k]);
@@ -469,14 +454,26 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
     if (late->place >= 0)
         add_moves(&own, late);
     late->place = i;
-    late->more = with & WITH_GAUGE || t->imaged;
+    late->more = with & (WITH_GAUGE | WITH_IMAGES);
     sum_moves(late, sums);
     return keep;
 }
 
-/* As density_row. */
-VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool known, bool graded,
-                              const skv_row_constants *c, const skv_boundary *boundary,
+/* As density_any_tile. */
+static __attribute__((noinline)) const float *
+displacement_any_tile(const skv_rows *s, const skv_row_particles *p, const partners *others,
+                      unsigned with, const tile *t, tile_sums *late, const float *keep)
+{
+#if FULL_VARIANTS
+    if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES))
+        return displacement_tile(s, p, others, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late, keep);
+#endif
+    return displacement_tile(s, p, others, with, t, late, keep);
+}
+
+/* As density_row; of a rare variant no loop is known. */
+VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool known, bool images,
+                              bool graded, const skv_row_constants *c, const skv_boundary *boundary,
                               const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -484,48 +481,33 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
                              s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const unsigned plain = with & ~WITH_GRADIENT;
-    zero_moves(s, &own, row, with & (WITH_GAUGE | WITH_IMAGES));
-    zero_moves(s, &next, row + 1, with & (WITH_GAUGE | WITH_IMAGES));
+    const bool kept = keep != NULL, thrust = with & WITH_GAUGE || images;
+    zero_moves(s, &own, row, thrust);
+    zero_moves(s, &next, row + 1, thrust);
     int begin = s->row_start[row], end = s->row_end[row];
     tile_sums late = {.place = -1};
     for (int i = begin; i < end; i += TILE) {
-        tile t = {.place = i};
-        t.imaged = with & WITH_IMAGES && meets_images(s, i, with & WITH_GAUGE);
+        tile t = {.place = i, .beside = kept ? NULL : find_thin_wall(p, i, end, boundary)};
+        bool imaged = images && meets_images(s, i, with & WITH_GAUGE);
         t.images = s->image;
-        if (!(with & KEEP_PAIRS))
-            t.beside = find_thin_wall(p, i, end, boundary);
         EACH(k)
         {
             t.x[k] = wide_spread(p->x + i + k, WIDES);
             t.y[k] = wide_spread(p->y + i + k, WIDES);
         }
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
-        if (known && meets)
-            keep = displacement_tile(s, p, &others, with, &t, &late, keep);
+        if (!known || !kept || imaged)
+            keep = displacement_any_tile(s, p, &others,
+                                         (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |
+                                             (imaged ? WITH_IMAGES : 0u),
+                                         &t, &late, keep);
+        else if (meets)
+            keep = displacement_tile(s, p, &others, with | KEEP_PAIRS, &t, &late, keep);
         else
-            keep =
-                displacement_tile(s, p, &others, known || !meets ? plain : with, &t, &late, keep);
+            keep = displacement_tile(s, p, &others, plain | KEEP_PAIRS, &t, &late, keep);
     }
     if (late.place >= 0)
         add_moves(&own, &late);
-}
-
-/* As density_any. */
-static __attribute__((noinline)) void displacement_any(const skv_rows *s, int row, unsigned with,
-                                                       bool graded, const skv_row_constants *c,
-                                                       const skv_boundary *b, const float *keep)
-{
-    displacement_row(s, row, with, false, graded, c, b, keep);
-}
-
-VARIANT void displacement_variant(const skv_rows *s, int row, unsigned with, bool graded,
-                                  const skv_row_constants *c, const skv_boundary *b,
-                                  const skv_row_kept *kept)
-{
-    if (kept->used >= 0)
-        displacement_row(s, row, with | KEEP_PAIRS, true, graded, c, b, kept->pairs);
-    else
-        displacement_any(s, row, with, graded, c, b, NULL);
 }
 
 static void displacement(const skv_rows *s, int row, bool later, const skv_row_constants *c,
@@ -533,19 +515,26 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_row_c
 {
     bool viscous = !later && (c->viscosity_linear > 0 || c->viscosity_quadratic > 0);
     const unsigned calibrated = SMOOTH | WITH_GRADIENT;
+    const float *keep = kept->used >= 0 ? kept->pairs : NULL;
     unsigned with = (c->clavet ? 0u : calibrated) | (viscous ? WITH_VISCOSITY : 0u) |
-                    (c->images ? WITH_IMAGES : 0u) | (s->gauged ? WITH_GAUGE : 0u);
-    /* What most substeps are made of has functions of its own; what the gauge pressure follows
-     * from is wanted in the last of a call alone, and makes do with the function for all, as do
-     * images. The variants that this spares are 5 KB of the page. */
+                    (s->gauged ? WITH_GAUGE : 0u);
+    /* What most substeps are made of has loops of its own. */
     if (with == 0)
-        displacement_variant(s, row, 0, false, c, b, kept);
+        displacement_row(s, row, 0, true, false, false, c, b, keep);
     else if (with == WITH_VISCOSITY)
-        displacement_variant(s, row, WITH_VISCOSITY, false, c, b, kept);
+        displacement_row(s, row, WITH_VISCOSITY, true, false, false, c, b, keep);
     else if (with == calibrated)
-        displacement_variant(s, row, calibrated, !later, c, b, kept);
+        displacement_row(s, row, calibrated, true, c->images, !later, c, b, keep);
+#if FULL_VARIANTS
+    else if (with == (calibrated | WITH_GAUGE))
+        displacement_row(s, row, calibrated | WITH_GAUGE, true, c->images, !later, c, b, keep);
+    else if (with == (WITH_VISCOSITY | WITH_GAUGE))
+        displacement_row(s, row, WITH_VISCOSITY | WITH_GAUGE, true, false, false, c, b, keep);
+    else if (with == WITH_GAUGE)
+        displacement_row(s, row, WITH_GAUGE, true, false, false, c, b, keep);
+#endif
     else
-        displacement_any(s, row, with_kept(with, kept), !later, c, b, kept->pairs);
+        displacement_row(s, row, with, false, c->images, !later, c, b, keep);
 }
 
 #endif

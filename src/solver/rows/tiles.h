@@ -43,12 +43,22 @@ enum {
     WITH_IMAGES = 32
 };
 
+/* Whether all that substeps are often made of has loops of its own. In the page the rarer part of
+ * it makes do with one function that looks while it runs, and with calls: this spares 5 KB of it.
+ */
+#if defined(__wasm__) || defined(SKV_SIMD_SCALAR)
+#define FULL_VARIANTS 0
+#define RARE          static __attribute__((noinline))
+#else
+#define FULL_VARIANTS 1
+#define RARE          VARIANT
+#endif
+
 /* Where the four particles of a tile are, each in all lanes. */
 typedef struct tile {
     wide x[WIDES], y[WIDES];
     int place;                  /* of the first */
     const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
-    bool imaged;                /* images are to be looked for */
     const float *images;        /* of all particles, by place */
 } tile;
 
