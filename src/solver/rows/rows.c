@@ -89,7 +89,7 @@ static void member(int thread, int threads, void *context)
     skv_row_worker w = {.shared = shared, .own = &rows->thread[thread], .thread = thread};
     w.own->walls = (skv_impulse_sum){0};
     double start = skv_clock();
-    skv_rows_load(rows, thread, shared->frame);
+    skv_rows_load(rows, thread, shared->frame, shared->boundary);
     book(rows, thread, ROW_TRANSFER, &start);
     for (int s = 0; s < shared->substeps; s++)
         take_substep(&w, s == 0);

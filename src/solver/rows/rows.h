@@ -60,11 +60,12 @@ typedef struct skv_row_frame {
     int count;
     const uint8_t *part; /* skv_part; null: all move */
     float *x, *y, *vx, *vy;
-    float *clearance;    /* lower bound of the distance to the nearest wall */
-    float *pressure;     /* written only */
-    float *warm_push;    /* solver.h */
-    float length, speed; /* factors from the caller's units to h, h a substep, ... */
-    float push;          /* ... and h a substep squared */
+    float *clearance;     /* lower bound of the distance to the nearest wall */
+    float *pressure;      /* written only */
+    float *warm_push;     /* solver.h */
+    float length, speed;  /* factors from the caller's units to h, h a substep, ... */
+    float push;           /* ... and h a substep squared */
+    float sunk_x, sunk_y; /* how far below their places held ones lie, h */
 } skv_row_frame;
 
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The

@@ -78,6 +78,8 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         pulls[i] = skv_pull_seen(&step->pulls[i], c->h, c->inv_h, c->dt, r->swapped);
     skv_row_constants constants = row_constants(step, &boundary);
     constants.pulls = pulls;
+    /* If each iteration lifts what has fallen by as much as any other. */
+    float sunk = (float)(c->iterations + 1) / (float)(2 * c->iterations);
     skv_row_frame frame = {
         .count = p->count,
         .part = p->part,
@@ -91,6 +93,8 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
         .push = c->dt * c->dt * c->inv_h,
+        .sunk_x = sunk * constants.gravity_x,
+        .sunk_y = sunk * constants.gravity_y,
     };
     skv_impulse given =
         skv_rows_step(r->rows, &frame, step->substeps, &constants, &boundary, step->pool);

@@ -24,9 +24,20 @@ static int part_of(const skv_row_frame *frame, int i)
     return frame->part ? frame->part[i] : SKV_MOVES;
 }
 
+/* What moves has fallen by a substep's gravity when its densities are measured, and is lifted again
+ * in the iterations. What is held in the same water must not lie higher meanwhile: it would push
+ * on what moves above it and part from what moves below, and a pool of which a part falls asleep
+ * would ring. So it lies as low as the others do on average; it is not stored. */
+static void sink_held(const skv_row_particles *p, int k, const skv_row_frame *frame,
+                      const skv_boundary *boundary)
+{
+    skv_boundary_move(boundary, &p->x[k], &p->y[k], frame->sunk_x, frame->sunk_y, &p->clearance[k]);
+}
+
 /* The share is one provisional row, in the order of the particles' numbers; the sort of the first
  * substep, which is stable, puts them where they belong. */
-void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame)
+void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame,
+                   const skv_boundary *boundary)
 {
     const skv_row_particles *p = &rows->set[rows->current];
     skv_row_thread *own = &rows->thread[thread];
@@ -48,6 +59,8 @@ void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame)
         p->clearance[place] = frame->clearance[i] * frame->length;
         p->warm_push[place] = frame->warm_push[i] * frame->push;
         p->number[place] = part == SKV_HELD ? i | ROW_HELD : i;
+        if (part == SKV_HELD)
+            sink_held(p, place, frame, boundary);
         place++;
     }
     rows->row_end[thread] = place;
