@@ -167,6 +167,7 @@ static twin *make_twin(skv_law law, bool images, uint32_t seed)
     t->substep.given = &t->given;
     t->substep.neighbours = &t->lists;
     t->substep.first = true;
+    t->substep.last = seed % 3 > 0;
     return t;
 }
 
@@ -285,7 +286,7 @@ static void check_twin(twin *t)
     assert_close(s->warm_push, o->warm, 5e-6);
 
     skv_pass_displacement(&t->substep, 0, N);
-    oracle_displacement(o);
+    oracle_displacement(o, t->substep.last);
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->dy, o->dy, 1e-5);
     assert_close(s->pressure, o->pressure, 1e-5);

@@ -294,6 +294,14 @@ static void push_off_walls(oracle *o, int i)
     o->dy[i] = y;
 }
 
+/* How dense it is, to the lattice at rest, its own kernel of 1 included; at least 1, at most for a
+ * density of ten times the lattice's. */
+static double fullness(const oracle *o, int i)
+{
+    double rest = oracle_lattice_density(false, o->eta);
+    return (1 + fmax(rest, fmin(o->density[i], 10 * rest))) / (1 + rest);
+}
+
 /* What a wall makes of the virial. */
 static double wall_virial(const oracle *o, int i, double virial)
 {
@@ -305,7 +313,7 @@ static double wall_virial(const oracle *o, int i, double virial)
                          2.0 / 3 * o->near_push[i] * o->wall_near[i]);
 }
 
-void oracle_displacement(oracle *o)
+void oracle_displacement(oracle *o, bool last)
 {
     double h = radius_of(o);
     for (int i = 0; i < o->n; i++) {
@@ -326,6 +334,8 @@ void oracle_displacement(oracle *o)
             virial += (1 - q) * h * size;
         }
         o->pressure[i] += o->fluid_density / (4 * o->dt * o->dt) * wall_virial(o, i, virial);
+        if (last && has_image(o, i))
+            o->pressure[i] *= fullness(o, i);
     }
 }
 

@@ -45,7 +45,8 @@ void oracle_advance(oracle *o, double max_speed);
 void oracle_density(oracle *o, bool gradient);
 /* `first`: iteration, which starts warm. */
 void oracle_pressure(oracle *o, bool first);
-void oracle_displacement(oracle *o);
+/* `last`: iteration, which tells the gauge how dense it is beside images. */
+void oracle_displacement(oracle *o, bool last);
 void oracle_tension(oracle *o);
 void oracle_contact(oracle *o);
 void oracle_correct(oracle *o);

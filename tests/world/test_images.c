@@ -95,7 +95,7 @@ static void single_layers_read_their_depth(void **unused)
     }
     /* Where hardly a particle comes by there is no mean. Without images the floor's layers are up
      * to 21 % off, and the side's 30 %. */
-    expect_true(&floor, 12000.0 * FRAMES, 0.08);
+    expect_true(&floor, 12000.0 * FRAMES, 0.05);
     expect_true(&side, 4000.0 * FRAMES, 0.05);
     skv_world_destroy(world);
 }

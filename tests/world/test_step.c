@@ -81,7 +81,7 @@ static void oracle_substep(oracle *o, skv_solver_kind solver)
     for (int iteration = 0; iteration < o->iterations; iteration++) {
         oracle_density(o, iteration == 0);
         oracle_pressure(o, iteration == 0);
-        oracle_displacement(o);
+        oracle_displacement(o, iteration == o->iterations - 1);
         if (iteration == 0 && !o->clavet)
             oracle_tension(o);
         for (int i = 0; i < o->n && iteration == 0; i++) {

@@ -24,6 +24,7 @@ typedef struct skv_substep {
     const skv_neighbours *neighbours;
     const skv_boundary *boundary;
     bool first;                /* iteration: with gradient and tension, and the warm start */
+    bool last;                 /* iteration: what the gauge adds up is whole */
     skv_shared_impulse *given; /* by walls, in this step */
     skv_reaction *reaction;    /* null: not wanted. Wanted: all on one thread */
 } skv_substep;

@@ -69,6 +69,7 @@ static void take_substep(reference *r)
     update_neighbours(r);                     /* lists of pairs within h: 5 */
     for (int i = 0; i < c->iterations; i++) { /* until the density is right: 6 */
         r->substep.first = i == 0;
+        r->substep.last = i == c->iterations - 1;
         run(r, WALLS, skv_pass_walls);     /* what the solid adds to the sums, and images */
         run(r, DENSITY, skv_pass_density); /* rho, near density and gradient */
         run(r, PRESSURE, c->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated);

@@ -134,9 +134,15 @@ static void add_imaged(const skv_substep *sub, int i, float out)
     s->dx[i] += wall_x;
     s->dy[i] += wall_y;
     skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
-    /* Fluid and images are one body, so it is that of the bulk. */
+    /* Fluid and images are one body, so it is that of the bulk, and goes with how dense the last
+     * iteration finds it, its own W included. */
     float virial = c->image_virial * push + c->image_near_virial * near_push;
     s->pressure[i] += c->pressure_scale * c->h * virial;
+    if (sub->last) {
+        float rest = c->rest_density,
+              density = s->density[i] < 10 * rest ? s->density[i] : 10 * rest;
+        s->pressure[i] *= density > rest ? (density + 1) / (rest + 1) : 1;
+    }
 }
 
 void skv_pass_displacement(const skv_substep *sub, int begin, int end)

@@ -214,24 +214,42 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_row_const
         pressure_calibrated(s, row, later, c);
 }
 
+/* How dense eight particles at i are, to the lattice at rest, one's own W included: all virials go
+ * with it. From what they push, since their densities are gone: P + 4 c N is the pressure alone, in
+ * a later or a cold iteration push_scale (rho - rho0)/R, and R goes with rho. At least 1; at most
+ * of ten times rho0. */
+static v8 fullness(const skv_rows *s, int i, const skv_row_constants *c)
+{
+    const v8 scale = v8_set(c->response_slope / c->push_scale), one = v8_set(1);
+    const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
+    v8 push = v8_mul(v8_set(4 * c->near_share), v8_load(s->near_push + i));
+    push = v8_mul(scale, v8_add(push, v8_load(s->push + i)));
+    v8 excess = v8_min(v8_max(push, v8_set(0)), v8_set(0.9f)); /* (rho - rho0)/rho */
+    return v8_add(one, v8_mul(rest, v8_div(excess, v8_sub(one, excess))));
+}
+
 /* Gauge pressure from the virial of the pairs, summed over the iterations. Fluid and images are one
- * body, so beside walls by images it is what the bulk has at such a pressure. */
+ * body, so beside walls by images it is what the bulk has at such a P and N, and as dense as the
+ * last iteration finds it. */
 static void gauge(const skv_rows *s, int row, int iteration, const skv_row_constants *c)
 {
     const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
     const v8 virial = v8_set(c->image_virial), near_virial = v8_set(c->image_near_virial);
     const float *own = s->own_move.thrust, *next = s->next_move.thrust;
+    const bool last = iteration == c->iterations - 1;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 before = iteration ? v8_load(s->pressure + i) : zero;
-        v8 found = collected(own + i, next + i);
+        v8 found = collected(own + i, next + i), full = v8_set(1);
         if (c->images) {
             v8 beside = v8_add(v8_mul(virial, v8_load(s->push + i)),
                                v8_mul(near_virial, v8_load(s->near_push + i)));
             v8 far = v8_sub(v8_load(s->image + i), v8_set(1));
             far = v8_min(v8_max(far, zero), v8_set(1));
             found = v8_add(beside, v8_mul(far, v8_sub(found, beside)));
+            if (last)
+                full = v8_add(v8_mul(v8_sub(full, far), fullness(s, i, c)), far);
         }
-        v8_store(s->pressure + i, v8_add(before, v8_mul(scale, found)));
+        v8_store(s->pressure + i, v8_mul(full, v8_add(before, v8_mul(scale, found))));
     }
 }
 
