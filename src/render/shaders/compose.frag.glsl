@@ -166,12 +166,19 @@ vec4 fluid_at(vec2 pixel, vec2 point, float wall)
     float slope = max(length(rise), 0.004);
     float depth = (fluid - 1.0) / slope; // pixels below the outline, near it
     float body = smoothstep(1.5, 1.9, fluid); // where a slope has nothing to do with the outline
-    // Nor has one towards a wall that fluid touches: in a corner two walls take from the sum.
-    vec2 ahead = -rise / slope * 0.7 * u_spacing; // view pixels
+    // Nor has one towards a wall that fluid touches: in a corner two walls take from the sum. On its
+    // bisector the slopes are of one wall along x and of the other along y, so there the outline is
+    // looked for where the splats alone grow fewer.
+    vec2 steep = vec2(dFdx(wall), dFdy(wall)), fewer = vec2(dFdx(sums.a), dFdy(sums.a));
+    bool turns = wall < u_spacing && abs(dot(steep, steep) - 1.0) > 0.5;
+    vec2 from = turns ? fewer / max(length(fewer), 1.0e-6) : rise / slope;
+    vec2 ahead = -from * 0.7 * u_spacing; // view pixels
 #ifdef FULL
     float wall_ahead = wall_distance(point + ahead / u_scale) * u_scale;
 #else
-    float wall_ahead = wall + dot(vec2(dFdx(wall), dFdy(wall)), ahead); // if it is straight
+    float wall_ahead = wall + dot(steep, ahead); // if it is straight
+    if (turns)
+        wall_ahead = wall_distance(point + ahead / u_scale) * u_scale;
 #endif
     body = max(body, 1.0 - smoothstep(-0.3, 0.0, wall_ahead / u_spacing));
     float rim = (1.0 - body) * (1.0 - smoothstep(0.4 * u_pixel, 2.0 * u_pixel, depth));
