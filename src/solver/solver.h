@@ -29,8 +29,8 @@ typedef struct skv_solver_def {
     const skv_boundary *boundary;        /* has to outlive the solver */
 } skv_solver_def;
 
-/* What a particle does in a step: nothing; lie there, so that it counts in the sums but stays, and
- * nothing of it is written; or move. */
+/* What a particle does in a step: nothing; lie there, as low as what moves does on average, so that
+ * it counts in the sums but stays, and nothing of it is written; or move. */
 typedef enum skv_part { SKV_ABSENT, SKV_HELD, SKV_MOVES } skv_part;
 
 /* The particles, in the caller's arrays: SI units. */

@@ -3,7 +3,7 @@
  * Space is cut into tiles of 2 h. A particle is restless or calm; a tile is
  *   awake   if it or a tile beside it has a restless particle, or will have one within the call:
  *           its particles are stepped;
- *   held    if it is beside an awake tile: its particles take part as they lie, but do not move;
+ *   held    if it is beside an awake tile: its particles take part where they lie, but do not move;
  *   asleep  otherwise: its particles are not looked at.
  * So around every restless particle at least 2 h of fluid are free to follow it, and the 2 h beyond
  * push back: enough that density and pressure of whatever moves are right.

@@ -193,8 +193,8 @@ static double pressure_step(skv_world *world, float *before)
 }
 
 /* What is held lies where it would if it moved, so the rest hardly feels it. Where it lay as high
- * as substeps end, above what moves, pressures rang by three times what
- * they change by awake, and by images seven times; it is 1.9 now. */
+ * as substeps end, above what moves, pressures changed by three times as much as awake, and with
+ * images by seven times; it is 1.9 now. */
 static void falling_asleep_does_not_shake_the_pool(void **unused)
 {
     (void)unused;
