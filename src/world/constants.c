@@ -17,7 +17,8 @@
 #define CLAVET_LOOSE     0.75  /* of the density at rest; P never is positive at rest, either */
 #define SPEED_OF_SOUND   0.78  /* of the calibrated law, h per substep that starts cold */
 #define WARM_SUBSTEPS    0.75  /* as stiff as one cold one, if they start warm: fewer flicker */
-#define MOST_LIVELY      3.2   /* omega eta^2 of a fluid that starts warm */
+#define MOST_LIVELY      4     /* omega eta^2: what an iteration applies is bounded by it */
+#define WARM_LIVELY      3.2   /* the same of a fluid that starts warm */
 #define WARM_REACH       0.7   /* of the pressure at the expected depth: more is found cold */
 #define WARM_MOST        6     /* pushes that are found, at most; at rest it is up to 1.6 */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
@@ -58,12 +59,21 @@ float skv_contact_distance(const skv_fluid_def *f)
     return (skv_has_images(f) ? 0.5f : 1) * f->contact_distance * f->spacing;
 }
 
+/* The share of a correction that an iteration applies. It takes 0.49 omega eta^2 of the liveliest
+ * waves of the lattice; more than 2 makes them grow, and what meets a wall or itself at speed flies
+ * apart. */
+static double relaxation(const skv_fluid_def *f)
+{
+    double eta = (double)f->radius_ratio, most = MOST_LIVELY / (eta * eta);
+    return (double)f->relaxation < most ? (double)f->relaxation : most;
+}
+
 /* The stiffness k that the calibrated law's relaxation amounts to in the bulk, m/s^2: particles
  * push with k C/2. */
 static double effective_stiffness(const skv_fluid_def *f, double h, double dt, double response)
 {
     double gain = skv_kernel_gain(SKV_KERNEL_SMOOTH);
-    return 2 * (double)f->relaxation * f->iterations * h / (gain * dt * dt * response);
+    return 2 * relaxation(f) * f->iterations * h / (gain * dt * dt * response);
 }
 
 /* sigma of all the fluid's linear viscosity, 1/s. A pair at distance r in a shear flow of rate g
@@ -105,13 +115,12 @@ int skv_substep_rule(const skv_fluid_def *f, double load)
     return whole < 1 ? 1 : whole;
 }
 
-/* Whether a fluid has the margin that warm starts need. What an iteration takes of the liveliest
- * waves, in the lattice at rest, is 0.49 omega eta^2 of them, 1.5 by default; more, or a single
- * iteration, throws the fluid apart in an impact. */
+/* Whether a fluid has the margin that warm starts need. Of the liveliest waves an iteration takes
+ * 1.5 by default; more, or a single iteration, throws the fluid apart in an impact. */
 static bool may_start_warm(const skv_fluid_def *f)
 {
     double liveliest = (double)f->relaxation * (double)f->radius_ratio * (double)f->radius_ratio;
-    return f->law == SKV_LAW_CALIBRATED && f->iterations > 1 && liveliest <= MOST_LIVELY;
+    return f->law == SKV_LAW_CALIBRATED && f->iterations > 1 && liveliest <= WARM_LIVELY;
 }
 
 int skv_warm_substeps(const skv_fluid_def *f, int cold)
@@ -188,7 +197,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     double half = dt * dt * lattice.response / (2 * f->iterations);
     c->rest_density = (float)rest;
     c->warm_most = WARM_MOST;
-    c->push_scale = (float)((double)f->relaxation * h / skv_kernel_gain(SKV_KERNEL_SMOOTH));
+    c->push_scale = (float)(relaxation(f) * h / skv_kernel_gain(SKV_KERNEL_SMOOTH));
     c->response_slope = (float)(lattice.response / rest);
     c->response_floor = (float)lattice.response;
     c->near_push_scale = (float)(half * (double)f->near_stiffness);

@@ -139,7 +139,7 @@ static twin *make_twin(skv_law law, bool images, uint32_t seed)
     o->beta = (double)f->viscosity_quadratic;
     o->friction_a_frame = (double)f->wall_friction;
     o->softness_a_frame = (double)f->wall_softness;
-    o->omega = (double)f->relaxation;
+    o->omega = fmin((double)f->relaxation, 4 / (o->eta * o->eta));
     o->k_near = (double)f->near_stiffness;
     o->k_coh = (double)f->cohesion;
     o->iterations = f->iterations;
