@@ -71,14 +71,14 @@ static skv_world *pool_on(floor_at *floor, double parameter, bool smooth, float 
 typedef struct rest {
     double creep; /* m/s: mean drift along the wall of the particles within h of it */
     double rms;   /* m/s: of all particles, over the time of measuring */
-    double layer; /* particles at the wall, by their weights, per spacing of wall, against rest */
+    double layer; /* particles at the walls, by their weights, against rest */
 } rest;
 
 static rest measure(skv_world *world, double degrees, float level, int frames)
 {
     double angle = degrees * acos(-1) / 180, tx = cos(angle), ty = sin(angle);
     int n = skv_world_particle_count(world);
-    float h = skv_world_smoothing_radius(world), s = skv_world_spacing(world);
+    float h = skv_world_smoothing_radius(world);
     float *x = malloc((size_t)n * sizeof *x), *y = malloc((size_t)n * sizeof *y);
     int near_wall = 0;
     rest result = {0};
@@ -106,10 +106,9 @@ static rest measure(skv_world *world, double degrees, float level, int frames)
             near_wall++;
             result.creep += (double)(p.x[i] - x[i]) * tx + (double)(p.y[i] - y[i]) * ty;
         }
-        result.layer += fixture_wall_weight((double)(distance / s));
     }
     result.creep /= near_wall * (frames / 60.0);
-    result.layer *= (double)s / ((x1 - x0) / cos(angle));
+    result.layer = fixture_wall_layer(world, (double)level - 0.03);
     free(x);
     free(y);
     return result;
