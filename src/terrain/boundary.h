@@ -71,6 +71,24 @@ static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y,
     return share;
 }
 
+/* Lifts the end of a way along a wall as far from it as a move may come: it begins where another was
+ * stopped, and a way that is level but for rounding would end at once or not at all, by how that
+ * falls out. In a corner the wall bends, and most ways are level somewhere. */
+static inline void skv_boundary_lift(const skv_boundary *b, float x, float y, float *dx, float *dy)
+{
+    float from_x = x, from_y = y, to_x = x + *dx, to_y = y + *dy, nx, ny;
+    skv_boundary_to_world(b, &from_x, &from_y);
+    skv_boundary_to_world(b, &to_x, &to_y);
+    float begun = skv_distance_at(b->terrain, from_x, from_y);
+    float level = begun < b->clearance ? begun : b->clearance;
+    float lack = level - skv_normal_at(b->terrain, to_x, to_y, &nx, &ny);
+    if (lack > 0) {
+        skv_boundary_swap(b, &nx, &ny);
+        *dx += lack * b->per_unit * nx;
+        *dy += lack * b->per_unit * ny;
+    }
+}
+
 /* The same; but with `on` what is left of the way after it has met a wall goes on along it, which
  * it writes to (along_x, along_y): fluid that comes to a wall at a slant loses what it had into the
  * wall, and no more. */
@@ -90,6 +108,7 @@ static inline float skv_boundary_slide(const skv_boundary *b, bool on, float *x,
         return made;
     left_x -= in * nx;
     left_y -= in * ny;
+    skv_boundary_lift(b, *x, *y, &left_x, &left_y);
     float share = skv_boundary_move(b, x, y, left_x, left_y, distance);
     *along_x = share * left_x;
     *along_y = share * left_y;
