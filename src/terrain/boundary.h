@@ -71,9 +71,9 @@ static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y,
     return share;
 }
 
-/* Lifts the end of a way along a wall as far from it as a move may come: it begins where another was
- * stopped, and a way that is level but for rounding would end at once or not at all, by how that
- * falls out. In a corner the wall bends, and most ways are level somewhere. */
+/* Lifts the end of a way along a wall as far from it as a move may come: it begins where another
+ * was stopped, and a way that is level but for rounding would end at once or not at all, by how
+ * that falls out. In a corner the wall bends, and most ways are level somewhere. */
 static inline void skv_boundary_lift(const skv_boundary *b, float x, float y, float *dx, float *dy)
 {
     float from_x = x, from_y = y, to_x = x + *dx, to_y = y + *dy, nx, ny;
@@ -82,11 +82,14 @@ static inline void skv_boundary_lift(const skv_boundary *b, float x, float y, fl
     float begun = skv_distance_at(b->terrain, from_x, from_y);
     float level = begun < b->clearance ? begun : b->clearance;
     float lack = level - skv_normal_at(b->terrain, to_x, to_y, &nx, &ny);
-    if (lack > 0) {
-        skv_boundary_swap(b, &nx, &ny);
-        *dx += lack * b->per_unit * nx;
-        *dy += lack * b->per_unit * ny;
-    }
+    if (!(lack > 0))
+        return;
+    /* Distances rise by less than the way towards the middle of a corner. */
+    float rise = skv_distance_at(b->terrain, to_x + lack * nx, to_y + lack * ny) - (level - lack);
+    float lift = rise > 0.5f * lack ? 1.01f * lack * (lack / rise) : 2 * lack;
+    skv_boundary_swap(b, &nx, &ny);
+    *dx += lift * b->per_unit * nx;
+    *dy += lift * b->per_unit * ny;
 }
 
 /* The same; but with `on` what is left of the way after it has met a wall goes on along it, which
