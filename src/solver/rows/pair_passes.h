@@ -245,7 +245,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images,
             t.y[k] = wide_spread(p->y + i + k, WIDES);
         }
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
-        if (!kept || imaged)
+        if (!kept || imaged || (meets && !FULL_VARIANTS))
             keep = density_any_tile(s, p,
                                     (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |
                                         (imaged ? WITH_IMAGES : 0u),
@@ -496,7 +496,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
             t.y[k] = wide_spread(p->y + i + k, WIDES);
         }
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
-        if (!known || !kept || imaged)
+        if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
             keep = displacement_any_tile(s, p, &others,
                                          (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |
                                              (imaged ? WITH_IMAGES : 0u),
