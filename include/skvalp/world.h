@@ -47,8 +47,8 @@ typedef struct skv_fluid_def {
     float viscosity_quadratic;   /**< beta, 1/m: the same, growing with the speed */
     float near_stiffness;        /**< k_near, m/s^2, calibrated law */
     float cohesion;              /**< k_coh, m/s^2, calibrated law */
-    float relaxation;            /**< omega, share of the correction applied, calibrated law; at most
-                                     4 / radius_ratio^2 of it is, above which fluid flies apart */
+    float relaxation;            /**< omega, share of the correction applied, calibrated law;
+                                      4 / radius_ratio^2 at most is */
     int iterations;              /**< relaxation rounds a substep */
     float clavet_stiffness;      /**< k h^-1 dt^2, dimensionless */
     float clavet_near_stiffness; /**< k_near h^-1 dt^2, dimensionless */
