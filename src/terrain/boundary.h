@@ -71,31 +71,6 @@ static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y,
     return share;
 }
 
-/* In a corner, lifts the end of a way along the wall as far from it as a move may come: it begins
- * where another was stopped, and a way that is level but for rounding would end at once or not at
- * all, by how that falls out. The place alone, and in corners alone: lifted everywhere, fluid runs
- * round an orifice's lips, and as a velocity, too, the flow is 6 % too much. */
-static inline void skv_boundary_lift(const skv_boundary *b, float x, float y, float *dx, float *dy)
-{
-    float from_x = x, from_y = y, to_x = x + *dx, to_y = y + *dy, nx, ny;
-    skv_boundary_to_world(b, &from_x, &from_y);
-    skv_boundary_to_world(b, &to_x, &to_y);
-    float begun = skv_distance_at(b->terrain, from_x, from_y);
-    float level = begun < b->clearance ? begun : b->clearance;
-    float lack = level - skv_normal_at(b->terrain, to_x, to_y, &nx, &ny);
-    if (!(lack > 0))
-        return;
-    /* Towards the middle of a corner distances rise by less than the way, elsewhere by all of it.
-     */
-    float rise = skv_distance_at(b->terrain, to_x + lack * nx, to_y + lack * ny) - (level - lack);
-    if (!(rise < 0.9f * lack))
-        return;
-    float lift = rise > 0.5f * lack ? 1.01f * lack * (lack / rise) : 2 * lack;
-    skv_boundary_swap(b, &nx, &ny);
-    *dx += lift * b->per_unit * nx;
-    *dy += lift * b->per_unit * ny;
-}
-
 /* The same; but with `on` what is left of the way after it has met a wall goes on along it, which
  * it writes to (along_x, along_y): fluid that comes to a wall at a slant loses what it had into the
  * wall, and no more. */
@@ -115,9 +90,7 @@ static inline float skv_boundary_slide(const skv_boundary *b, bool on, float *x,
         return made;
     left_x -= in * nx;
     left_y -= in * ny;
-    float lifted_x = left_x, lifted_y = left_y;
-    skv_boundary_lift(b, *x, *y, &lifted_x, &lifted_y);
-    float share = skv_boundary_move(b, x, y, lifted_x, lifted_y, distance);
+    float share = skv_boundary_move(b, x, y, left_x, left_y, distance);
     *along_x = share * left_x;
     *along_y = share * left_y;
     return made;
