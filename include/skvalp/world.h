@@ -48,7 +48,7 @@ typedef struct skv_fluid_def {
     float near_stiffness;        /**< k_near, m/s^2, calibrated law */
     float cohesion;              /**< k_coh, m/s^2, calibrated law */
     float relaxation;            /**< omega, share of the correction applied, calibrated law;
-                                      4 / radius_ratio^2 at most is */
+                                      more than 4 / radius_ratio^2 acts as that */
     int iterations;              /**< relaxation rounds a substep */
     float clavet_stiffness;      /**< k h^-1 dt^2, dimensionless */
     float clavet_near_stiffness; /**< k_near h^-1 dt^2, dimensionless */

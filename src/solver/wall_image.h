@@ -28,6 +28,9 @@
 /* Keeps r' above 0. */
 #define SKV_LEAST_IMAGE 1e-6f
 
+/* The gauge takes a fluid beside images for so many times as dense as at rest, at most. */
+#define SKV_DENSEST 10.0f
+
 /* D where a particle touches a wall, and where it is free of it: the first layer lies at 0.11, the
  * second at 0.43. */
 #define SKV_TOUCH 0.067f

@@ -67,7 +67,7 @@ NUMBER(FLUID_NEAR_STIFFNESS, "fluid.near_stiffness", fluid.near_stiffness, "m/s^
 NUMBER(FLUID_COHESION, "fluid.cohesion", fluid.cohesion, "m/s^2", 0, 500, 78.48, true,
        "calibrated law: 39 splashes, 235 clings")
 NUMBER(FLUID_RELAXATION, "fluid.relaxation", fluid.relaxation, "", 0.05, 0.4, 0.35, true,
-       "calibrated law: share of the correction applied in a round; at most 4/radius_ratio^2 is")
+       "calibrated law: share of the correction applied in a round, 4/radius_ratio^2 at most")
 WHOLE_BY_LAW(FLUID_ITERATIONS, "fluid.iterations", fluid.iterations, "", 1, 8, 2, 1, true,
              "relaxation rounds a substep")
 NUMBER(FLUID_CLAVET_STIFFNESS, "fluid.clavet_stiffness", fluid.clavet_stiffness, "", 0, 0.02,

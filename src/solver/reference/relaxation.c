@@ -139,8 +139,8 @@ static void add_imaged(const skv_substep *sub, int i, float out)
     float virial = c->image_virial * push + c->image_near_virial * near_push;
     s->pressure[i] += c->pressure_scale * c->h * virial;
     if (sub->last) {
-        float rest = c->rest_density,
-              density = s->density[i] < 10 * rest ? s->density[i] : 10 * rest;
+        float rest = c->rest_density, most = SKV_DENSEST * rest;
+        float density = s->density[i] < most ? s->density[i] : most;
         s->pressure[i] *= density > rest ? (density + 1) / (rest + 1) : 1;
     }
 }

@@ -216,15 +216,14 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_row_const
 
 /* How dense eight particles at i are, to the lattice at rest, one's own W included: all virials go
  * with it. From what they push, since their densities are gone: P + 4 c N is the pressure alone, in
- * a later or a cold iteration push_scale (rho - rho0)/R, and R goes with rho. At least 1; at most
- * of ten times rho0. */
+ * a later or a cold iteration push_scale (rho - rho0)/R, and R goes with rho. At least 1. */
 static v8 fullness(const skv_rows *s, int i, const skv_row_constants *c)
 {
     const v8 scale = v8_set(c->response_slope / c->push_scale), one = v8_set(1);
     const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
     v8 push = v8_mul(v8_set(4 * c->near_share), v8_load(s->near_push + i));
     push = v8_mul(scale, v8_add(push, v8_load(s->push + i)));
-    v8 excess = v8_min(v8_max(push, v8_set(0)), v8_set(0.9f)); /* (rho - rho0)/rho */
+    v8 excess = v8_min(v8_max(push, v8_set(0)), v8_set(1 - 1 / SKV_DENSEST)); /* (rho - rho0)/rho */
     return v8_add(one, v8_mul(rest, v8_div(excess, v8_sub(one, excess))));
 }
 

@@ -44,7 +44,7 @@ enum {
 };
 
 /* Whether all that substeps are often made of has loops of its own. In the page the rarer part of
- * it makes do with one function that looks while it runs, and with calls: this spares 5 KB of it.
+ * it makes do with one function that looks while it runs, and with calls, which makes it smaller.
  */
 #if defined(__wasm__) || defined(SKV_SIMD_SCALAR)
 #define FULL_VARIANTS 0
