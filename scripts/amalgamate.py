@@ -106,7 +106,7 @@ def file_local_names(text):
     the project's prefix are the same thing everywhere."""
     bare = re.sub(OPAQUE, " ", text, flags=re.S)
     names = set(re.findall(r"^[ \t]*#[ \t]*define[ \t]+(\w+)", bare, re.M))
-    names |= set(re.findall(r"^(?:static|V8_INLINE|VARIANT)\b[^=;({]*?\b(\w+)(?:\[[^=;]*\])?\s*(?:\(|=|;)",
+    names |= set(re.findall(r"^(?:static|V8_INLINE|VARIANT|RARE)\b[^=;({]*?\b(\w+)(?:\[[^=;]*\])?\s*(?:\(|=|;)",
                             re.sub(r"__attribute__\(\(\w+\)\)", "", bare), re.M))
     names |= set(re.findall(r"^(?:typedef )?(?:struct|union|enum) (\w+) \{", bare, re.M))
     names |= set(re.findall(r"^typedef [^{};]*?\b(\w+)(?:\([^;]*\)|\[[^;]*\])?;", bare, re.M))
