@@ -2,7 +2,8 @@
  *
  * The difference of the levels is held by tilting gravity until the water is calm; then gravity
  * turns upright. The level of an arm is its content over its width. Period from the first four half
- * swings; the final difference of the levels from gauges, over two seconds after all swinging.
+ * swings; the final difference of the levels from gauges, over a whole swing after all that can be
+ * seen: what is left of them then cancels.
  * Theory gets the level that the gauges read then: the fill keeps a little away from walls and its
  * weight compresses it, so it stands lower than the shapes that were filled.
  */
@@ -12,12 +13,12 @@
 
 #include <math.h>
 
-enum { WAIT = 4, PERIODS = 7, HALF_SWINGS = 4, END = 2, GAUGES = 5, MAX_SAMPLES = 4000 };
+enum { WAIT = 4, PERIODS = 10, HALF_SWINGS = 4, GAUGES = 5, MAX_SAMPLES = 4000 };
 enum { ARM, GAP, LEVEL, HEAD };
 enum { C_ARM, C_GAP, C_LEVEL, C_GRAVITY, C_HEAD, C_TIME };
 
 typedef struct tube {
-    double arm, gap, level, head, width, height, gravity;
+    double arm, gap, level, head, width, height, gravity, end;
     skv_instrument content[2], gauges[2][GAUGES];
 } tube;
 
@@ -55,7 +56,7 @@ static void add_instruments(stage *s, tube *t)
         for (int i = 0; i < GAUGES; i++) {
             double at = x + t->arm * (i + 1) / (GAUGES + 1);
             t->gauges[side][i] =
-                skv_stage_add(s, SKV_INSTRUMENT_LEVEL, at, t->arm / 2, at, t->height, END);
+                skv_stage_add(s, SKV_INSTRUMENT_LEVEL, at, t->arm / 2, at, t->height, t->end);
         }
     }
 }
@@ -98,9 +99,10 @@ static void measure(stage *s, findings *found)
               .level = skv_stage_length(s, LEVEL),
               .head = skv_stage_length(s, HEAD),
               .gravity = skv_stage_gravity(s)};
+    t.end = skv_theory_u_tube_period(t.gravity, skv_theory_inertial_length(t.arm, t.gap, t.level));
     /* Long enough in any case: by the centre line's length. */
     double watch =
-        fmin(PERIODS * skv_theory_u_tube_period(t.gravity, 2 * t.level + t.gap), 60) + END;
+        fmin(PERIODS * skv_theory_u_tube_period(t.gravity, 2 * t.level + t.gap), 60) + t.end;
     s->total = WAIT + watch;
     build(s, &t);
     skv_stage_wait(s, WAIT);

@@ -12,6 +12,9 @@ typedef struct skv_constants {
     float h, inv_h, h_squared;
     float dt, inv_dt;
     float max_speed; /* clamp at the advance, m/s */
+    /* How far pairs lie behind the particles, per way of the substep, at most, and how much of that
+     * per square of the speed, s^2/m^2: skv_pass_lag. */
+    float pair_lag, lag_rise;
 
     float viscosity_linear, viscosity_quadratic; /* sigma 1/s, beta 1/m */
 

@@ -1,5 +1,5 @@
-/* Walls by images: what stands behind a wall for the fluid before it; the same in both solvers. On
- * trial, by the parameter fluid.wall_images; docs/walls.md tells what it measures and what is open.
+/* Walls by images: what stands behind a wall for the fluid before it; the same in both solvers. By
+ * the parameter fluid.wall_images; docs/walls.md tells what it measures.
  *
  * Fluid before a flat wall moves without friction as if it went on behind it as its mirror image.
  * So every particle beside a wall meets, besides its partners, their images and its own. With

@@ -71,6 +71,20 @@ static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y,
     return share;
 }
 
+/* How much of a way along a wall a corner leaves, 1: all, 0: nothing, at a point in the world's
+ * axes with the wall's normal there. In a corner the wall bends towards the way, which would end at
+ * once or not at all by how its start was rounded: the two walls stop it together. What bends as a
+ * circle of ten pixels is no corner yet, what does as one of three is one. */
+static inline float skv_boundary_straight(const skv_boundary *b, float x, float y, float nx,
+                                          float ny)
+{
+    float pixel = b->terrain->pixel_size, tx = -pixel * ny, ty = pixel * nx;
+    float aside =
+        skv_distance_at(b->terrain, x + tx, y + ty) + skv_distance_at(b->terrain, x - tx, y - ty);
+    float bend = (2 * skv_distance_at(b->terrain, x, y) - aside) * b->terrain->per_metre;
+    return skv_clamp(1.5f - 5 * bend, 0, 1);
+}
+
 /* The same; but with `on` what is left of the way after it has met a wall goes on along it, which
  * it writes to (along_x, along_y): fluid that comes to a wall at a slant loses what it had into the
  * wall, and no more. */
@@ -84,8 +98,9 @@ static inline float skv_boundary_slide(const skv_boundary *b, bool on, float *x,
     float wx = *x, wy = *y, nx, ny;
     skv_boundary_to_world(b, &wx, &wy);
     skv_normal_at(b->terrain, wx, wy, &nx, &ny);
+    float left = (1 - made) * skv_boundary_straight(b, wx, wy, nx, ny);
     skv_boundary_swap(b, &nx, &ny);
-    float left_x = (1 - made) * dx, left_y = (1 - made) * dy, in = left_x * nx + left_y * ny;
+    float left_x = left * dx, left_y = left * dy, in = left_x * nx + left_y * ny;
     if (!(in < 0))
         return made;
     left_x -= in * nx;

@@ -22,6 +22,8 @@
 #define WARM_REACH       0.7   /* of the pressure at the expected depth: more is found cold */
 #define WARM_MOST        6     /* pushes that are found, at most; at rest it is up to 1.6 */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
+#define PAIR_LAG         0.55f /* of the way: waves and jets lose half of what they would */
+#define LAG_FROM         0.006 /* h per substep, from which on it is whole: what rests stays calm */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
 #define MOST_SUBSTEPS    1000  /* a frame, as in a definition */
@@ -195,6 +197,8 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     double rest = lattice.density, cohesion = (double)f->cohesion;
     /* A displacement in each iteration that amounts to half an acceleration of 1 in the bulk. */
     double half = dt * dt * lattice.response / (2 * f->iterations);
+    c->pair_lag = PAIR_LAG;
+    c->lag_rise = (float)(dt * dt / (LAG_FROM * LAG_FROM * h * h));
     c->rest_density = (float)rest;
     c->warm_most = WARM_MOST;
     c->push_scale = (float)(relaxation(f) * h / skv_kernel_gain(SKV_KERNEL_SMOOTH));

@@ -46,10 +46,11 @@ static surroundings look_around(const skv_world *world, const skv_neighbours *li
     surroundings around = {0};
     double gx = 0, gy = 0;
     const skv_state *s = &world->state;
-    const skv_pass_data data = {.count = s->count, .x = s->x, .y = s->y, .id = s->id};
     for (int k = lists->start[i]; k < lists->start[i + 1]; k++) {
+        int j = lists->list[k];
         skv_pair pair;
-        if (!skv_pair_of(&data, constants, i, lists->list[k], &pair))
+        if (!skv_pair_apart(constants, s->x[j] - s->x[i], s->y[j] - s->y[i], s->id[i], s->id[j],
+                            &pair))
             continue;
         around.neighbours += 1;
         double q = (double)pair.q, force = skv_kernel_force(kernel, q);

@@ -82,8 +82,8 @@ NUMBER(FLUID_WALL_SOFTNESS, "fluid.wall_softness", fluid.wall_softness, "", 0.1,
        "share of a penetration corrected in 1/60 s")
 NUMBER_BY_LAW(FLUID_CONTACT_DISTANCE, "fluid.contact_distance", fluid.contact_distance, "", 0, 1,
               0.2, 0.3, true, "contact with a wall begins so many spacings away")
-FLAG(FLUID_WALL_IMAGES, "fluid.wall_images", fluid.wall_images, false, false,
-     "calibrated law: walls that do not drag, by images (on trial)")
+FLAG(FLUID_WALL_IMAGES, "fluid.wall_images", fluid.wall_images, true, false,
+     "calibrated law: walls that do not drag, by images")
 NUMBER(FLUID_ADHESION, "fluid.adhesion", fluid.adhesion, "", 0, 1, 0, true,
        "walls by images: share of their pull that holds fluid up against gravity")
 

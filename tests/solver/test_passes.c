@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-enum { N = 400, ROUNDS = 8, ARRAYS = 29 };
+enum { N = 400, ROUNDS = 8, ARRAYS = 31 };
 
 static uint32_t random_state;
 
@@ -42,11 +42,13 @@ static void bind_arrays(twin *t)
 {
     skv_pass_data *s = &t->substep.data;
     float **arrays[ARRAYS] = {
-        &s->x,     &s->y,         &s->vx,       &s->vy,           &s->wx,         &s->wy,
-        &s->dx,    &s->dy,        &s->density,  &s->near_density, &s->gradient_x, &s->gradient_y,
-        &s->push,  &s->near_push, &s->pressure, &s->wall_near,    &s->f1x,        &s->wall_density,
-        &s->f1y,   &s->f2x,       &s->f2y,      &s->clearance,    &s->normal_x,   &s->normal_y,
-        &s->depth, &s->warm_push, &s->image,    &s->facing_x,     &s->facing_y,
+        &s->x,          &s->y,          &s->vx,           &s->vy,        &s->wx,
+        &s->wy,         &s->dx,         &s->dy,           &s->density,   &s->near_density,
+        &s->gradient_x, &s->gradient_y, &s->push,         &s->near_push, &s->pressure,
+        &s->wall_near,  &s->f1x,        &s->wall_density, &s->f1y,       &s->f2x,
+        &s->f2y,        &s->clearance,  &s->normal_x,     &s->normal_y,  &s->depth,
+        &s->warm_push,  &s->image,      &s->facing_x,     &s->facing_y,  &s->behind_x,
+        &s->behind_y,
     };
     for (int a = 0; a < ARRAYS; a++)
         *arrays[a] = t->memory[a];
@@ -94,10 +96,9 @@ static void randomise(twin *t)
 }
 
 /* Takes out of the lists the pairs that the oracle's thin wall parts. */
-static void cut_at_wall(twin *t)
+static void cut_at_wall(twin *t, const float *x)
 {
     skv_neighbours *lists = &t->lists;
-    const float *x = t->substep.data.x;
     double wall = t->o.wall_x;
     int kept = 0;
     for (int i = 0, from = 0; i < N; i++) {
@@ -108,6 +109,23 @@ static void cut_at_wall(twin *t)
         from = end;
         lists->start[i + 1] = kept;
     }
+}
+
+/* The lists of the pairs where they are taken. */
+static void list_pairs(twin *t)
+{
+    const skv_pass_data *s = &t->substep.data;
+    float x[N], y[N];
+    for (int i = 0; i < N; i++) {
+        x[i] = s->x[i] - s->behind_x[i];
+        y[i] = s->y[i] - s->behind_y[i];
+    }
+    for (int round = 0; round < 2; round++) {
+        assert_int_equal(skv_neighbours_reserve(&t->lists, N, NULL), SKV_OK);
+        skv_neighbours_build(&t->lists, x, y, N, t->constants.h, NULL);
+    }
+    if (t->o.walled)
+        cut_at_wall(t, x);
 }
 
 static twin *make_twin(skv_law law, bool images, uint32_t seed)
@@ -156,13 +174,7 @@ static twin *make_twin(skv_law law, bool images, uint32_t seed)
         SKV_OK);
     o->walled = seed % 2 == 0;
     o->wall_x = 10 * (double)f->spacing;
-    for (int round = 0; round < 2; round++) {
-        assert_int_equal(skv_neighbours_reserve(&t->lists, N, NULL), SKV_OK);
-        skv_neighbours_build(&t->lists, t->substep.data.x, t->substep.data.y, N, t->constants.h,
-                             NULL);
-    }
-    if (o->walled)
-        cut_at_wall(t);
+    list_pairs(t);
     t->substep.constants = &t->constants;
     t->substep.given = &t->given;
     t->substep.neighbours = &t->lists;
@@ -249,6 +261,7 @@ static void check_twin(twin *t)
     assert_close(s->vy, o->vy, 2e-6);
 
     skv_pass_viscosity(&t->substep, 0, N);
+    oracle_take_pairs(o, 0);
     oracle_viscosity(o);
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->dy, o->dy, 1e-5);
@@ -264,6 +277,9 @@ static void check_twin(twin *t)
     assert_close(s->dx, o->dx, 1e-5);
     assert_close(s->vy, o->vy, 1e-5);
 
+    skv_pass_lag(&t->substep, 0, N);
+    oracle_take_pairs(o, o->clavet ? 0 : ORACLE_LAG);
+    list_pairs(t);
     skv_pass_density(&t->substep, 0, N);
     oracle_density(o, !o->clavet);
     assert_close(s->density, o->density, 2e-6);
@@ -352,6 +368,8 @@ static void pair_passes_keep_momentum(void **unused)
             if (pass == 0) {
                 skv_pass_viscosity(&t->substep, 0, N);
             } else {
+                skv_pass_lag(&t->substep, 0, N);
+                list_pairs(t);
                 skv_pass_density(&t->substep, 0, N);
                 (law == SKV_LAW_CLAVET ? skv_pass_pressure_clavet
                                        : skv_pass_pressure_calibrated)(&t->substep, 0, N);

@@ -106,23 +106,30 @@ skv_world *fixture_blob(skv_law law, skv_solver_kind solver, float viscosity)
     return world;
 }
 
+double fixture_wall_weight(double distance)
+{
+    return fmin(1, fmax(0, 1 - 0.5 * distance));
+}
+
 double fixture_wall_layer(const skv_world *world, double level)
 {
     const skv_terrain *terrain = skv_world_terrain(world);
     float s = skv_world_spacing(world), top = (float)level - 3 * skv_world_smoothing_radius(world);
     skv_particles p = skv_world_particles(world);
-    int particles = 0, points = 0;
+    double particles = 0, points = 0;
     for (int i = 0; i < p.count; i++)
-        particles += p.y[i] < top && skv_terrain_distance(terrain, p.x[i], p.y[i]) < s;
+        if (p.y[i] < top)
+            particles +=
+                fixture_wall_weight((double)(skv_terrain_distance(terrain, p.x[i], p.y[i]) / s));
     const int parts = 8; /* sample points a spacing */
     float step = s / (float)parts;
     for (float y = 0.5f * step; y < top; y += step) {
         for (float x = 0.5f * step; x < skv_terrain_width(terrain); x += step) {
             float distance = skv_terrain_distance(terrain, x, y);
-            points += distance > 0 && distance < s;
+            points += distance > 0 ? fixture_wall_weight((double)(distance / s)) : 0;
         }
     }
-    return (double)particles * parts * parts / points;
+    return particles * parts * parts / points;
 }
 
 void fixture_expect_same_substep(skv_world *fast, skv_world *slow)

@@ -12,10 +12,10 @@ static double radius_of(const oracle *o)
 
 static double pair_at(const oracle *o, int i, int j, double *ux, double *uy)
 {
-    double dx = o->x[j] - o->x[i], dy = o->y[j] - o->y[i], r = hypot(dx, dy);
+    double dx = o->px[j] - o->px[i], dy = o->py[j] - o->py[i], r = hypot(dx, dy);
     *ux = dx / r;
     *uy = dy / r;
-    if (o->walled && (o->x[i] < o->wall_x) != (o->x[j] < o->wall_x))
+    if (o->walled && (o->px[i] < o->wall_x) != (o->px[j] < o->wall_x))
         return 0;
     return fmax(0, 1 - r / radius_of(o));
 }
@@ -54,7 +54,7 @@ static double image_at(const oracle *o, int i, int j, double dx, double dy, bool
 {
     if (!has_image(o, i) || !has_image(o, j))
         return 0;
-    double x = o->x[j] - o->x[i] - (along ? dx : 0), y = o->y[j] - o->y[i] - (along ? dy : 0);
+    double x = o->px[j] - o->px[i] - (along ? dx : 0), y = o->py[j] - o->py[i] - (along ? dy : 0);
     double h = radius_of(o), out = along ? o->image[i] : image_distance(o, i, dx, dy);
     return fmax(0, 1 - sqrt(x * x / h / h + y * y / h / h + 4 * out * o->image[j]));
 }
@@ -181,6 +181,28 @@ static double deep_push(const oracle *o)
     return o->iterations * step / lattice_response(o->eta) / (1 - o->warm_start);
 }
 
+void oracle_take_pairs(oracle *o, double lag)
+{
+    for (int i = 0; i < o->n; i++) {
+        double way_x = o->dt * o->vx[i] + o->wx[i], way_y = o->dt * o->vy[i] + o->wy[i];
+        double slow = fmin(1, pow(hypot(way_x, way_y) / (0.006 * radius_of(o)), 2));
+        o->px[i] = o->x[i] - lag * slow * way_x;
+        o->py[i] = o->y[i] - lag * slow * way_y;
+    }
+}
+
+/* What the density of a pair and of its images, each with its q, gains until they are where the
+ * particles are: their slopes times what their distances will have changed by, of which r dr is the
+ * same. */
+static double gain_ahead(const oracle *o, int i, int j, double q, double image)
+{
+    double h = radius_of(o), x = o->px[j] - o->px[i], y = o->py[j] - o->py[i];
+    double way_x = o->x[j] - o->x[i] - x, way_y = o->y[j] - o->y[i] - y;
+    double change = (x * way_x + y * way_y) / h / h;
+    double gain = kernel_slope(o->clavet, 1 - q) * change / (1 - q);
+    return gain + (image > 0 ? kernel_slope(o->clavet, 1 - image) * change / (1 - image) : 0);
+}
+
 void oracle_density(oracle *o, bool gradient)
 {
     for (int i = 0; i < o->n; i++) {
@@ -200,6 +222,7 @@ void oracle_density(oracle *o, bool gradient)
                 continue;
             double image = image_at(o, i, j, 0, 0, true);
             o->density[i] += kernel(o->clavet, 1 - q) + kernel(o->clavet, 1 - image);
+            o->density[i] += gain_ahead(o, i, j, q, image);
             o->near_density[i] += pow(q, 3) + pow(image, 3);
             o->gx[i] += gradient ? force(o->clavet, 1 - q) * ux : 0;
             o->gy[i] += gradient ? force(o->clavet, 1 - q) * uy : 0;

@@ -11,6 +11,7 @@ typedef struct oracle {
     int n;
     double x[ORACLE_MAX], y[ORACLE_MAX], vx[ORACLE_MAX], vy[ORACLE_MAX];
     double wx[ORACLE_MAX], wy[ORACLE_MAX], dx[ORACLE_MAX], dy[ORACLE_MAX];
+    double px[ORACLE_MAX], py[ORACLE_MAX]; /* where pairs are taken */
     double density[ORACLE_MAX], near_density[ORACLE_MAX], gx[ORACLE_MAX], gy[ORACLE_MAX];
     double push[ORACLE_MAX], near_push[ORACLE_MAX], pressure[ORACLE_MAX];
     double warm[ORACLE_MAX]; /* of the pressure term in the last substep, m/s^2 */
@@ -42,6 +43,10 @@ typedef struct oracle_hand {
 void oracle_external_forces(oracle *o, const oracle_hand *hand);
 void oracle_viscosity(oracle *o);
 void oracle_advance(oracle *o, double max_speed);
+/* From now on pairs are taken so much of the substep's way behind where the particles are,
+ * less of it where they hardly move; and how much that is by the calibrated law. */
+#define ORACLE_LAG 0.55
+void oracle_take_pairs(oracle *o, double lag);
 void oracle_density(oracle *o, bool gradient);
 /* `first`: iteration, which starts warm. */
 void oracle_pressure(oracle *o, bool first);

@@ -129,7 +129,7 @@ static void water_becomes_calm_while_they_change(void **unused)
     skv_world *world = make_tank(0.0155f, 0, 1);
     fixture_fill(world, 0, 0, 1.6f, 0.45f);
     int before = skv_world_substeps_per_frame(world), first = before;
-    for (int f = 0; f < 420; f++) {
+    for (int f = 0; f < FIXTURE_SWING(7); f++) {
         fixture_run(world, 1);
         int now = skv_world_substeps_per_frame(world);
         assert_true(f < 120 || now <= before);

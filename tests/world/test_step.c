@@ -64,6 +64,7 @@ static void oracle_substep(oracle *o, skv_solver_kind solver)
     bool early = solver == SKV_SOLVER_REFERENCE;
     oracle_external_forces(o, NULL);
     if (early) {
+        oracle_take_pairs(o, 0);
         oracle_viscosity(o);
         for (int i = 0; i < o->n; i++) {
             o->vx[i] += o->dx[i];
@@ -72,6 +73,8 @@ static void oracle_substep(oracle *o, skv_solver_kind solver)
     }
     oracle_advance(o, 0.9 * h / o->dt);
     add_moves(o);
+    const double lag = o->clavet ? 0 : ORACLE_LAG;
+    oracle_take_pairs(o, lag);
     static double late_x[ORACLE_MAX], late_y[ORACLE_MAX];
     oracle_viscosity(o);
     for (int i = 0; i < o->n; i++) {
@@ -79,6 +82,7 @@ static void oracle_substep(oracle *o, skv_solver_kind solver)
         late_y[i] = early ? 0 : o->dy[i] * o->dt;
     }
     for (int iteration = 0; iteration < o->iterations; iteration++) {
+        oracle_take_pairs(o, lag);
         oracle_density(o, iteration == 0);
         oracle_pressure(o, iteration == 0);
         oracle_displacement(o, iteration == o->iterations - 1);

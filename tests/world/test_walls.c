@@ -71,16 +71,16 @@ static skv_world *pool_on(floor_at *floor, double parameter, bool smooth, float 
 typedef struct rest {
     double creep; /* m/s: mean drift along the wall of the particles within h of it */
     double rms;   /* m/s: of all particles, over the time of measuring */
-    double layer; /* particles within one spacing of the wall, per spacing of wall, against rest */
+    double layer; /* particles at the walls, by their weights, against rest */
 } rest;
 
 static rest measure(skv_world *world, double degrees, float level, int frames)
 {
     double angle = degrees * acos(-1) / 180, tx = cos(angle), ty = sin(angle);
     int n = skv_world_particle_count(world);
-    float h = skv_world_smoothing_radius(world), s = skv_world_spacing(world);
+    float h = skv_world_smoothing_radius(world);
     float *x = malloc((size_t)n * sizeof *x), *y = malloc((size_t)n * sizeof *y);
-    int near_wall = 0, layer = 0;
+    int near_wall = 0;
     rest result = {0};
     const skv_terrain *terrain = skv_world_terrain(world);
     skv_particles p = skv_world_particles(world);
@@ -106,10 +106,9 @@ static rest measure(skv_world *world, double degrees, float level, int frames)
             near_wall++;
             result.creep += (double)(p.x[i] - x[i]) * tx + (double)(p.y[i] - y[i]) * ty;
         }
-        layer += distance < s;
     }
     result.creep /= near_wall * (frames / 60.0);
-    result.layer = layer * (double)s / ((x1 - x0) / cos(angle));
+    result.layer = fixture_wall_layer(world, (double)level - 0.03);
     free(x);
     free(y);
     return result;
@@ -122,7 +121,7 @@ static void staircases_neither_creep_nor_heat(void **unused)
     for (int a = 0; a < 3; a++) {
         float level = 0.5f;
         skv_world *world = pool_on(slope, angles[a], false, level);
-        fixture_run(world, 6 * 60);
+        fixture_run(world, FIXTURE_SWING(6));
         rest r = measure(world, angles[a], level, 3 * 60);
         printf("%2.0f degrees: creep %+.5f m/s, rms speed %.5f m/s, layer %.3f\n", angles[a],
                r.creep, r.rms, r.layer);
@@ -149,7 +148,7 @@ static void no_layer_is_stacked_on_any_wall(void **unused)
     for (size_t i = 0; i < sizeof floors / sizeof *floors; i++) {
         for (int smooth = 0; smooth < 2; smooth++) {
             skv_world *world = pool_on(floors[i].floor, floors[i].parameter, smooth, 0.5f);
-            fixture_run(world, 6 * 60);
+            fixture_run(world, FIXTURE_SWING(6));
             double layer = 0, rms = 0;
             const int frames = 60;
             for (int f = 0; f < frames; f++) {

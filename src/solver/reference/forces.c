@@ -29,7 +29,7 @@ void skv_pass_viscosity(const skv_substep *sub, int begin, int end)
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
             int j = n->list[k];
             skv_pair pair;
-            if (!skv_pair_of(s, c, i, j, &pair))
+            if (!skv_pair_apart(c, s->x[j] - s->x[i], s->y[j] - s->y[i], s->id[i], s->id[j], &pair))
                 continue;
             float u = (s->vx[i] - s->vx[j]) * pair.ux + (s->vy[i] - s->vy[j]) * pair.uy;
             if (!(u > 0))
@@ -71,6 +71,20 @@ void skv_pass_predict(const skv_substep *sub, int begin, int end)
         s->wx[i] = 0;
         s->wy[i] = 0;
         s->pressure[i] = 0;
+    }
+}
+
+void skv_pass_lag(const skv_substep *sub, int begin, int end)
+{
+    const skv_pass_data *s = &sub->data;
+    const skv_constants *c = sub->constants;
+    const float rise = c->lag_rise * c->inv_dt * c->inv_dt;
+    for (int i = begin; i < end; i++) {
+        float way_x = c->dt * s->vx[i] + s->wx[i], way_y = c->dt * s->vy[i] + s->wy[i];
+        float square = (way_x * way_x + way_y * way_y) * rise;
+        float lag = c->pair_lag * (square < 1 ? square : 1);
+        s->behind_x[i] = lag * way_x;
+        s->behind_y[i] = lag * way_y;
     }
 }
 

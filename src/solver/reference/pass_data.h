@@ -23,6 +23,7 @@ typedef struct skv_pass_data {
 
     /* The solver's own, meaningful within a substep. */
     float *wx, *wy; /* sum of the substep's position corrections, m (docs/model.md, "float32") */
+    float *behind_x, *behind_y; /* how far behind the position pairs are taken, m */
     float *dx, *dy; /* what a gather pass has found: a change of velocity or of position */
     float *density, *near_density; /* sum W, sum q^3, walls included; dimensionless */
     float *gradient_x,

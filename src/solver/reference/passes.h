@@ -46,6 +46,11 @@ skv_pass skv_pass_predict;
  * velocity. */
 skv_pass skv_pass_advance;
 
+/* Before each iteration: how far behind the particles pairs are taken. Half of the way that they
+ * have gone in the substep, for the slopes that push them are those of the middle of it; less for
+ * what hardly moves, which a late push calms. */
+skv_pass skv_pass_lag;
+
 /* What the solid adds to the sums, the wall density maps; and the images of the particles beside
  * it. */
 skv_pass skv_pass_walls;

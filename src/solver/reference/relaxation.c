@@ -26,7 +26,9 @@ void skv_pass_density(const skv_substep *sub, int begin, int end)
                 continue;
             float force = skv_pair_force(c, pair.q);
             float image = skv_image_of(s, c, i, n->list[k], pair.q);
+            float ahead = skv_density_ahead(s, c, i, n->list[k], &pair);
             density += skv_pair_density(c, pair.q) + skv_pair_density(c, image);
+            density += (pair.q * pair.q + image * image) * ahead;
             near_density += pair.q * pair.q * pair.q + image * image * image;
             gx += force * pair.ux;
             gy += force * pair.uy;

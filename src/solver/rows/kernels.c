@@ -14,23 +14,58 @@ V8_INLINE v8 collected(const float *own, const float *next)
     return v8_add(v8_load(own), v8_load(next));
 }
 
+/* Where a particle is while its pairs lag behind: there it meets walls. */
+V8_INLINE void place_of(const skv_row_particles *p, int i, const skv_row_constants *c, float *x,
+                        float *y)
+{
+    float lag = lag_of_one(p, i, c->pair_lag, c->lag_rise);
+    *x = p->x[i] + lag * p->u[i];
+    *y = p->y[i] + lag * p->v[i];
+}
+
+/* The same as lag_of_one, of eight. */
+V8_INLINE v8 lag_of_eight(v8 u, v8 v, const skv_row_constants *c)
+{
+    v8 square = v8_add(v8_mul(u, u), v8_mul(v, v));
+    square = v8_min(v8_mul(square, v8_set(c->lag_rise)), v8_set(1));
+    return v8_mul(v8_set(c->pair_lag), square);
+}
+
+/* Notes how far the density looks ahead of the places of a row: four times the lag, as its sums
+ * need it. */
+static void look_ahead_of(const skv_rows *s, int row, const skv_row_constants *c)
+{
+    const skv_row_particles *p = &s->set[s->current];
+    const v8 four = v8_set(4);
+    for (int i = s->row_start[row]; i < skv_row_padded_end(s->row_end[row]); i += ROW_LANES) {
+        v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
+        v8 scale = v8_mul(four, lag_of_eight(u, v, c));
+        v8_store(s->ahead_x + i, v8_mul(scale, u));
+        v8_store(s->ahead_y + i, v8_mul(scale, v));
+    }
+}
+
 /* The walls at a particle; returns the distance. Once for all: each copy is a kilobyte. */
 static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, int i,
                                                    const skv_row_constants *c,
                                                    const skv_boundary *boundary, skv_near_wall *to)
 {
+    float x, y;
+    place_of(p, i, c, &x, &y);
     to->particle = i;
-    return c->images ? skv_boundary_sample_image(boundary, p->x[i], p->y[i], &to->at.image)
-                     : skv_boundary_sample(boundary, p->x[i], p->y[i], &to->at.wall);
+    return c->images ? skv_boundary_sample_image(boundary, x, y, &to->at.image)
+                     : skv_boundary_sample(boundary, x, y, &to->at.wall);
 }
 
 /* Samples the walls for the particles near one, keeps the samples until the update, and notes the
- * distances of images, and who may have a gradient. */
+ * distances of images, how far the density looks ahead, and who may have a gradient. */
 static void sample(const skv_rows *s, int row, const skv_row_constants *c,
                    const skv_boundary *boundary, skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
     int begin = s->row_start[row], end = s->row_end[row], used = 0;
+    if (!c->clavet)
+        look_ahead_of(s, row, c);
     for (int i = begin; !c->clavet && i < skv_row_padded_end(end); i += ROW_LANES)
         s->graded[i / ROW_LANES] =
             v8_any_below(v8_load(p->warm_push + i), v8_set(c->tension_until)) != 0;
@@ -276,15 +311,18 @@ static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
 }
 
 /* Adds what a wall does to a particle's displacement. */
-V8_INLINE void add_move(const skv_rows *s, int i, float dx, float dy, skv_impulse *given)
+V8_INLINE void add_move(const skv_rows *s, int i, const skv_row_constants *c, float dx, float dy,
+                        skv_impulse *given)
 {
     const skv_row_particles *p = &s->set[s->current];
+    float x, y;
+    place_of(p, i, c, &x, &y);
     s->own_move.x[i] += dx;
     s->own_move.y[i] += dy;
     if (!(p->number[i] & ROW_HELD)) {
         given->x += (double)dx;
         given->y += (double)dy;
-        given->moment += (double)(p->x[i] * dy - p->y[i] * dx);
+        given->moment += (double)(x * dy - y * dx);
     }
 }
 
@@ -312,7 +350,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
         dy = rest * image->f1y + out * image->ny;
         skv_wall_let_fall(c->gravity_x, c->gravity_y, image->nx, image->ny, c->adhesion, &dx, &dy);
     }
-    add_move(s, i, dx, dy, impulse);
+    add_move(s, i, c, dx, dy, impulse);
 }
 
 /* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
@@ -331,7 +369,7 @@ V8_INLINE void add_grip(const skv_rows *s, const skv_near_wall *wall, const skv_
     float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]);
     float grip = skv_wall_grip(c->grip, c->wall_drag, image->distance);
     float held = grip * (moved_x * tx + moved_y * ty);
-    add_move(s, i, -held * tx, -held * ty, impulse);
+    add_move(s, i, c, -held * tx, -held * ty, impulse);
 }
 
 /* Zeroes the lanes of those of the eight particles at i that are held. */
@@ -343,48 +381,88 @@ V8_INLINE v8 unless_held(const int *numbers, v8 a)
     return v8_and(a, v8_load((const float *)(const void *)free));
 }
 
-/* Moves the eight particles at i; those whose way may meet a wall one by one. With `speed` the move
- * is a correction and changes the velocity; without, it is the advance. */
-V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, bool speed,
+/* What a move is: the advance, or a correction, which changes the velocity; and whether the places
+ * lag behind the particles before and after it. */
+typedef struct move_kind {
+    bool corrects, lagged, lags;
+} move_kind;
+
+/* Moves a particle that may meet a wall; returns false, and does nothing, if it meets none. */
+static bool meet_wall(const skv_row_particles *p, int i, float dx, float dy, move_kind kind,
+                      const skv_row_constants *c, const skv_boundary *boundary,
+                      skv_impulse_sum *walls)
+{
+    float lag = kind.lagged ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
+    float x = p->x[i] + lag * p->u[i], y = p->y[i] + lag * p->v[i], along_x, along_y;
+    float made = skv_boundary_slide(boundary, c->images, &x, &y, dx, dy, &along_x, &along_y,
+                                    &p->clearance[i]);
+    if (!(made < 1))
+        return false;
+    /* What a wall has cut off the advance leaves the velocity; a correction enters it as far as it
+     * was made. */
+    float share = kind.corrects ? made : made - 1;
+    p->u[i] += share * dx + along_x;
+    p->v[i] += share * dy + along_y;
+    lag = kind.lags ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
+    p->x[i] = x - lag * p->u[i];
+    p->y[i] = y - lag * p->v[i];
+    skv_impulse_give(walls, x, y, (made - 1) * dx + along_x, (made - 1) * dy + along_y);
+    return true;
+}
+
+/* Moves the eight particles at i; those whose way may meet a wall one by one. */
+V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind kind,
                           const skv_row_constants *c, const skv_boundary *boundary,
                           skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     v8 length = v8_sqrt(v8_add(v8_mul(dx, dx), v8_mul(dy, dy)));
     v8 clear = v8_sub(v8_load(p->clearance + i), v8_mul(v8_set(ROW_WALL_SLOPE), length));
+    v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
+    /* All of it is added up first: one rounding of the place. */
+    v8 x = dx, y = dy;
+    if (kind.lagged) {
+        v8 lag = lag_of_eight(u, v, c);
+        x = v8_add(x, v8_mul(lag, u));
+        y = v8_add(y, v8_mul(lag, v));
+    }
+    if (kind.corrects) {
+        u = v8_add(u, dx);
+        v = v8_add(v, dy);
+    }
+    if (kind.lags) {
+        v8 lag = lag_of_eight(u, v, c);
+        x = v8_sub(x, v8_mul(lag, u));
+        y = v8_sub(y, v8_mul(lag, v));
+    }
+    x = v8_add(v8_load(p->x + i), x);
+    y = v8_add(v8_load(p->y + i), y);
     if (!v8_any_below(clear, v8_set(c->wall_clearance))) {
         v8_store(p->clearance + i, clear);
-        v8_store(p->x + i, v8_add(v8_load(p->x + i), dx));
-        v8_store(p->y + i, v8_add(v8_load(p->y + i), dy));
-        if (speed) {
-            v8_store(p->u + i, v8_add(v8_load(p->u + i), dx));
-            v8_store(p->v + i, v8_add(v8_load(p->v + i), dy));
-        }
+        v8_store(p->x + i, x);
+        v8_store(p->y + i, y);
+        v8_store(p->u + i, u);
+        v8_store(p->v + i, v);
         return;
     }
-    float move_x[ROW_LANES], move_y[ROW_LANES], left[ROW_LANES];
+    float move_x[ROW_LANES], move_y[ROW_LANES], left[ROW_LANES], free[4][ROW_LANES];
     v8_store(left, clear);
     v8_store(move_x, dx);
     v8_store(move_y, dy);
+    v8_store(free[0], x);
+    v8_store(free[1], y);
+    v8_store(free[2], u);
+    v8_store(free[3], v);
     for (int l = 0; l < ROW_LANES && i + l < end; l++) {
         int k = i + l;
-        float made = 1, along_x = 0, along_y = 0;
-        if (left[l] < c->wall_clearance) {
-            made = skv_boundary_slide(boundary, c->images, &p->x[k], &p->y[k], move_x[l], move_y[l],
-                                      &along_x, &along_y, &p->clearance[k]);
-        } else {
-            p->clearance[k] = left[l];
-            p->x[k] += move_x[l];
-            p->y[k] += move_y[l];
-        }
-        /* What a wall has cut off the advance leaves the velocity; a correction enters it as far as
-         * it was made. */
-        float share = speed ? made : made - 1;
-        p->u[k] += share * move_x[l] + along_x;
-        p->v[k] += share * move_y[l] + along_y;
-        if (made < 1)
-            skv_impulse_give(walls, p->x[k], p->y[k], (made - 1) * move_x[l] + along_x,
-                             (made - 1) * move_y[l] + along_y);
+        bool may_meet = left[l] < c->wall_clearance;
+        if (may_meet && meet_wall(p, k, move_x[l], move_y[l], kind, c, boundary, walls))
+            continue;
+        p->clearance[k] = may_meet ? p->clearance[k] : left[l];
+        p->x[k] = free[0][l];
+        p->y[k] = free[1][l];
+        p->u[k] = free[2][l];
+        p->v[k] = free[3][l];
     }
 }
 
@@ -397,6 +475,8 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
     if (iteration == c->iterations - 1 && (c->grip > 0 || c->wall_drag > 0))
         for_walls(s, row, c, boundary, samples, add_grip, &given);
     skv_impulse_add(walls, given.x, given.y, given.moment);
+    const bool last = iteration == c->iterations - 1;
+    const move_kind correction = {.corrects = true, .lagged = true, .lags = !last};
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 dx = collected(s->own_move.x + i, s->next_move.x + i);
@@ -406,11 +486,11 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
             dx = unless_held(numbers, dx);
             dy = unless_held(numbers, dy);
         }
-        move_eight(s, i, end, dx, dy, true, c, boundary, walls);
+        move_eight(s, i, end, dx, dy, correction, c, boundary, walls);
     }
     if (s->gauged) /* in the memory of what has been read above */
         gauge(s, row, iteration, c);
-    if (iteration == c->iterations - 1)
+    if (last)
         touch_walls(s, row, c, boundary, walls);
 }
 
@@ -440,7 +520,7 @@ static void advance(const skv_rows *s, int row, const skv_row_constants *c,
         }
         v8_store(p->u + i, u);
         v8_store(p->v + i, v);
-        move_eight(s, i, end, u, v, false, c, boundary, walls);
+        move_eight(s, i, end, u, v, (move_kind){.lags = true}, c, boundary, walls);
     }
 }
 

@@ -43,8 +43,8 @@
  *    .warm_push                 next near density                    next move y
  *    .number                    next gradient x                      next thrust
  *   spare[0]          key       next gradient y                      own move x      place
- *    [1]                                                             own move y
- *    [2]                                             own thrust      own thrust
+ *    [1]                         ahead x (W)                         own move y
+ *    [2]                         ahead y (W)         own thrust      own thrust
  *    [3]                         image (W)           image           image
  *
  * Densities are sums of W with the clavet law, of q^4 with the calibrated one, whose W is 4 q^3 - 3
@@ -80,6 +80,10 @@ enum {
 /* How much the distance to a wall can fall per length of way: it is bilinear, so along a diagonal
  * by up to the square root of two. */
 #define ROW_WALL_SLOPE 1.4143f
+
+/* How far apart a pair's particles can be: a radius where its distance is taken, and half of the
+ * ways that both of them have gone since, each at most a radius. */
+#define ROW_MOST_APART 2
 
 /* Phases of a substep, for the profile. */
 enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
@@ -162,6 +166,7 @@ struct skv_rows {
     float *push, *near_push;           /* P and N of the pressure law */
     float *gradient_x, *gradient_y;    /* that the tension evens out */
     float *image;                      /* D of images, wall_image.h */
+    float *ahead_x, *ahead_y;          /* how far the density looks ahead of the places */
     float *pressure;                   /* gauge */
 
     /* Per tile: its ranges of partners. */

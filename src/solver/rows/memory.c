@@ -236,6 +236,8 @@ void skv_rows_lend_buffers(skv_rows *rows)
     rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};
     rows->pressure = older->u;
     rows->image = spare[3];
+    rows->ahead_x = spare[1];
+    rows->ahead_y = spare[2];
     /* There are no sums while the particles are sorted, and none when they are stored. */
     rows->key = (int *)(void *)spare[0];
     rows->place = (int *)(void *)spare[0];

@@ -19,14 +19,13 @@ static __attribute__((noinline)) bool has_image(const float *image, int begin, i
 }
 
 /* Whether a tile's pairs may have images, or with `either` whether one of the partners may have
- * some at all. Farther than two radii from walls nobody has, but `clearance` is a lower bound only.
- */
+ * some at all. Farther from walls than this nobody has, but `clearance` is a lower bound only. */
 static __attribute__((noinline)) bool meets_images(const skv_rows *s, int i, bool either)
 {
     const float *clearance = s->set[s->current].clearance + i;
     bool near = false, own = false;
     for (int k = 0; k < TILE; k++) {
-        near = near || clearance[k] < 1 + ROW_WALL_SLOPE;
+        near = near || clearance[k] < 1 + ROW_MOST_APART * ROW_WALL_SLOPE;
         own = own || s->image[i + k] < 1;
     }
     if (!near || (!own && !either))
@@ -55,13 +54,16 @@ VARIANT void measure_images(const tile *t, int j, const wide *q, wide *seen)
     }
 }
 
-/* Adds the images' kernels q^4 and q^3 to those of a tile and a part of its partners. */
-RARE void add_image_kernels(const tile *t, int j, const wide *q, wide *quartic, wide *cubic)
+/* Adds the images' kernels q^4 and q^3 to those of a tile and a part of its partners. r'^2 changes
+ * by what r^2 does, so what is `ahead` of a pair is ahead of its images. */
+RARE void add_image_kernels(const tile *t, int j, const wide *q, const wide *ahead, wide *quartic,
+                            wide *cubic)
 {
     wide seen[WIDES], square[WIDES];
     measure_images(t, j, q, seen);
     EACH(k) square[k] = wide_mul(seen[k], seen[k]);
-    EACH(k) quartic[k] = wide_add(quartic[k], wide_mul(square[k], square[k]));
+    EACH(k)
+    quartic[k] = wide_add(quartic[k], wide_mul(square[k], wide_add(square[k], ahead[k])));
     EACH(k) cubic[k] = wide_add(cubic[k], wide_mul(square[k], seen[k]));
 }
 

@@ -14,34 +14,64 @@
 /* Keeps r above 0; pairs closer than 1e-6 h have the strength of that distance. */
 #define TINY_SQUARED 1e-12f
 
+/* A lower bound of the distance to the nearest wall from where a particle's pairs are taken. */
+V8_INLINE float pair_clearance(const skv_row_particles *p, int i, float pair_lag, float lag_rise)
+{
+    float lag = lag_of_one(p, i, pair_lag, lag_rise);
+    float way = sqrtf(p->u[i] * p->u[i] + p->v[i] * p->v[i]);
+    return p->clearance[i] - ROW_WALL_SLOPE * lag * way;
+}
+
 /* The boundary if a thin wall is near one of the particles of a tile, else null: most worlds have
  * none, and far from walls `clearance` tells. */
 static const skv_boundary *find_thin_wall(const skv_row_particles *p, int i, int end,
-                                          const skv_boundary *boundary)
+                                          const skv_row_constants *c, const skv_boundary *boundary)
 {
     for (int k = i; skv_boundary_has_thin(boundary) && k < i + TILE && k < end; k++) {
-        if (p->clearance[k] < 1 && skv_boundary_near_thin(boundary, p->x[k], p->y[k]))
+        if (pair_clearance(p, k, c->pair_lag, c->lag_rise) < 1 &&
+            skv_boundary_near_thin(boundary, p->x[k], p->y[k]))
             return boundary;
     }
     return NULL;
 }
 
+/* One by one: an initializer, which sets all to 0 first, cost 4 %. */
+VARIANT void place_tile(tile *t, const skv_rows *s, const skv_row_particles *p, int i,
+                        const skv_row_constants *c, const skv_boundary *beside)
+{
+    t->pair_lag = c->pair_lag;
+    t->lag_rise = c->lag_rise;
+    t->place = i;
+    t->beside = beside;
+    t->images = s->image;
+    EACH(k)
+    {
+        t->x[k] = wide_spread(p->x + i + k, WIDES);
+        t->y[k] = wide_spread(p->y + i + k, WIDES);
+    }
+}
+
 /* Sets q to 0 for pairs that a thin wall parts: then nothing passes between them. A wall between
  * two particles is no farther from both together than they are from each other; where its distances
  * say so, it need not be looked for. */
-static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, int i, int j,
-                                                 const skv_boundary *boundary, float *q)
+static __attribute__((noinline)) void part_pairs(const skv_row_particles *p, const tile *t, int j,
+                                                 float *q)
 {
+    const skv_boundary *boundary = t->beside;
+    const int i = t->place;
     for (int k = 0; k < TILE; k++) {
-        float clear = p->clearance[i + k];
+        float clear = pair_clearance(p, i + k, t->pair_lag, t->lag_rise);
         float *seen = q + PART_LEN * (k % WIDES * WIDE_PARTS + k / WIDES);
         if (clear >= 1)
             continue;
         for (int l = 0; l < PART_LEN; l++) {
             float *at = &seen[l];
-            if (*at > 0 && clear + p->clearance[j + l] < ROW_WALL_SLOPE * (1 - *at) &&
+            if (!(*at > 0))
+                continue;
+            float beyond = pair_clearance(p, j + l, t->pair_lag, t->lag_rise);
+            if (clear + beyond < ROW_WALL_SLOPE * (1 - *at) &&
                 skv_boundary_occluded(boundary, p->x[i + k], p->y[i + k], clear, p->x[j + l],
-                                      p->y[j + l], p->clearance[j + l]))
+                                      p->y[j + l], beyond))
                 *at = 0;
         }
     }
@@ -66,17 +96,34 @@ VARIANT void measure(const skv_row_particles *p, int j, bool first, const tile *
     if (__builtin_expect(t->beside != NULL, 0)) {
         /* A copy, so that q itself stays in registers. */
         float seen[PART_PAIRS];
+        const tile thin = {.place = t->place,
+                           .beside = t->beside,
+                           .pair_lag = t->pair_lag,
+                           .lag_rise = t->lag_rise};
         EACH(k) wide_store(seen + WIDE_LEN * k, q[k]);
-        part_pairs(p, t->place, j, t->beside, seen);
+        part_pairs(p, &thin, j, seen);
         EACH(k) q[k] = wide_load(seen + WIDE_LEN * k);
     }
 }
 
+/* What makes the density of pairs that of where their particles are, to first order: from q^4 it
+ * becomes q^4 + q^2 ahead, for W falls by 12 q^2 for each r dr, and a third of that is left. */
+VARIANT void look_ahead(int j, const look *own, const wide *dx, const wide *dy, wide *ahead)
+{
+    wide x[WIDES], y[WIDES];
+    wide xj = wide_each(part_load(own->all_x + j)), yj = wide_each(part_load(own->all_y + j));
+    EACH(k) x[k] = wide_mul(dx[k], wide_sub(xj, own->x[k]));
+    EACH(k) y[k] = wide_mul(dy[k], wide_sub(yj, own->y[k]));
+    EACH(k) ahead[k] = wide_add(x[k], y[k]);
+}
+
 /* Pass A for a tile and a part of eight partners. */
 VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigned with,
-                          const tile *t, density_sums *sums, const skv_row_sums *to, float *keep)
+                          const tile *t, const look *own, density_sums *sums,
+                          const skv_row_sums *to, float *keep)
 {
     wide dx[WIDES], dy[WIDES], r[WIDES], q[WIDES], q2[WIDES], q3[WIDES], w[WIDES];
+    wide ahead[WIDES] = {0};
     measure(p, j, first, t, dx, dy, r, q);
     if (with & KEEP_PAIRS) {
         EACH(k) wide_store(keep + WIDE_LEN * k, q[k]);
@@ -86,10 +133,11 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     /* W = 4 q^3 - 3 q^4 is put together when all is summed up: two operations a pair less. */
     EACH(k) w[k] = q2[k];
     if (with & SMOOTH) {
-        EACH(k) w[k] = wide_mul(q2[k], q2[k]);
+        look_ahead(j, own, dx, dy, ahead);
+        EACH(k) w[k] = wide_mul(q2[k], wide_add(q2[k], ahead[k]));
     }
     if (with & WITH_IMAGES)
-        add_image_kernels(t, j, q, w, q3);
+        add_image_kernels(t, j, q, ahead, w, q3);
     EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
     EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
     add_at(to->density + j, over_tile(w));
@@ -109,10 +157,11 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
  * the sort, and what has moved since may be near. A half left out there gave other bits than an
  * eight does. */
 VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
-                           const tile *t, density_sums *sums, const skv_row_sums *to, float *keep)
+                           const tile *t, const look *own, density_sums *sums,
+                           const skv_row_sums *to, float *keep)
 {
     EACH_PART(n)
-    density_part(p, j + n * PART_LEN, first && n == 0, with, t, &sums[n], to,
+    density_part(p, j + n * PART_LEN, first && n == 0, with, t, own, &sums[n], to,
                  with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
@@ -176,8 +225,13 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
     const skv_row_sums own = s->own, next = s->next;
     const int i = t->place, step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
     density_sums sums[PARTS];
+    look ahead;
+    ahead.all_x = s->ahead_x;
+    ahead.all_y = s->ahead_y;
     EACH(k)
     {
+        ahead.x[k] = wide_spread(ahead.all_x + i + k, WIDES);
+        ahead.y[k] = wide_spread(ahead.all_y + i + k, WIDES);
         EACH_PART(n)
         sums[n].density[k] = sums[n].near_density[k] = sums[n].gradient_x[k] =
             sums[n].gradient_y[k] = wide_set(0);
@@ -186,12 +240,12 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
      * unrolled once. */
     skv_row_sums to = own;
     int j = i + 1, last = s->own_end[i / TILE];
-    density_block(p, j, true, with, t, sums, &to, keep);
+    density_block(p, j, true, with, t, &ahead, sums, &to, keep);
     keep += step;
     j += ROW_LANES;
     for (bool in_own = true;; in_own = false) {
         for (; j < last; j += ROW_LANES, keep += step)
-            density_block(p, j, false, with, t, sums, &to, keep);
+            density_block(p, j, false, with, t, &ahead, sums, &to, keep);
         if (!in_own)
             break;
         j = s->next_begin[i / TILE];
@@ -224,7 +278,7 @@ static __attribute__((noinline)) float *density_any_tile(const skv_rows *s,
  * own, which the second iteration shares, for it has `graded` false. Without a place to keep pairs,
  * as in the crowds of a splash, no loop but that for all is taken. */
 VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images, bool graded,
-                         const skv_boundary *boundary, float *keep)
+                         const skv_row_constants *c, const skv_boundary *boundary, float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -236,14 +290,9 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images,
     int begin = s->row_start[row], end = s->row_end[row];
     tile_sums late = {.place = -1};
     for (int i = begin; i < end; i += TILE) {
-        tile t = {.place = i, .beside = find_thin_wall(p, i, end, boundary)};
+        tile t;
+        place_tile(&t, s, p, i, c, find_thin_wall(p, i, end, c, boundary));
         bool imaged = images && meets_images(s, i, false);
-        t.images = s->image;
-        EACH(k)
-        {
-            t.x[k] = wide_spread(p->x + i + k, WIDES);
-            t.y[k] = wide_spread(p->y + i + k, WIDES);
-        }
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
         if (!kept || imaged || (meets && !FULL_VARIANTS))
             keep = density_any_tile(s, p,
@@ -267,9 +316,9 @@ static void density(const skv_rows *s, int row, bool later, const skv_row_consta
     kept->used = blocks <= kept->room ? blocks : -1;
     float *keep = kept->used >= 0 ? kept->pairs : NULL;
     if (c->clavet)
-        density_row(s, row, 0, false, false, b, keep);
+        density_row(s, row, 0, false, false, c, b, keep);
     else
-        density_row(s, row, SMOOTH | WITH_GRADIENT, c->images, !later, b, keep);
+        density_row(s, row, SMOOTH | WITH_GRADIENT, c->images, !later, c, b, keep);
 }
 
 /* What the displacement reads of the partners. */
@@ -487,14 +536,9 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
     int begin = s->row_start[row], end = s->row_end[row];
     tile_sums late = {.place = -1};
     for (int i = begin; i < end; i += TILE) {
-        tile t = {.place = i, .beside = kept ? NULL : find_thin_wall(p, i, end, boundary)};
+        tile t;
+        place_tile(&t, s, p, i, c, kept ? NULL : find_thin_wall(p, i, end, c, boundary));
         bool imaged = images && meets_images(s, i, with & WITH_GAUGE);
-        t.images = s->image;
-        EACH(k)
-        {
-            t.x[k] = wide_spread(p->x + i + k, WIDES);
-            t.y[k] = wide_spread(p->y + i + k, WIDES);
-        }
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
         if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
             keep = displacement_any_tile(s, p, &others,
@@ -520,7 +564,7 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_row_c
                     (s->gauged ? WITH_GAUGE : 0u);
     /* What most substeps are made of has loops of its own. */
     if (with == 0)
-        displacement_row(s, row, 0, true, false, false, c, b, keep);
+        displacement_row(s, row, 0, FULL_VARIANTS, false, false, c, b, keep);
     else if (with == WITH_VISCOSITY)
         displacement_row(s, row, WITH_VISCOSITY, true, false, false, c, b, keep);
     else if (with == calibrated)

@@ -27,6 +27,7 @@
 typedef struct skv_row_constants {
     float gravity_x, gravity_y;
     float max_speed;
+    float pair_lag, lag_rise;
     float viscosity_linear, viscosity_quadratic;
     float rest_density, push_scale, near_push_scale, push_limit, wall_virial, loose_push;
     float warm_start, warm_limit, warm_most, response_slope, response_floor, near_share;

@@ -23,6 +23,8 @@ static skv_row_constants row_constants(const skv_solver_step *step, const skv_bo
         .gravity_x = step->gravity_x * c->dt * per_step,
         .gravity_y = step->gravity_y * c->dt * per_step,
         .max_speed = c->max_speed * per_step,
+        .pair_lag = c->pair_lag,
+        .lag_rise = c->lag_rise / (per_step * per_step),
         .viscosity_linear = c->viscosity_linear * c->dt,
         /* beta u: u is in h a substep here. */
         .viscosity_quadratic = c->viscosity_quadratic * c->h,

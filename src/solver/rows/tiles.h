@@ -57,10 +57,25 @@ enum {
 /* Where the four particles of a tile are, each in all lanes. */
 typedef struct tile {
     wide x[WIDES], y[WIDES];
+    float pair_lag, lag_rise;   /* of skv_row_constants */
     int place;                  /* of the first */
     const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
     const float *images;        /* of all particles, by place */
 } tile;
+
+/* What the density needs of them besides: how far it looks ahead of its own particles' places, and
+ * of those of all, by place. */
+typedef struct look {
+    wide x[WIDES], y[WIDES];
+    const float *all_x, *all_y;
+} look;
+
+/* How far a place lags behind the particle: such a share of its way of the substep. */
+static inline float lag_of_one(const skv_row_particles *p, int i, float pair_lag, float lag_rise)
+{
+    float square = (p->u[i] * p->u[i] + p->v[i] * p->v[i]) * lag_rise;
+    return pair_lag * (square < 1 ? square : 1);
+}
 
 /* What the displacement needs of them besides. */
 typedef struct pushes {
