@@ -13,6 +13,7 @@
 #include "base/platform.h"
 #include "solver/reference/passes.h"
 
+#include <math.h>
 #include <string.h>
 
 /* How far the lists reach, in h: what comes within h until the last iteration is in them, too. With
@@ -259,10 +260,11 @@ static skv_result create(const skv_solver_def *def, skv_solver **solver, skv_err
     r->solver.type = &skv_reference_solver;
     r->boundary = def->boundary;
     r->reach = LIST_REACH * def->h;
-    float margin = 2 * def->h;
-    skv_result result =
-        skv_neighbours_create(&r->neighbours, def->x0 - margin, def->y0 - margin, def->x1 + margin,
-                              def->y1 + margin, r->reach, def->boundary, error);
+    /* Cells lie at multiples of their size, so that sums have the same order in any region. */
+    float margin = 2 * def->h, x0 = floorf((def->x0 - margin) / r->reach) * r->reach;
+    float y0 = floorf((def->y0 - margin) / r->reach) * r->reach;
+    skv_result result = skv_neighbours_create(&r->neighbours, x0, y0, def->x1 + margin,
+                                              def->y1 + margin, r->reach, def->boundary, error);
     if (result != SKV_OK) {
         destroy(&r->solver);
         return result;
