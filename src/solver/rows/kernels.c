@@ -388,9 +388,9 @@ typedef struct move_kind {
 } move_kind;
 
 /* Moves a particle that may meet a wall; returns false, and does nothing, if it meets none. */
-static bool meet_wall(const skv_row_particles *p, int i, float dx, float dy, move_kind kind,
-                      const skv_row_constants *c, const skv_boundary *boundary,
-                      skv_impulse_sum *walls)
+static __attribute__((noinline)) bool
+meet_wall(const skv_row_particles *p, int i, float dx, float dy, move_kind kind,
+          const skv_row_constants *c, const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     float lag = kind.lagged ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
     float x = p->x[i] + lag * p->u[i], y = p->y[i] + lag * p->v[i], along_x, along_y;
@@ -411,9 +411,9 @@ static bool meet_wall(const skv_row_particles *p, int i, float dx, float dy, mov
 }
 
 /* Moves the eight particles at i; those whose way may meet a wall one by one. */
-V8_INLINE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind kind,
-                          const skv_row_constants *c, const skv_boundary *boundary,
-                          skv_impulse_sum *walls)
+RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind kind,
+                     const skv_row_constants *c, const skv_boundary *boundary,
+                     skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     v8 length = v8_sqrt(v8_add(v8_mul(dx, dx), v8_mul(dy, dy)));

@@ -563,13 +563,13 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_row_c
     unsigned with = (c->clavet ? 0u : calibrated) | (viscous ? WITH_VISCOSITY : 0u) |
                     (s->gauged ? WITH_GAUGE : 0u);
     /* What most substeps are made of has loops of its own. */
-    if (with == 0)
-        displacement_row(s, row, 0, FULL_VARIANTS, false, false, c, b, keep);
-    else if (with == WITH_VISCOSITY)
-        displacement_row(s, row, WITH_VISCOSITY, true, false, false, c, b, keep);
-    else if (with == calibrated)
+    if (with == calibrated)
         displacement_row(s, row, calibrated, true, c->images, !later, c, b, keep);
 #if FULL_VARIANTS
+    else if (with == 0)
+        displacement_row(s, row, 0, true, false, false, c, b, keep);
+    else if (with == WITH_VISCOSITY)
+        displacement_row(s, row, WITH_VISCOSITY, true, false, false, c, b, keep);
     else if (with == (calibrated | WITH_GAUGE))
         displacement_row(s, row, calibrated | WITH_GAUGE, true, c->images, !later, c, b, keep);
     else if (with == (WITH_VISCOSITY | WITH_GAUGE))
