@@ -78,7 +78,8 @@ static bool show_progress(const skv_lab_moment *moment, void *user)
 {
     lab_run *run = user;
     char text[128];
-    double done = run->at + (run->start + moment->share) / run->options->starts;
+    int starts = lab_starts_count(&run->starts, skv_experiment_info(run->chosen[run->at]));
+    double done = run->at + (run->start + moment->share) / starts;
     snprintf(text, sizeof text, "lab  %3.0f %%  %s", 100 * done / run->count,
              skv_experiment_info(run->chosen[run->at])->title);
     progress_show(&run->progress, text);
@@ -172,8 +173,9 @@ static void refuse(lab_run *run, const skv_error *why)
 static skv_result run_starts(lab_run *run, lab_figure *figures, skv_report **first,
                              skv_error *error)
 {
+    int count = lab_starts_count(&run->starts, skv_experiment_info(run->chosen[run->at]));
     *first = NULL;
-    for (run->start = 0; run->start < run->options->starts; run->start++) {
+    for (run->start = 0; run->start < count; run->start++) {
         skv_report *report;
         lab_starts_choose(&run->starts, run->start, &run->lab);
         skv_result result = skv_experiment_run(run->chosen[run->at], &run->lab, &report, error);

@@ -13,6 +13,9 @@
  * walls otherwise, little beside what halving the particles changes. */
 enum { STEPS = 100 };
 
+/* Starts of what scatters, if nothing else is asked for: a deviation is known to a quarter then. */
+enum { STARTS_OF_SCATTER = 8 };
+
 /* Takes a value into a mean of `count` with it, and into the squares of what differs from it. */
 static void take(double *mean, double *squares, double value, int count)
 {
@@ -61,29 +64,54 @@ static int find_wanted(const cli_options *options)
     return (int)number;
 }
 
-skv_result lab_starts_open(lab_starts *starts, const cli_options *options, skv_error *error)
+/* Makes sure that the settings leave as many starts something to differ in. */
+static skv_result prepare_several(lab_starts *starts, const cli_options *options, int count,
+                                  skv_error *error)
 {
-    int count = options->setting_count;
-    *starts = (lab_starts){.setting_count = count + (options->starts > 1)};
-    starts->settings = calloc((size_t)count + 1, sizeof *starts->settings);
-    if (!starts->settings)
-        return skv_fail(error, SKV_ERROR_MEMORY, "lab: out of memory");
-    for (int i = 0; i < count; i++) {
-        starts->settings[i] = options->settings[i];
-        if (options->starts > 1 && strcmp(options->settings[i].path, "fluid.spacing") == 0)
+    for (int i = 0; i < options->setting_count; i++) {
+        if (strcmp(options->settings[i].path, "fluid.spacing") == 0)
             return skv_fail(error, SKV_ERROR_VALUE,
                             "--starts: they differ in their number of particles, which "
                             "fluid.spacing decides here; say particles=N instead of it");
     }
-    if (options->starts > 1)
-        starts->wanted = find_wanted(options);
+    starts->wanted = find_wanted(options);
+    starts->setting_count = options->setting_count + 1;
     skv_lab_options lab = skv_default_lab_options();
     skv_result result = SKV_OK;
-    for (int i = 0; i < options->starts && result == SKV_OK; i++) {
+    for (int i = 0; i < count && result == SKV_OK; i++) {
         lab_starts_choose(starts, i, &lab);
         result = skv_lab_check(&lab, error);
     }
     return result;
+}
+
+skv_result lab_starts_open(lab_starts *starts, const cli_options *options, skv_error *error)
+{
+    const int asked = options->starts, count = options->setting_count;
+    *starts = (lab_starts){.setting_count = count, .of_any = 1, .of_scatter = 1};
+    starts->settings = calloc((size_t)count + 1, sizeof *starts->settings);
+    if (!starts->settings)
+        return skv_fail(error, SKV_ERROR_MEMORY, "lab: out of memory");
+    for (int i = 0; i < count; i++)
+        starts->settings[i] = options->settings[i];
+    if (asked == 1)
+        return SKV_OK;
+    int most = asked > 0 ? asked : STARTS_OF_SCATTER;
+    skv_result result = prepare_several(starts, options, most, error);
+    if (result == SKV_OK) {
+        starts->of_any = asked > 0 ? asked : 1;
+        starts->of_scatter = most;
+    } else if (asked == 0) {
+        starts->wanted = 0;
+        starts->setting_count = count;
+        result = SKV_OK;
+    }
+    return result;
+}
+
+int lab_starts_count(const lab_starts *starts, const skv_experiment *experiment)
+{
+    return experiment->scatters ? starts->of_scatter : starts->of_any;
 }
 
 void lab_starts_close(lab_starts *starts)

@@ -23,14 +23,19 @@ double lab_deviation(double squares, int starts);
 typedef struct lab_starts {
     skv_setting *settings; /* those of the command line and, with several starts, one more; owned */
     int setting_count;
-    int wanted; /* particles; 0: there is one start, from the settings as they were given */
+    int wanted;     /* particles; 0: there is one start, from the settings as they were given */
+    int of_any;     /* starts of any experiment, */
+    int of_scatter; /* and of one that scatters */
     char particles[16];
 } lab_starts;
 
-/* Fails if the settings, known to be right, leave nothing for starts to differ in, or if one of
- * them would have too many particles or too few. Needs lab_starts_close, also on failure. */
+/* If several starts are asked for: fails if the settings, known to be right, leave nothing for them
+ * to differ in, or if one of them would have too many particles or too few. If none are, there is
+ * one then. Needs lab_starts_close, also on failure. */
 skv_result lab_starts_open(lab_starts *starts, const cli_options *options, skv_error *error);
 void lab_starts_close(lab_starts *starts);
+/* From how many starts an experiment is run. */
+int lab_starts_count(const lab_starts *starts, const skv_experiment *experiment);
 /* Puts the settings of a start, counted from 0, into `lab`. */
 void lab_starts_choose(lab_starts *starts, int start, skv_lab_options *lab);
 

@@ -42,7 +42,7 @@ typedef struct cli_options {
     const char *styled;     /* an option that was given for it; null: none */
     bool quick, markdown;   /* of `bench` */
     bool cards;             /* of `lab` */
-    int starts;             /* of `lab`, 1 or more */
+    int starts;             /* of `lab`; 0: as many as an experiment needs */
     skv_setting *settings;  /* --law and --set, in the order of the command line; owned */
     int setting_count;
 } cli_options;

@@ -27,6 +27,9 @@ typedef struct skv_experiment {
     const char *compare;     /**< what theory says, and what to make of the difference */
     const char *x_label;     /**< of its plot, with the unit: "time (s)" */
     const char *y_label;
+    /** Its rows differ so much from one slightly different start to the next that a single run says
+     * little: look at several (`skvalp lab` takes eight). */
+    bool scatters;
 } skv_experiment;
 
 /** The experiments in the order in which they are presented; null past the last. Static. */

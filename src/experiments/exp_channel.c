@@ -3,8 +3,9 @@
  * A flume that closes in itself: a block stands in a tank, a hand drags the water above it to the
  * left, and the water returns to the right through the channel between the block and the floor.
  * Nothing drives it there but the difference of the pressures at the channel's ends. Layers
- * three quarters down the channel, where its entrance is forgotten, give the mean speed for twelve
- * seconds after twelve of running up. The fluid is a viscous one, so that the flow is laminar.
+ * three fifths down the channel, where its entrance is forgotten and its exit not yet felt, give
+ * the mean speed for twelve seconds after twelve of running up. The fluid is a viscous one, so that
+ * the flow is laminar.
  */
 #include "experiments/experiment.h"
 
@@ -63,7 +64,9 @@ static void start_pump(stage *s, const flume *f)
 
 static void add_layers(stage *s, flume *f)
 {
-    double middle = (f->width - f->length) / 2 + 0.75 * f->length, half = f->length / 10;
+    /* R^2 is 0.9973, 0.9977, 0.9977, 0.9973 and 0.9945 at 0.4, 0.5, 0.6, 0.65 and 0.75: half a
+     * height before the exit the water bends up to it already, and is faster under the block. */
+    double middle = (f->width - f->length) / 2 + 0.6 * f->length, half = f->length / 10;
     for (int i = 0; i < LAYERS; i++)
         f->layers[i] =
             skv_stage_add(s, SKV_INSTRUMENT_REGION, middle - half, f->channel * i / LAYERS,

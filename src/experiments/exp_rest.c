@@ -97,6 +97,7 @@ const experiment skv_exp_rest = {
                        "twenty seconds should be below a millimetre a second.",
             .x_label = "time (s)",
             .y_label = "rms speed (m/s)",
+            .scatters = true,
         },
     .parameters =
         {

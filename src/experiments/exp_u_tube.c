@@ -157,6 +157,7 @@ const experiment skv_exp_u_tube = {
                        "cancels, and so does the height. At the end both levels are equal.",
             .x_label = "time (s)",
             .y_label = "left level - right level (m)",
+            .scatters = true,
         },
     .parameters =
         {

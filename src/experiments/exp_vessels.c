@@ -139,6 +139,7 @@ const experiment skv_exp_vessels = {
                 "What is left should be less than a quarter of the particles' spacing.",
             .x_label = "time (s)",
             .y_label = "level (m)",
+            .scatters = true,
         },
     .parameters =
         {

@@ -26,8 +26,8 @@ static void test_contract(void **state)
 {
     static const char *const keys[] = {"experiment", "quantity", "unit",      "measured",
                                        "theory",     "ratio",    "tolerance", "pass"};
-    program_result result =
-        SKVALP(*state, "lab", "rest", "hydrostatics", "rest", "--set", "particles=600", "--json");
+    program_result result = SKVALP(*state, "lab", "rest", "hydrostatics", "rest", "--set",
+                                   "particles=600", "--starts", "1", "--json");
     json_t *array = parse(&result);
     /* The order of the command line, each experiment once. */
     assert_int_equal(json_array_size(array), 10);
@@ -172,6 +172,27 @@ static void test_starts_that_cannot_be(void **state)
     }
 }
 
+/* How many starts the first row of rest is judged by, 0 where nothing is said of it. */
+static int starts_of_rest(void **state, const char *option, const char *setting)
+{
+    program_result result = SKVALP(*state, "lab", "rest", "momentum", "--json", option, setting);
+    json_t *array = parse(&result);
+    assert_int_equal(json_array_size(array), 4);
+    assert_null(json_object_get(json_array_get(array, 3), "starts"));
+    int starts = (int)number_of(array, "starts");
+    json_decref(array);
+    program_free(&result);
+    return starts;
+}
+
+/* What scatters has eight starts unless there is nothing for them to differ in. */
+static void test_what_scatters_has_several_starts(void **state)
+{
+    assert_int_equal(starts_of_rest(state, "--set", "particles=300"), 8);
+    assert_int_equal(starts_of_rest(state, "--set", "particles=200"), 0);
+    assert_int_equal(starts_of_rest(state, "--set", "fluid.spacing=0.04"), 0);
+}
+
 static void test_same_on_any_number_of_threads(void **state)
 {
     program_result one =
@@ -227,6 +248,8 @@ int main(void)
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_starts, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_starts_that_cannot_be, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_what_scatters_has_several_starts, folder_setup,
+                                        folder_teardown),
         cmocka_unit_test_setup_teardown(test_same_on_any_number_of_threads, folder_setup,
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_plots, folder_setup, folder_teardown),
