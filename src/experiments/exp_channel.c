@@ -64,8 +64,9 @@ static void start_pump(stage *s, const flume *f)
 
 static void add_layers(stage *s, flume *f)
 {
-    /* R^2 is 0.9973, 0.9977, 0.9977, 0.9973 and 0.9945 at 0.4, 0.5, 0.6, 0.65 and 0.75: half a
-     * height before the exit the water bends up to it already, and is faster under the block. */
+    /* R^2 is 0.9973, 0.9977, 0.9977, 0.9973 and 0.9945 at 0.4, 0.5, 0.6, 0.65 and 0.75: there,
+     * within a height of the exit, the water turns up to it already and is faster under the block.
+     */
     double middle = (f->width - f->length) / 2 + 0.6 * f->length, half = f->length / 10;
     for (int i = 0; i < LAYERS; i++)
         f->layers[i] =
