@@ -59,7 +59,10 @@ key() { # as xdotool names it
 }
 # The picture, as the app saves it; so the whole of it is what lib.sh looks at.
 shoot() {
+    local asked=0
     saved() {
+        # A key that comes while a dialog still closes is lost: after half a minute it is asked again.
+        ((++asked % 40)) || key ctrl+p
         key Return
         sleep 0.5
         convert pool.png "$1.ppm" 2>/dev/null
