@@ -89,13 +89,16 @@ static inline void skv_field_on(const skv_pull *pull, float x, float y, float *v
     *vy += pull->follow * (pull->vy + pull->spin * (x - pull->middle_x) - *vy);
 }
 
-/* Algorithm 2 for a particle at (x, y). */
-static inline void skv_pull_on(const skv_pull *pull, float x, float y, float *vx, float *vy)
+/* Algorithm 2 for a particle at (x, y), of all pulls in turn. */
+static inline void skv_pull_on(const skv_pull *pulls, int count, float x, float y, float *vx,
+                               float *vy)
 {
-    if (pull->field)
-        skv_field_on(pull, x, y, vx, vy);
-    else
-        skv_finger_on(pull, x, y, vx, vy);
+    for (int i = 0; i < count; i++) {
+        if (pulls[i].field)
+            skv_field_on(&pulls[i], x, y, vx, vy);
+        else
+            skv_finger_on(&pulls[i], x, y, vx, vy);
+    }
 }
 
 #endif

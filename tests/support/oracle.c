@@ -111,26 +111,28 @@ double oracle_rest_density(const oracle *o)
     return o->clavet ? o->rest_density_clavet : oracle_lattice_density(false, o->eta);
 }
 
+/* Algorithm 2. */
+static void pull_by_hand(const oracle *o, double x, double y, double *vx, double *vy)
+{
+    const oracle_hand *hand = o->hand;
+    if (!hand)
+        return;
+    double rx = (hand->x - x) / hand->radius, ry = (hand->y - y) / hand->radius;
+    double fade = pow(fmax(0, 1 - rx * rx - ry * ry), 2), at_half = 0.5 * 0.75 * 0.75;
+    double pull = o->dt * hand->attraction * fade / at_half;
+    double slow = fmin(0.5, o->dt * hand->friction) * fade;
+    double carry = fmin(0.5, o->dt * hand->follow) * fade;
+    *vx += pull * rx - slow * *vx + carry * (hand->vx - *vx);
+    *vy += pull * ry - slow * *vy + carry * (hand->vy - *vy);
+}
+
 void oracle_external_forces(oracle *o, const oracle_hand *hand)
 {
+    o->hand = hand;
     for (int i = 0; i < o->n; i++) {
-        double vx = o->vx[i] + o->dt * o->g_x, vy = o->vy[i] + o->dt * o->g_y;
-        if (hand) {
-            double rx = (hand->x - o->x[i]) / hand->radius, ry = (hand->y - o->y[i]) / hand->radius;
-            double inside = 1 - rx * rx - ry * ry;
-            if (inside > 0) {
-                double fade = inside * inside, at_half = 0.5 * 0.75 * 0.75;
-                double pull = o->dt * hand->attraction * fade / at_half;
-                double slow = fmin(0.5, o->dt * hand->friction) * fade;
-                double carry = fmin(0.5, o->dt * hand->follow) * fade;
-                double ax = pull * rx - slow * vx + carry * (hand->vx - vx);
-                double ay = pull * ry - slow * vy + carry * (hand->vy - vy);
-                vx += ax;
-                vy += ay;
-            }
-        }
-        o->vx[i] = vx;
-        o->vy[i] = vy;
+        o->vx[i] += o->dt * o->g_x;
+        o->vy[i] += o->dt * o->g_y;
+        pull_by_hand(o, o->x[i], o->y[i], &o->vx[i], &o->vy[i]);
     }
 }
 
@@ -292,8 +294,8 @@ static double push_off_images(const oracle *o, int i, int axis, bool along)
     return -radius_of(o) / 12 * sum / (2 * small);
 }
 
-/* The walls' part; a pull is freed of what holds against gravity, with clavet's law only where the
- * density is below three quarters of the lattice's. */
+/* The walls' part; a pull is freed of what holds against gravity and a hand, with clavet's law only
+ * where the density is below three quarters of the lattice's. */
 static void push_off_walls(oracle *o, int i)
 {
     double x = o->push[i] * o->f1x[i] + o->near_push[i] * o->f2x[i];
@@ -305,13 +307,17 @@ static void push_off_walls(oracle *o, int i)
         nx = o->facing_x[i];
         ny = o->facing_y[i];
     }
-    double g = hypot(o->g_x, o->g_y), up = g > 0 ? -(x * o->g_x + y * o->g_y) / g : 0;
+    double gx = 0, gy = 0;
+    pull_by_hand(o, o->x[i], o->y[i], &gx, &gy);
+    gx += o->dt * o->g_x;
+    gy += o->dt * o->g_y;
+    double g = hypot(gx, gy), up = g > 0 ? -(x * gx + y * gy) / g : 0;
     double loose = 0.75 * oracle_lattice_density(true, o->eta) - o->rest_density_clavet;
     bool is_loose = !o->clavet || o->push[i] < 0.5 * o->k * radius_of(o) * loose;
     double freed = o->images ? 1 - o->adhesion : 1;
     if (is_loose && up > 0 && x * nx + y * ny < 0) {
-        x += freed * up * o->g_x / g;
-        y += freed * up * o->g_y / g;
+        x += freed * up * gx / g;
+        y += freed * up * gy / g;
     }
     o->dx[i] = x;
     o->dy[i] = y;

@@ -7,6 +7,11 @@
 
 enum { ORACLE_MAX = 600 };
 
+/* One finger. */
+typedef struct oracle_hand {
+    double x, y, vx, vy, radius, attraction, friction, follow;
+} oracle_hand;
+
 typedef struct oracle {
     int n;
     double x[ORACLE_MAX], y[ORACLE_MAX], vx[ORACLE_MAX], vy[ORACLE_MAX];
@@ -30,16 +35,13 @@ typedef struct oracle {
     int iterations;
     bool clavet;
     double k, k_near_clavet, rest_density_clavet; /* clavet law, in units of h and dt */
+    const oracle_hand *hand;
     /* An upright wall so thin that only pairs feel it: those that it parts do not exist. */
     bool walled;
     double wall_x;
 } oracle;
 
-/* One finger. */
-typedef struct oracle_hand {
-    double x, y, vx, vy, radius, attraction, friction, follow;
-} oracle_hand;
-
+/* The hand acts on what walls let go of, too, from now on; null: none. */
 void oracle_external_forces(oracle *o, const oracle_hand *hand);
 void oracle_viscosity(oracle *o);
 void oracle_advance(oracle *o, double max_speed);

@@ -14,8 +14,7 @@ void skv_pass_external_forces(const skv_substep *sub, int begin, int end)
     for (int i = begin; i < end; i++) {
         s->vx[i] += ax;
         s->vy[i] += ay;
-        for (int p = 0; p < sub->pull_count; p++)
-            skv_pull_on(&sub->pulls[p], s->x[i], s->y[i], &s->vx[i], &s->vy[i]);
+        skv_pull_on(sub->pulls, sub->pull_count, s->x[i], s->y[i], &s->vx[i], &s->vy[i]);
     }
 }
 

@@ -104,14 +104,25 @@ void skv_pass_pressure_clavet(const skv_substep *sub, int begin, int end)
     }
 }
 
+/* The velocity that gravity and pulls give in a substep to fluid that rests where a particle is. */
+static void find_fall(const skv_substep *sub, int i, float *gx, float *gy)
+{
+    const skv_pass_data *s = &sub->data;
+    float vx = 0, vy = 0;
+    skv_pull_on(sub->pulls, sub->pull_count, s->x[i], s->y[i], &vx, &vy);
+    *gx = sub->constants->dt * sub->gravity_x + vx;
+    *gy = sub->constants->dt * sub->gravity_y + vy;
+}
+
 /* The walls' part of a displacement, and the gauge pressure. */
 static void add_solid(const skv_substep *sub, int i, float virial)
 {
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
-    float wall_x, wall_y;
-    skv_wall_push(s->push[i], s->near_push[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i],
-                  sub->gravity_x, sub->gravity_y, c->loose_push, &wall_x, &wall_y);
+    float wall_x, wall_y, gx, gy;
+    find_fall(sub, i, &gx, &gy);
+    skv_wall_push(s->push[i], s->near_push[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i], gx, gy,
+                  c->loose_push, &wall_x, &wall_y);
     s->dx[i] += wall_x;
     s->dy[i] += wall_y;
     skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
@@ -131,8 +142,9 @@ static void add_imaged(const skv_substep *sub, int i, float out)
     out += 2 * (push * skv_pair_force(c, own) + near_push * (own * own));
     float wall_x = push * s->f1x[i] + near_push * s->f2x[i] + out * s->facing_x[i];
     float wall_y = push * s->f1y[i] + near_push * s->f2y[i] + out * s->facing_y[i];
-    skv_wall_let_fall(sub->gravity_x, sub->gravity_y, s->facing_x[i], s->facing_y[i], c->adhesion,
-                      &wall_x, &wall_y);
+    float gx, gy;
+    find_fall(sub, i, &gx, &gy);
+    skv_wall_let_fall(gx, gy, s->facing_x[i], s->facing_y[i], c->adhesion, &wall_x, &wall_y);
     s->dx[i] += wall_x;
     s->dy[i] += wall_y;
     skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);

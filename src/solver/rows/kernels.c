@@ -326,16 +326,29 @@ V8_INLINE void add_move(const skv_rows *s, int i, const skv_row_constants *c, fl
     }
 }
 
+/* One function: pulls are long, and rare. */
+static __attribute__((noinline)) void pull(const skv_row_constants *c, float x, float y, float *u,
+                                           float *v)
+{
+    skv_pull_on(c->pulls, c->pull_count, x, y, u, v);
+}
+
 /* Adds the wall's push. */
 V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
                         void *impulse)
 {
+    const skv_row_particles *p = &s->set[s->current];
     int i = wall->particle;
     float push = s->push[i], near_push = s->near_push[i], dx, dy;
+    float gx = 0, gy = 0; /* what fluid gains that rests there */
+    if (c->pull_count > 0)
+        pull(c, p->x[i], p->y[i], &gx, &gy);
+    gx += c->gravity_x;
+    gy += c->gravity_y;
     if (!c->images) {
         const skv_wall_sample *solid = &wall->at.wall;
-        skv_wall_push(push, near_push, solid->f1x, solid->f1y, solid->f2x, solid->f2y, c->gravity_x,
-                      c->gravity_y, c->loose_push, &dx, &dy);
+        skv_wall_push(push, near_push, solid->f1x, solid->f1y, solid->f2x, solid->f2y, gx, gy,
+                      c->loose_push, &dx, &dy);
         /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
         if (s->gauged)
             s->own_move.thrust[i] +=
@@ -348,7 +361,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
         out += 2 * (push * ((1 - q) * (q * q)) + near_push * (q * q));
         dx = rest * image->f1x + out * image->nx;
         dy = rest * image->f1y + out * image->ny;
-        skv_wall_let_fall(c->gravity_x, c->gravity_y, image->nx, image->ny, c->adhesion, &dx, &dy);
+        skv_wall_let_fall(gx, gy, image->nx, image->ny, c->adhesion, &dx, &dy);
     }
     add_move(s, i, c, dx, dy, impulse);
 }
@@ -505,9 +518,8 @@ static void advance(const skv_rows *s, int row, const skv_row_constants *c,
         v8_store(p->u + i, v8_add(v8_load(p->u + i), gx));
         v8_store(p->v + i, v8_add(v8_load(p->v + i), gy));
     }
-    for (int f = 0; f < c->pull_count; f++)
-        for (int i = s->row_start[row]; i < end; i++)
-            skv_pull_on(&c->pulls[f], p->x[i], p->y[i], &p->u[i], &p->v[i]);
+    for (int i = s->row_start[row]; c->pull_count > 0 && i < end; i++)
+        pull(c, p->x[i], p->y[i], &p->u[i], &p->v[i]);
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
         v8 speed = v8_sqrt(v8_max(v8_add(v8_mul(u, u), v8_mul(v, v)), tiny));
