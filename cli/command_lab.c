@@ -169,7 +169,8 @@ static void refuse(lab_run *run, const skv_error *why)
     fflush(stdout);
 }
 
-/* Runs the experiment from each start; gives its figures, and the report of the first start. */
+/* Runs the experiment from each start; gives its figures, and the report of the first start. Of
+ * starts that nobody asked for those are left out that the experiment has no room for. */
 static skv_result run_starts(lab_run *run, lab_figure *figures, skv_report **first,
                              skv_error *error)
 {
@@ -179,6 +180,9 @@ static skv_result run_starts(lab_run *run, lab_figure *figures, skv_report **fir
         skv_report *report;
         lab_starts_choose(&run->starts, run->start, &run->lab);
         skv_result result = skv_experiment_run(run->chosen[run->at], &run->lab, &report, error);
+        bool refused = result == SKV_ERROR_VALUE || result == SKV_ERROR_LIMIT;
+        if (refused && *first && run->options->starts == 0)
+            continue;
         if (result != SKV_OK)
             return result;
         for (int i = 0; i < MAX_FIGURES && skv_report_row(report, i); i++)

@@ -64,18 +64,18 @@ static int find_wanted(const cli_options *options)
     return (int)number;
 }
 
-/* Makes sure that the settings leave as many starts something to differ in. */
-static skv_result prepare_several(lab_starts *starts, const cli_options *options, int count,
-                                  skv_error *error)
+/* Whether the number of particles follows from another setting. */
+static bool is_number_decided(const cli_options *options)
 {
-    for (int i = 0; i < options->setting_count; i++) {
+    for (int i = 0; i < options->setting_count; i++)
         if (strcmp(options->settings[i].path, "fluid.spacing") == 0)
-            return skv_fail(error, SKV_ERROR_VALUE,
-                            "--starts: they differ in their number of particles, which "
-                            "fluid.spacing decides here; say particles=N instead of it");
-    }
-    starts->wanted = find_wanted(options);
-    starts->setting_count = options->setting_count + 1;
+            return true;
+    return false;
+}
+
+/* Whether every start that was asked for has settings that are right. */
+static skv_result check_starts(lab_starts *starts, int count, skv_error *error)
+{
     skv_lab_options lab = skv_default_lab_options();
     skv_result result = SKV_OK;
     for (int i = 0; i < count && result == SKV_OK; i++) {
@@ -88,25 +88,26 @@ static skv_result prepare_several(lab_starts *starts, const cli_options *options
 skv_result lab_starts_open(lab_starts *starts, const cli_options *options, skv_error *error)
 {
     const int asked = options->starts, count = options->setting_count;
-    *starts = (lab_starts){.setting_count = count, .of_any = 1, .of_scatter = 1};
+    const bool decided = is_number_decided(options);
+    *starts = (lab_starts){.setting_count = count,
+                           .of_any = asked > 0 ? asked : 1,
+                           .of_scatter = asked > 0 ? asked
+                                         : decided ? 1
+                                                   : STARTS_OF_SCATTER};
+    if (asked > 1 && decided)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "--starts: they differ in their number of particles, which "
+                        "fluid.spacing decides here; say particles=N instead of it");
     starts->settings = calloc((size_t)count + 1, sizeof *starts->settings);
     if (!starts->settings)
         return skv_fail(error, SKV_ERROR_MEMORY, "lab: out of memory");
     for (int i = 0; i < count; i++)
         starts->settings[i] = options->settings[i];
-    if (asked == 1)
-        return SKV_OK;
-    int most = asked > 0 ? asked : STARTS_OF_SCATTER;
-    skv_result result = prepare_several(starts, options, most, error);
-    if (result == SKV_OK) {
-        starts->of_any = asked > 0 ? asked : 1;
-        starts->of_scatter = most;
-    } else if (asked == 0) {
-        starts->wanted = 0;
-        starts->setting_count = count;
-        result = SKV_OK;
+    if (starts->of_scatter > 1) {
+        starts->wanted = find_wanted(options);
+        starts->setting_count++;
     }
-    return result;
+    return check_starts(starts, asked, error);
 }
 
 int lab_starts_count(const lab_starts *starts, const skv_experiment *experiment)

@@ -29,9 +29,9 @@ typedef struct lab_starts {
     char particles[16];
 } lab_starts;
 
-/* If several starts are asked for: fails if the settings, known to be right, leave nothing for them
- * to differ in, or if one of them would have too many particles or too few. If none are, there is
- * one then. Needs lab_starts_close, also on failure. */
+/* Fails if several starts are asked for and the settings, known to be right, leave nothing for them
+ * to differ in, or one of them would have too many particles or too few. Needs lab_starts_close,
+ * also on failure. */
 skv_result lab_starts_open(lab_starts *starts, const cli_options *options, skv_error *error);
 void lab_starts_close(lab_starts *starts);
 /* From how many starts an experiment is run. */

@@ -9,8 +9,8 @@
 
 /* Takes from a wall's pull what would hold a particle up against (gx, gy), the direction in which
  * gravity and pulls would have it fall, or drops would hang from ceilings for ever; but for the
- * share `adhesion` of it. (nx, ny) points out of the wall. Leaving
- * out all of the pull heats the fluid where its surface meets a wall, since it has no energy then.
+ * share `adhesion` of it. (nx, ny) points out of the wall. Leaving out all of the pull heats the
+ * fluid where its surface meets a wall, since it has no energy then.
  */
 static inline void skv_wall_let_fall(float gx, float gy, float nx, float ny, float adhesion,
                                      float *x, float *y)

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-/* Takes gravity away and lets a force or a hand pull as much. */
+/* Takes gravity away and lets a force pull as much, or a hand some three times as much. */
 static void replace_gravity(skv_world *world, bool by_hand)
 {
     skv_force force = {.area = skv_box(0, 0, 2, 2), .ay = -9.81f};
