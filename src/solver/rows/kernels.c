@@ -31,18 +31,30 @@ V8_INLINE v8 lag_of_eight(v8 u, v8 v, const skv_row_constants *c)
     return v8_mul(v8_set(c->pair_lag), square);
 }
 
-/* Notes how far the density looks ahead of the places of a row: four times the lag, as its sums
- * need it. */
-static void look_ahead_of(const skv_rows *s, int row, const skv_row_constants *c)
+/* Notes of a row's eights how far the density looks ahead of their places, four times the lag, as
+ * its sums need it; who may have a gradient; and that nobody has an image, which sampling finds. */
+static void prepare(const skv_rows *s, int row, const skv_row_constants *c)
 {
     const skv_row_particles *p = &s->set[s->current];
-    const v8 four = v8_set(4);
-    for (int i = s->row_start[row]; i < skv_row_padded_end(s->row_end[row]); i += ROW_LANES) {
+    const v8 four = v8_set(4), until = v8_set(c->tension_until), far = v8_set(SKV_FAR);
+    int begin = s->row_start[row], end = skv_row_padded_end(s->row_end[row]);
+    int first = end / ROW_LANES, last = begin / ROW_LANES;
+    for (int i = begin; i < end; i += ROW_LANES) {
         v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
         v8 scale = v8_mul(four, lag_of_eight(u, v, c));
         v8_store(s->ahead_x + i, v8_mul(scale, u));
         v8_store(s->ahead_y + i, v8_mul(scale, v));
+        v8_store(s->image + i, far);
+        const int eight = i / ROW_LANES;
+        s->graded[eight] = v8_any_below(v8_load(p->warm_push + i), until) != 0;
+        if (s->graded[eight]) {
+            first = first < eight ? first : eight;
+            last = eight + 1;
+        }
     }
+    memset(s->beside + begin / TILE, 0, (size_t)(end - begin) / TILE);
+    s->graded_begin[row] = first;
+    s->graded_end[row] = last;
 }
 
 /* The walls at a particle; returns the distance. Once for all: each copy is a kilobyte. */
@@ -65,12 +77,7 @@ static void sample(const skv_rows *s, int row, const skv_row_constants *c,
     const skv_row_particles *p = &s->set[s->current];
     int begin = s->row_start[row], end = s->row_end[row], used = 0;
     if (!c->clavet)
-        look_ahead_of(s, row, c);
-    for (int i = begin; !c->clavet && i < skv_row_padded_end(end); i += ROW_LANES)
-        s->graded[i / ROW_LANES] =
-            v8_any_below(v8_load(p->warm_push + i), v8_set(c->tension_until)) != 0;
-    for (int i = begin; c->images && i < skv_row_padded_end(end); i += ROW_LANES)
-        v8_store(s->image + i, v8_set(SKV_FAR));
+        prepare(s, row, c);
     for (int i = begin; i < end; i++) {
         if (p->clearance[i] >= 1)
             continue;
@@ -79,8 +86,10 @@ static void sample(const skv_rows *s, int row, const skv_row_constants *c,
         /* As whoever has to sample again will see it. */
         if (p->clearance[i] >= 1 || (c->images && wall.at.image.distance >= 1))
             continue;
-        if (c->images)
+        if (c->images) {
             s->image[i] = wall.at.image.distance;
+            s->beside[i / TILE] = true;
+        }
         if (used < samples->room)
             samples->sample[used] = wall;
         used++;

@@ -81,10 +81,6 @@ enum {
  * by up to the square root of two. */
 #define ROW_WALL_SLOPE 1.4143f
 
-/* How far apart a pair's particles can be: a radius where its distance is taken, and half of the
- * ways that both of them have gone since, each at most a radius. */
-#define ROW_MOST_APART 2
-
 /* Phases of a substep, for the profile. */
 enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
 
@@ -169,8 +165,9 @@ struct skv_rows {
     float *ahead_x, *ahead_y;          /* how far the density looks ahead of the places */
     float *pressure;                   /* gauge */
 
-    /* Per tile: its ranges of partners. */
+    /* Per tile: its ranges of partners; whether one of its particles has an image. */
     int *own_end, *next_begin, *next_end;
+    bool *beside;
 
     /* Per eight places: whether one of them may have a gradient, then whether it has. */
     bool *graded;
@@ -182,6 +179,8 @@ struct skv_rows {
     int *new_start, *new_end; /* of the sort under way */
     int *row_blocks;          /* blocks of pairs in a row's ranges */
     int *row_walls;           /* particles near a wall in a row; -1: more than a thread keeps */
+    /* Which eights of a row may have a gradient, from the first to before the end. */
+    int *graded_begin, *graded_end;
 
     const struct skv_row_kernels *kernels;
     skv_row_thread *thread;

@@ -14,7 +14,7 @@ enum {
     LINES_A_PAGE = 64,
     ARRAYS = 14 + ROW_SPARE, /* of an element for each place */
     FLOATS_A_BLOCK = ROW_TILE * ROW_LANES,
-    ROW_NUMBERS = 7, /* integers kept for each row */
+    ROW_NUMBERS = 9, /* integers kept for each row */
     MAX_CELLS = 1 << 26
 };
 
@@ -61,8 +61,9 @@ skv_result skv_rows_create(float width, float height, float per_square, skv_inst
     rows->memory.grid = numbers * sizeof *block;
     rows->grid_block = block;
     rows->cell_start = block;
-    int **by_row[] = {&rows->row_start, &rows->row_end,    &rows->new_start, &rows->new_end,
-                      &rows->row_size,  &rows->row_blocks, &rows->row_walls};
+    int **by_row[] = {&rows->row_start, &rows->row_end,      &rows->new_start,
+                      &rows->new_end,   &rows->row_size,     &rows->row_blocks,
+                      &rows->row_walls, &rows->graded_begin, &rows->graded_end};
     for (int a = 0; a < ROW_NUMBERS; a++)
         *by_row[a] = block + grid + in_rows * (size_t)a;
     *out = rows;
@@ -188,8 +189,10 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     int **by_tile[] = {&rows->own_end, &rows->next_begin, &rows->next_end};
     enum { FLOATS = sizeof floats / sizeof *floats, INTS = 2, TILE_INTS = 3 };
     size_t stride = array_stride(slots), tiles = array_stride(slots / ROW_TILE + 1);
+    /* Flags by eight and by tile. */
     size_t eights = array_stride(slots / ROW_LANES / sizeof(float) + 1);
-    size_t total = stride * (FLOATS + INTS) + TILE_INTS * tiles + eights;
+    size_t fours = array_stride(slots / ROW_TILE / sizeof(float) + 1);
+    size_t total = stride * (FLOATS + INTS) + TILE_INTS * tiles + eights + fours;
     float *block = skv_calloc(total, sizeof *block);
     if (!block)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
@@ -202,6 +205,7 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     for (int i = 0; i < TILE_INTS; i++, block += tiles)
         *by_tile[i] = (int *)(void *)block;
     rows->graded = (bool *)(void *)block;
+    rows->beside = (bool *)(void *)(block + eights);
     rows->capacity = capacity;
     rows->slots = (int)slots;
     rows->memory.particles = total * sizeof *block;

@@ -8,35 +8,11 @@
 #include "solver/rows/tiles.h"
 #include "solver/wall_image.h"
 
-/* Whether one of the particles in a range is beside a wall. */
-static __attribute__((noinline)) bool has_image(const float *image, int begin, int end)
-{
-    const v8 one = v8_set(1);
-    bool any = false;
-    for (int j = begin; j < end && !any; j += ROW_LANES)
-        any = v8_any_below(v8_load(image + j), one);
-    return any;
-}
-
 /* Whether a tile's pairs may have images, or with `either` whether one of the partners may have
- * some at all. Farther from walls than this nobody has, but `clearance` is a lower bound only. */
-static __attribute__((noinline)) bool meets_images(const skv_rows *s, int i, bool either)
+ * some at all. */
+V8_INLINE bool meets_images(const skv_rows *s, int i, bool either)
 {
-    const float *clearance = s->set[s->current].clearance + i;
-    bool near = false, own = false;
-    for (int k = 0; k < TILE; k++) {
-        near = near || clearance[k] < 1 + ROW_MOST_APART * ROW_WALL_SLOPE;
-        own = own || s->image[i + k] < 1;
-    }
-    if (!near || (!own && !either))
-        return false;
-    if (own && either)
-        return true;
-    /* The very blocks that the loops compute: the first is there even if it has no partner, and
-     * what lies behind the last partner may have come near since the sort. */
-    int own_end = s->own_end[i / TILE] > i + 1 ? s->own_end[i / TILE] : i + 2;
-    return has_image(s->image, i + 1, own_end) ||
-           has_image(s->image, s->next_begin[i / TILE], s->next_end[i / TILE]);
+    return s->beside[i / TILE] || (either && any_flag(s, i, s->beside, TILE));
 }
 
 /* q of the images of a tile's pairs, from their own: r'^2 = r^2 + 4 Di Dj. 0 where there is none.

@@ -203,19 +203,16 @@ VARIANT void add_densities(const skv_row_sums *to, const tile_sums *late)
     }
 }
 
-/* Whether one of a tile's particles or of its partners may have a gradient: of all that lie in the
- * blocks that the loops compute. */
-static __attribute__((noinline)) bool may_have_gradient(const skv_rows *s, int i)
+/* Whether one of a tile's particles or of its partners may have a gradient. Most rows know by where
+ * their first and their last such eights are. */
+V8_INLINE bool may_have_gradient(const skv_rows *s, int row, int i)
 {
-    int own_end = s->own_end[i / TILE] > i + 1 ? s->own_end[i / TILE] : i + 2;
-    int next_begin = s->next_begin[i / TILE], next_end = s->next_end[i / TILE];
-    bool may = false;
-    for (int e = i / ROW_LANES; e <= (own_end + ROW_LANES - 2) / ROW_LANES; e++)
-        may |= s->graded[e];
-    for (int e = next_begin / ROW_LANES;
-         next_begin < next_end && e <= (next_end + ROW_LANES - 2) / ROW_LANES; e++)
-        may |= s->graded[e];
-    return may;
+    const int t = i / TILE, eight = i / ROW_LANES;
+    bool own = (s->own_end[t] + ROW_LANES) / ROW_LANES >= s->graded_begin[row] &&
+               eight < s->graded_end[row];
+    bool next = (s->next_end[t] + ROW_LANES) / ROW_LANES >= s->graded_begin[row + 1] &&
+                s->next_begin[t] / ROW_LANES < s->graded_end[row + 1];
+    return (own || next) && any_flag(s, i, s->graded, ROW_LANES);
 }
 
 /* Pass A for a tile and all its partners. Returns where the next tile's pairs are to be kept. */
@@ -293,7 +290,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images,
         tile t;
         place_tile(&t, s, p, i, c, find_thin_wall(p, i, end, c, boundary));
         bool imaged = images && meets_images(s, i, false);
-        bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
+        bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, row, i);
         if (!kept || imaged || (meets && !FULL_VARIANTS))
             keep = density_any_tile(s, p,
                                     (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |
@@ -539,7 +536,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
         tile t;
         place_tile(&t, s, p, i, c, kept ? NULL : find_thin_wall(p, i, end, c, boundary));
         bool imaged = images && meets_images(s, i, with & WITH_GAUGE);
-        bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, i);
+        bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, row, i);
         if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
             keep = displacement_any_tile(s, p, &others,
                                          (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |

@@ -70,6 +70,22 @@ typedef struct look {
     const float *all_x, *all_y;
 } look;
 
+/* Whether a tile or one of its partners has a flag, which `size` places share: of all that lie in
+ * the very blocks that the loops compute. The first is there even if it has no partner, and what
+ * lies behind the last partner may have come near since the sort. */
+static __attribute__((noinline)) bool any_flag(const skv_rows *s, int i, const bool *flag, int size)
+{
+    int own_end = s->own_end[i / TILE] > i + 1 ? s->own_end[i / TILE] : i + 2;
+    int next_begin = s->next_begin[i / TILE], next_end = s->next_end[i / TILE];
+    bool any = false;
+    for (int e = i / size; e <= (own_end + ROW_LANES - 2) / size; e++)
+        any |= flag[e];
+    for (int e = next_begin / size; next_begin < next_end && e <= (next_end + ROW_LANES - 2) / size;
+         e++)
+        any |= flag[e];
+    return any;
+}
+
 /* How far a place lags behind the particle: such a share of its way of the substep. */
 static inline float lag_of_one(const skv_row_particles *p, int i, float pair_lag, float lag_rise)
 {
