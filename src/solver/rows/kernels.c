@@ -497,8 +497,8 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
     if (iteration == c->iterations - 1 && (c->grip > 0 || c->wall_drag > 0))
         for_walls(s, row, c, boundary, samples, add_grip, &given);
     skv_impulse_add(walls, given.x, given.y, given.moment);
-    const bool last = iteration == c->iterations - 1;
-    const move_kind correction = {.corrects = true, .lagged = true, .lags = !last};
+    const bool last = iteration == c->iterations - 1, lag = c->pair_lag > 0;
+    const move_kind correction = {.corrects = true, .lagged = lag, .lags = lag && !last};
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 dx = collected(s->own_move.x + i, s->next_move.x + i);
@@ -541,7 +541,7 @@ static void advance(const skv_rows *s, int row, const skv_row_constants *c,
         }
         v8_store(p->u + i, u);
         v8_store(p->v + i, v);
-        move_eight(s, i, end, u, v, (move_kind){.lags = true}, c, boundary, walls);
+        move_eight(s, i, end, u, v, (move_kind){.lags = c->pair_lag > 0}, c, boundary, walls);
     }
 }
 
