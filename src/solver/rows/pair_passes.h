@@ -267,6 +267,8 @@ static __attribute__((noinline)) float *density_any_tile(const skv_rows *s,
 #if FULL_VARIANTS
     if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES))
         return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late, keep);
+    if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT))
+        return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t, late, keep);
 #endif
     return density_tile(s, p, with, t, late, keep);
 }
@@ -513,6 +515,9 @@ displacement_any_tile(const skv_rows *s, const skv_row_particles *p, const partn
 #if FULL_VARIANTS
     if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES))
         return displacement_tile(s, p, others, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late, keep);
+    if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT))
+        return displacement_tile(s, p, others, SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t,
+                                 late, keep);
 #endif
     return displacement_tile(s, p, others, with, t, late, keep);
 }
