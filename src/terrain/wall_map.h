@@ -124,17 +124,15 @@ static inline int32_t skv_wall_find(const skv_wall_map *map, float x, float y,
 {
     float gx = skv_wall_keep_inside(x * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->columns);
     float gy = skv_wall_keep_inside(y * map->per_metre + (SKV_WALL_MARGIN - 0.5f), map->rows);
-    int column = (int)gx / SKV_WALL_BLOCK, row = (int)gy / SKV_WALL_BLOCK;
-    column = column < map->columns ? column : map->columns - 1;
-    row = row < map->rows ? row : map->rows - 1;
+    int i = (int)gx, j = (int)gy;
+    i -= i == map->columns * SKV_WALL_BLOCK;
+    j -= j == map->rows * SKV_WALL_BLOCK;
+    unsigned column = (unsigned)i / SKV_WALL_BLOCK, row = (unsigned)j / SKV_WALL_BLOCK;
     int32_t number = map->index[(size_t)row * (size_t)map->columns + (size_t)column];
     if (number < 0)
         return number;
-    gx -= (float)(column * SKV_WALL_BLOCK);
-    gy -= (float)(row * SKV_WALL_BLOCK);
-    int i = gx < SKV_WALL_BLOCK ? (int)gx : SKV_WALL_BLOCK - 1,
-        j = gy < SKV_WALL_BLOCK ? (int)gy : SKV_WALL_BLOCK - 1;
-    *place = (skv_wall_place){i, j, gx - (float)i, gy - (float)j};
+    *place = (skv_wall_place){(int)((unsigned)i % SKV_WALL_BLOCK),
+                              (int)((unsigned)j % SKV_WALL_BLOCK), gx - (float)i, gy - (float)j};
     return number;
 }
 
