@@ -23,7 +23,8 @@
 
 enum {
     LEAST_ROUNDS = 20,
-    MOST_WORK = 5000000 /* particles times rounds of one length: many particles get fewer of them */
+    MOST_WORK = 5000000, /* particles times rounds of one length: many get fewer of them */
+    ROUND_ARRAYS = 6     /* that a round begins from */
 };
 
 /* Rounds, at most, of the longest substeps, of each length between and of the world's own; the rms
@@ -50,6 +51,7 @@ typedef struct settling {
     skv_fluid_def fluid; /* without friction of any kind */
     skv_lies lies;
     float *vx, *vy; /* what the particles had */
+    float *before;  /* what they had before the last round: ROUND_ARRAYS arrays */
     double carried; /* 1/c^2 of the substeps whose weight they have taken on, s^2/m^2 */
     double calm;    /* m/s, in the substeps that are taken */
     float kept;     /* share of the velocity, from one round to the next */
@@ -78,10 +80,25 @@ static void sink(const settling *s, skv_lie lie, double softness)
     }
 }
 
-static skv_result take_round(const settling *s, skv_error *error)
+/* Notes what the particles have, or with `back` gives them what was noted. */
+static void note(const settling *s, bool back)
+{
+    const skv_state *p = &s->world->state;
+    float *const arrays[ROUND_ARRAYS] = {p->x, p->y, p->vx, p->vy, p->clearance, p->warm_push};
+    size_t count = (size_t)p->count;
+    for (size_t a = 0; a < ROUND_ARRAYS; a++) {
+        float *noted = s->before + a * count;
+        memcpy(back ? arrays[a] : noted, back ? noted : arrays[a], count * sizeof(float));
+    }
+}
+
+/* Takes a round without pressures, which cost a seventh, or the last one `again`, with them: which
+ * one is the last is known only when it is over. */
+static skv_result take_round(const settling *s, bool again, skv_error *error)
 {
     skv_world *world = s->world;
     skv_state *p = &world->state;
+    note(s, again);
     float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
     for (int i = 0; i < p->count; i++) {
         float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
@@ -92,6 +109,7 @@ static skv_result take_round(const settling *s, skv_error *error)
     skv_solver_step step = skv_world_describe_step(world, &s->constants, pulls);
     step.gravity_x = step.gravity_y = 0;
     step.pull_count = 0;
+    step.ungauged = !again;
     skv_result result = world->solver->type->reserve(world->solver, &step, error);
     if (result == SKV_OK)
         world->solver->type->advance(world->solver, &step);
@@ -140,7 +158,7 @@ static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
     s->carried = softness;
     skv_result result = SKV_OK;
     for (int r = 0; r < rounds && result == SKV_OK && (r < LEAST_ROUNDS || !is_calm(s)); r++)
-        result = take_round(s, error);
+        result = take_round(s, false, error);
     return result;
 }
 
@@ -171,6 +189,8 @@ static skv_result relax_all(settling *s, skv_error *error)
         int rounds = !next ? most->last : substeps == first ? most->first : most->later;
         result = relax(s, substeps, rounds, error);
     }
+    if (result == SKV_OK)
+        result = take_round(s, true, error);
     if (result == SKV_OK)
         sink(s, SKV_LEANS, s->carried);
     return result;
@@ -205,7 +225,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
     settling s = {.world = world, .fluid = world->fluid};
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
-    float *numbers = skv_calloc(3 * count, sizeof *numbers);
+    float *numbers = skv_calloc((3 + ROUND_ARRAYS) * count, sizeof *numbers);
     s.lies.lie = skv_calloc(count, sizeof *s.lies.lie);
     skv_result result = SKV_OK;
     if (!numbers || !s.lies.lie)
@@ -214,6 +234,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
         s.vx = numbers;
         s.vy = numbers + count;
         s.lies.weight = numbers + 2 * count;
+        s.before = numbers + 3 * count;
         result = skv_world_find_lies(world, &s.lies, error);
     }
     if (result == SKV_OK) {
