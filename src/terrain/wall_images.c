@@ -11,6 +11,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "base/simd.h"
 #include "terrain/image_distance.h"
 #include "terrain/wall_build.h"
 
@@ -43,18 +44,18 @@ typedef struct window {
     float free[ROWS][COLUMNS];     /* the free shares */
 } window;
 
-/* Where the cells around a place lie for its rays: behind which ray, how far on to the next, and
- * how far away, in cells. */
-typedef struct bearings {
-    uint8_t ray[SPAN][WIDTH];
-    float part[SPAN][WIDTH], way[SPAN][WIDTH];
-} bearings;
+/* Where a cell lies for the rays of a place: behind which ray, how far on to the next, and how far
+ * away, in cells. */
+typedef struct bearing {
+    int ray;
+    float part, way;
+} bearing;
 
 typedef struct images {
     skv_wall_builder b;
     skv_image_law law, seen_law; /* for sums over cells, and along rays */
     skv_shadow_rays rays;
-    bearings bearings; /* of samples */
+    bearing bearings[SPAN][WIDTH]; /* of samples */
     const size_t *blocks;
 } images;
 
@@ -62,10 +63,10 @@ typedef struct images {
 typedef struct place {
     int column, row;
     float u, v;
-    float x, y;  /* m */
-    bool shaded; /* only what it sees counts */
+    float x, y; /* m */
     float distance, nx, ny;
     float r, f1x, f1y;
+    const float *nearness; /* of what it sees along its rays, which alone counts; null: all does */
 } place;
 
 /* D and its gradient, by R and F1. */
@@ -168,74 +169,78 @@ static int find_ray(const skv_shadow_rays *rays, double x, double y, double *par
     }
 }
 
-static void take_bearings(const skv_shadow_rays *rays, float u, float v, bearings *made)
+static bearing take_bearing(const skv_shadow_rays *rays, double x, double y)
 {
-    memset(made, 0, sizeof *made);
-    for (int j = 0; j < SPAN; j++) {
-        for (int i = 0; i < SPAN; i++) {
-            double x = i - REACH - (double)u, y = j - REACH - (double)v, part;
-            made->ray[j][i] = (uint8_t)find_ray(rays, x, y, &part);
-            made->part[j][i] = (float)part;
-            made->way[j][i] = (float)sqrt(x * x + y * y);
-        }
-    }
+    double part;
+    int ray = find_ray(rays, x, y, &part);
+    return (bearing){ray, (float)part, (float)sqrt(x * x + y * y)};
 }
 
-/* The free shares of the cells around a place, of those that it sees. Beside a flat wall the
- * reciprocals of sights change evenly from ray to ray. */
-static void find_seen(const images *m, const place *p, const float *free, float seen[SPAN][WIDTH])
+/* The reciprocals of a place's sights, which beside a flat wall change evenly from ray to ray, and
+ * its wall sums if `values` is not null. */
+static void look_around(const images *m, const place *p, float nearness[RAYS + 1], float *values)
 {
-    const skv_terrain *terrain = m->b.terrain;
     const double least = 0.01; /* of a cell: a reciprocal is to be had */
     double sights[RAYS];
-    float nearness[RAYS + 1];
-    bearings own;
-    const bearings *at = &m->bearings;
-    if (p->u != 0 || p->v != 0) {
-        take_bearings(&m->rays, p->u, p->v, &own);
-        at = &own;
-    }
-    skv_shadow_sights(&m->rays, terrain, skv_to_grid(terrain, p->x), skv_to_grid(terrain, p->y),
-                      m->b.map->radius * (double)terrain->per_metre, sights);
+    skv_wall_shade_sample(m->b.map, m->b.terrain, &m->rays, p->x, p->y, sights, values);
     for (int i = 0; i < RAYS; i++)
         nearness[i] = (float)(1 / skv_max(sights[i] / m->b.cell, least));
     nearness[RAYS] = nearness[0];
-    for (int j = 0; j < SPAN; j++, free += COLUMNS) {
-        for (int i = 0; i < WIDTH; i++) {
-            const float *ray = nearness + at->ray[j][i];
-            float sight = 1 / (ray[0] + at->part[j][i] * (ray[1] - ray[0]));
-            float share = skv_maxf(0.5f + sight - at->way[j][i], 0);
-            seen[j][i] = skv_minf(free[i], share);
-        }
+}
+
+/* The free shares of LANES cells from cell (i, j) on, of those that a place sees. */
+static v8 see_cells(const images *m, const place *p, int i, int j, const float *free)
+{
+    float seen[LANES];
+    for (int lane = 0; lane < LANES; lane++, i++) {
+        seen[lane] = 0;
+        if (!(free[lane] > 0))
+            continue;
+        bearing at = m->bearings[j][i];
+        if (p->u != 0 || p->v != 0)
+            at = take_bearing(&m->rays, i - REACH - (double)p->u, j - REACH - (double)p->v);
+        const float *ray = p->nearness + at.ray;
+        float sight = 1 / (ray[0] + at.part * (ray[1] - ray[0]));
+        seen[lane] = skv_minf(free[lane], skv_maxf(0.5f + sight - at.way, 0));
     }
+    return v8_load(seen);
 }
 
 /* What images give in a uniform fluid: sums over cells. */
 typedef struct sums {
-    float density[LANES];
-    float x[LANES], y[LANES], mirror[LANES]; /* of pushes: along r, and across the mirror */
+    v8 density;
+    v8 x, y, mirror; /* of pushes: along r, and across the mirror */
 } sums;
 
-/* Adds LANES cells of a row; `x` and `y` are the ways there, in radii, `near` is 4 D. The push F
- * over r' is q^2. */
-static void add_cells(const float *distance, const float *free, const float *x, float y, float near,
+/* Adds LANES cells from cell (i, j) on, those with an image that is felt: the push F over r' is
+ * q^2. */
+static void add_cells(const images *m, const window *w, const place *p, int i, int j, v8 x, v8 y,
                       sums *s)
 {
-    for (int lane = 0; lane < LANES; lane++) {
-        float r = sqrtf(x[lane] * x[lane] + y * y + near * distance[lane]);
-        float q = skv_maxf(1 - r, 0), push = free[lane] * (q * q);
-        s->density[lane] += push * (q * (4 - 3 * q));
-        s->x[lane] -= push * x[lane];
-        s->y[lane] -= push * y;
-        s->mirror[lane] += push * distance[lane];
-    }
+    const v8 zero = v8_set(0), one = v8_set(1);
+    const float *free = &w->free[p->row + SHIFT + j][p->column + SHIFT + i];
+    v8 distance = v8_load(&w->distance[p->row + SHIFT + j][p->column + SHIFT + i]);
+    v8 square = v8_add(v8_mul(x, x), v8_mul(y, y));
+    square = v8_add(square, v8_mul(v8_set(4 * p->distance), distance));
+    v8 share = v8_load(free);
+    if (!v8_any_below(square, one) || !v8_any_below(zero, share))
+        return;
+    if (p->nearness)
+        share = see_cells(m, p, i, j, free);
+    v8 q = v8_max(v8_sub(one, v8_sqrt(square)), zero), push = v8_mul(share, v8_mul(q, q));
+    v8 more = v8_mul(q, v8_sub(v8_set(4), v8_mul(v8_set(3), q)));
+    s->density = v8_add(s->density, v8_mul(push, more));
+    s->x = v8_sub(s->x, v8_mul(push, x));
+    s->y = v8_sub(s->y, v8_mul(push, y));
+    s->mirror = v8_add(s->mirror, v8_mul(push, distance));
 }
 
-static float total(const float lanes[LANES])
+static float total(v8 lanes)
 {
-    float sum = 0;
-    for (int lane = 0; lane < LANES; lane++)
-        sum += lanes[lane];
+    float lane[LANES], sum = 0;
+    v8_store(lane, lanes);
+    for (int k = 0; k < LANES; k++)
+        sum += lane[k];
     return sum;
 }
 
@@ -243,22 +248,14 @@ static float total(const float lanes[LANES])
 static void find_rest(const images *m, const window *w, const place *p, float *image)
 {
     const float cell = 1.0f / REACH;
-    const float *distance = &w->distance[p->row + SHIFT][p->column + SHIFT];
-    const float *free = &w->free[p->row + SHIFT][p->column + SHIFT];
-    size_t free_row = COLUMNS;
-    float seen[SPAN][WIDTH], x[WIDTH];
-    if (p->shaded) {
-        find_seen(m, p, free, seen);
-        free = seen[0];
-        free_row = WIDTH;
-    }
+    float x[WIDTH];
     for (int i = 0; i < WIDTH; i++)
         x[i] = ((float)(i - REACH) - p->u) * cell;
-    sums s = {0};
-    for (int j = 0; j < SPAN; j++, distance += COLUMNS, free += free_row) {
-        float y = ((float)(j - REACH) - p->v) * cell;
+    sums s = {v8_set(0), v8_set(0), v8_set(0), v8_set(0)};
+    for (int j = 0; j < SPAN; j++) {
+        v8 y = v8_set(((float)(j - REACH) - p->v) * cell);
         for (int i = 0; i < WIDTH; i += LANES)
-            add_cells(distance + i, free + i, x + i, y, 4 * p->distance, &s);
+            add_cells(m, w, p, i, j, v8_load(x + i), y, &s);
     }
     float each = (float)m->b.map->density * (cell * cell), mirror = 2 * total(s.mirror);
     image[SKV_IMAGE_R] = p->r - each * total(s.density);
@@ -283,22 +280,25 @@ static void keep_off(const images *m, float missing, float nx, float ny, place *
     p->row += j;
     p->u = u - (float)i;
     p->v = v - (float)j;
-    p->shaded = skv_wall_map_near_thin(map, p->x, p->y);
-    if (p->shaded) {
-        float values[SKV_WALL_MAPS];
-        skv_wall_shade_sample(map, m->b.terrain, &m->rays, p->x, p->y, values);
+}
+
+/* Notes the wall sums and D where a place has been moved to; `values` are the sums if it is shaded.
+ */
+static void sum_anew(const images *m, const float values[SKV_WALL_MAPS], place *p)
+{
+    if (p->nearness) {
         p->r = values[SKV_WALL_R];
         p->f1x = values[SKV_WALL_F1X];
         p->f1y = values[SKV_WALL_F1Y];
     } else {
         skv_wall_sample wall;
-        skv_wall_map_sample(map, p->x, p->y, &wall);
+        skv_wall_map_sample(m->b.map, p->x, p->y, &wall);
         p->r = wall.r;
         p->f1x = wall.f1x;
         p->f1y = wall.f1y;
     }
-    find_distance(m, p->shaded ? &m->seen_law : &m->law, p->r, p->f1x, p->f1y, &p->distance, &p->nx,
-                  &p->ny);
+    find_distance(m, p->nearness ? &m->seen_law : &m->law, p->r, p->f1x, p->f1y, &p->distance,
+                  &p->nx, &p->ny);
 }
 
 /* Writes the rest of sample (i, j) of a block at (x, y). */
@@ -327,8 +327,13 @@ static void finish_sample(const images *m, const window *w, int x, int y, int i,
     bool kept_off = off < OFF_WALL;
     if (kept_off)
         keep_off(m, OFF_WALL - off, nx, ny, &p);
-    else
-        p.shaded = skv_wall_map_near_thin(map, p.x, p.y);
+    float nearness[RAYS + 1], values[SKV_WALL_MAPS];
+    if (skv_wall_map_near_thin(map, p.x, p.y)) {
+        look_around(m, &p, nearness, kept_off ? values : NULL);
+        p.nearness = nearness;
+    }
+    if (kept_off)
+        sum_anew(m, values, &p);
     find_rest(m, w, &p, image);
     if (kept_off) {
         /* R is the same up to the wall, so across it has no slope: a push there would be none of an
@@ -378,7 +383,9 @@ void skv_wall_build_images(const skv_wall_builder *b, const size_t *blocks, int 
     skv_image_law_make(false, &m.seen_law);
     if (b->map->thin) {
         skv_shadow_rays_make(&m.rays);
-        take_bearings(&m.rays, 0, 0, &m.bearings);
+        for (int j = 0; j < SPAN; j++)
+            for (int i = 0; i < WIDTH; i++)
+                m.bearings[j][i] = take_bearing(&m.rays, i - REACH, j - REACH);
     }
     /* All distances first: rests ask the neighbours for theirs. */
     skv_pool_run(pool, count, measure_blocks, &m);

@@ -331,10 +331,10 @@ void skv_wall_take_found(skv_wall_map *map, skv_thin_walls *found, const skv_sha
 
 void skv_wall_shade_sample(const skv_wall_map *map, const skv_terrain *terrain,
                            const skv_shadow_rays *rays, float x, float y,
-                           float values[SKV_WALL_MAPS])
+                           double sights[SKV_SHADOW_RAYS], float *values)
 {
     skv_shadow_at(rays, map->pressure, terrain, skv_to_grid(terrain, x), skv_to_grid(terrain, y),
-                  map->radius * (double)terrain->per_metre, map->density, values);
+                  map->radius * (double)terrain->per_metre, map->density, sights, values);
 }
 
 /* Replaces the samples of block (x, y) that lie in the air near a thin wall. */
@@ -345,8 +345,9 @@ static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
         for (int i = 0; i < SAMPLES; i++) {
             float sx = skv_wall_sample_place(map, x * BLOCK + i),
                   sy = skv_wall_sample_place(map, y * BLOCK + j);
+            double sights[SKV_SHADOW_RAYS];
             if (skv_wall_is_shaded(map->thin, terrain, sx, sy))
-                skv_wall_shade_sample(map, terrain, rays, sx, sy, b->samples[j][i]);
+                skv_wall_shade_sample(map, terrain, rays, sx, sy, sights, b->samples[j][i]);
         }
     }
 }

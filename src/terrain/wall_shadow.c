@@ -79,22 +79,17 @@ static double sight(const skv_terrain *terrain, double gx, double gy, double x, 
     return longest;
 }
 
-void skv_shadow_sights(const skv_shadow_rays *rays, const skv_terrain *terrain, float gx, float gy,
-                       double longest, double sights[SKV_SHADOW_RAYS])
-{
-    for (int i = 0; i < SKV_SHADOW_RAYS; i++)
-        sights[i] = sight(terrain, (double)gx, (double)gy, rays->x[i], rays->y[i], longest);
-}
-
 void skv_shadow_at(const skv_shadow_rays *rays, skv_kernel pressure, const skv_terrain *terrain,
                    float gx, float gy, double radius_pixels, double particles_per_square_radius,
-                   float values[SKV_WALL_MAPS])
+                   double sights[SKV_SHADOW_RAYS], float *values)
 {
-    double sums[SKV_WALL_MAPS] = {0}, sights[SKV_SHADOW_RAYS];
-    skv_shadow_sights(rays, terrain, gx, gy, radius_pixels, sights);
+    double sums[SKV_WALL_MAPS] = {0};
     for (int i = 0; i < SKV_SHADOW_RAYS; i++)
+        sights[i] = sight(terrain, (double)gx, (double)gy, rays->x[i], rays->y[i], radius_pixels);
+    for (int i = 0; values && i < SKV_SHADOW_RAYS; i++)
         add_ray(pressure, rays->x[i], rays->y[i], sights[i] / radius_pixels, sums);
-    finish(sums, particles_per_square_radius, values);
+    if (values)
+        finish(sums, particles_per_square_radius, values);
 }
 
 void skv_shadow_of_plane(const skv_shadow_rays *rays, skv_kernel pressure, double distance,
