@@ -42,6 +42,7 @@ enum {
 typedef struct window {
     float distance[ROWS][COLUMNS]; /* D */
     float free[ROWS][COLUMNS];     /* the free shares */
+    float least[ROWS];             /* of the D of each row's cells that are not solid */
 } window;
 
 /* Where a cell lies for the rays of a place: behind which ray, how far on to the next, and how far
@@ -135,6 +136,7 @@ static void fill_window(const images *m, int x, int y, window *w)
         int row = y * BLOCK + j - LOW, inside_y;
         const int32_t *index =
             map->index + (size_t)block_of(row, map->rows, &inside_y) * (size_t)map->columns;
+        w->least[j] = 1;
         for (int i = 0; i < ROWS; i++) {
             int column = x * BLOCK + i - LOW, inside_x;
             int32_t number = index[block_of(column, map->columns, &inside_x)];
@@ -146,6 +148,8 @@ static void fill_window(const images *m, int x, int y, window *w)
                 continue;
             w->distance[j][i] = map->images[number].samples[inside_y][inside_x][SKV_IMAGE_DISTANCE];
             w->free[j][i] = 1 - skv_wall_solid_share(&m->b, column, row);
+            if (w->free[j][i] > 0)
+                w->least[j] = skv_minf(w->least[j], w->distance[j][i]);
         }
     }
 }
@@ -253,9 +257,10 @@ static void find_rest(const images *m, const window *w, const place *p, float *i
         x[i] = ((float)(i - REACH) - p->u) * cell;
     sums s = {v8_set(0), v8_set(0), v8_set(0), v8_set(0)};
     for (int j = 0; j < SPAN; j++) {
-        v8 y = v8_set(((float)(j - REACH) - p->v) * cell);
-        for (int i = 0; i < WIDTH; i += LANES)
-            add_cells(m, w, p, i, j, v8_load(x + i), y, &s);
+        float y = ((float)(j - REACH) - p->v) * cell;
+        bool felt = y * y + 4 * p->distance * w->least[p->row + SHIFT + j] < 1;
+        for (int i = 0; felt && i < WIDTH; i += LANES)
+            add_cells(m, w, p, i, j, v8_load(x + i), v8_set(y), &s);
     }
     float each = (float)m->b.map->density * (cell * cell), mirror = 2 * total(s.mirror);
     image[SKV_IMAGE_R] = p->r - each * total(s.density);
