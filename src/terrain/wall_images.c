@@ -192,13 +192,14 @@ static void look_around(const images *m, const place *p, float nearness[RAYS + 1
     nearness[RAYS] = nearness[0];
 }
 
-/* The free shares of LANES cells from cell (i, j) on, of those that a place sees. */
-static v8 see_cells(const images *m, const place *p, int i, int j, const float *free)
+/* The free shares of LANES cells from cell (i, j) on, of those that a place sees; 0 where r'^2, the
+ * square, tells that they are not felt. */
+static v8 see_cells(const images *m, const place *p, int i, int j, const float *free, v8 square)
 {
-    float seen[LANES];
+    float seen[LANES] = {0}, squares[LANES];
+    v8_store(squares, square);
     for (int lane = 0; lane < LANES; lane++, i++) {
-        seen[lane] = 0;
-        if (!(free[lane] > 0))
+        if (!(free[lane] > 0) || squares[lane] >= 1)
             continue;
         bearing at = m->bearings[j][i];
         if (p->u != 0 || p->v != 0)
@@ -230,7 +231,7 @@ static void add_cells(const images *m, const window *w, const place *p, int i, i
     if (!v8_any_below(square, one) || !v8_any_below(zero, share))
         return;
     if (p->nearness)
-        share = see_cells(m, p, i, j, free);
+        share = see_cells(m, p, i, j, free, square);
     v8 q = v8_max(v8_sub(one, v8_sqrt(square)), zero), push = v8_mul(share, v8_mul(q, q));
     v8 more = v8_mul(q, v8_sub(v8_set(4), v8_mul(v8_set(3), q)));
     s->density = v8_add(s->density, v8_mul(push, more));
