@@ -23,8 +23,7 @@
 
 enum {
     LEAST_ROUNDS = 20,
-    MOST_WORK = 5000000, /* particles times rounds of one length: many get fewer of them */
-    ROUND_ARRAYS = 6     /* that a round begins from */
+    MOST_WORK = 5000000 /* particles times rounds of one length: many particles get fewer of them */
 };
 
 /* Rounds, at most, of the longest substeps, of each length between and of the world's own; the rms
@@ -51,7 +50,7 @@ typedef struct settling {
     skv_fluid_def fluid; /* without friction of any kind */
     skv_lies lies;
     float *vx, *vy; /* what the particles had */
-    float *before;  /* what they had before the last round: ROUND_ARRAYS arrays */
+    float *before;  /* what they had before the last round */
     double carried; /* 1/c^2 of the substeps whose weight they have taken on, s^2/m^2 */
     double calm;    /* m/s, in the substeps that are taken */
     float kept;     /* share of the velocity, from one round to the next */
@@ -80,16 +79,10 @@ static void sink(const settling *s, skv_lie lie, double softness)
     }
 }
 
-/* Notes what the particles have, or with `back` gives them what was noted. */
-static void note(const settling *s, bool back)
+/* How many floats lie from the first that a round begins from to the last, pressures in between. */
+static size_t round_size(const skv_state *p)
 {
-    const skv_state *p = &s->world->state;
-    float *const arrays[ROUND_ARRAYS] = {p->x, p->y, p->vx, p->vy, p->clearance, p->warm_push};
-    size_t count = (size_t)p->count;
-    for (size_t a = 0; a < ROUND_ARRAYS; a++) {
-        float *noted = s->before + a * count;
-        memcpy(back ? arrays[a] : noted, back ? noted : arrays[a], count * sizeof(float));
-    }
+    return (size_t)(p->clearance + p->count - p->x);
 }
 
 /* Takes a round without pressures, which cost a seventh, or the last one `again`, with them: which
@@ -98,7 +91,7 @@ static skv_result take_round(const settling *s, bool again, skv_error *error)
 {
     skv_world *world = s->world;
     skv_state *p = &world->state;
-    note(s, again);
+    memcpy(again ? p->x : s->before, again ? s->before : p->x, round_size(p) * sizeof *p->x);
     float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
     for (int i = 0; i < p->count; i++) {
         float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
@@ -157,8 +150,11 @@ static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
     sink(s, SKV_RESTS, softness - s->carried);
     s->carried = softness;
     skv_result result = SKV_OK;
-    for (int r = 0; r < rounds && result == SKV_OK && (r < LEAST_ROUNDS || !is_calm(s)); r++)
-        result = take_round(s, false, error);
+    bool again = false;
+    for (int r = 0; result == SKV_OK && !again; r++) {
+        again = r == rounds || (r >= LEAST_ROUNDS && is_calm(s));
+        result = take_round(s, again, error);
+    }
     return result;
 }
 
@@ -189,8 +185,6 @@ static skv_result relax_all(settling *s, skv_error *error)
         int rounds = !next ? most->last : substeps == first ? most->first : most->later;
         result = relax(s, substeps, rounds, error);
     }
-    if (result == SKV_OK)
-        result = take_round(s, true, error);
     if (result == SKV_OK)
         sink(s, SKV_LEANS, s->carried);
     return result;
@@ -225,7 +219,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
     settling s = {.world = world, .fluid = world->fluid};
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
-    float *numbers = skv_calloc((3 + ROUND_ARRAYS) * count, sizeof *numbers);
+    float *numbers = skv_calloc(3 * count + round_size(p), sizeof *numbers);
     s.lies.lie = skv_calloc(count, sizeof *s.lies.lie);
     skv_result result = SKV_OK;
     if (!numbers || !s.lies.lie)
