@@ -58,28 +58,29 @@ typedef struct images {
     skv_shadow_rays rays;
     bearing bearings[SPAN][WIDTH]; /* of samples */
     const size_t *blocks;
+    bool measured; /* all of their distances */
 } images;
 
 /* A place whose rest is wanted: beyond a sample of the block by less than a cell. */
 typedef struct place {
     int column, row;
     float u, v;
-    float x, y; /* m */
-    float distance, nx, ny;
-    float r, f1x, f1y;
+    float x, y;     /* m */
+    float image[3]; /* D and its gradient, as in a block of images */
+    float wall[SKV_WALL_MAPS];
     const float *nearness; /* of what it sees along its rays, which alone counts; null: all does */
 } place;
 
 /* D and its gradient, by R and F1. */
-static void find_distance(const images *m, const skv_image_law *law, float r, float f1x, float f1y,
-                          float *distance, float *nx, float *ny)
+static void find_distance(const images *m, bool seen, const float *wall, float *image)
 {
     const double full = (double)m->b.map->kernel.full[SKV_WALL_R];
-    double slope, d = skv_image_distance(law, (double)r / full, &slope);
+    const skv_image_law *law = seen ? &m->seen_law : &m->law;
+    double slope, d = skv_image_distance(law, (double)wall[SKV_WALL_R] / full, &slope);
     double gain = slope * skv_kernel_gain(SKV_KERNEL_SMOOTH) / full;
-    *distance = (float)d;
-    *nx = (float)(gain * (double)f1x);
-    *ny = (float)(gain * (double)f1y);
+    image[SKV_IMAGE_DISTANCE] = (float)d;
+    image[SKV_IMAGE_NX] = (float)(gain * (double)wall[SKV_WALL_F1X]);
+    image[SKV_IMAGE_NY] = (float)(gain * (double)wall[SKV_WALL_F1Y]);
 }
 
 /* The same inside a thin wall, whose R is that of the wall alone while what lies before it takes
@@ -106,12 +107,10 @@ static void measure_block(const images *m, int x, int y, int32_t number)
             float sx = skv_wall_sample_place(map, x * BLOCK + i);
             float sy = skv_wall_sample_place(map, y * BLOCK + j);
             bool seen = skv_wall_map_near_thin(map, sx, sy);
-            if (seen && !skv_wall_is_shaded(map->thin, m->b.terrain, sx, sy))
+            if (seen && !(skv_distance_at(m->b.terrain, sx, sy) > 0))
                 find_depth(m, sx, sy, image);
             else
-                find_distance(m, seen ? &m->seen_law : &m->law, wall[SKV_WALL_R],
-                              wall[SKV_WALL_F1X], wall[SKV_WALL_F1Y], &image[SKV_IMAGE_DISTANCE],
-                              &image[SKV_IMAGE_NX], &image[SKV_IMAGE_NY]);
+                find_distance(m, seen, wall, image);
         }
     }
 }
@@ -192,14 +191,14 @@ static void look_around(const images *m, const place *p, float nearness[RAYS + 1
     nearness[RAYS] = nearness[0];
 }
 
-/* The free shares of LANES cells from cell (i, j) on, of those that a place sees; 0 where r'^2, the
- * square, tells that they are not felt. */
-static v8 see_cells(const images *m, const place *p, int i, int j, const float *free, v8 square)
+/* Finds the free shares of LANES cells from cell (i, j) on, of those that a place sees; 0 where
+ * r'^2, the square, tells that they are not felt. */
+static void see_cells(const images *m, const place *p, int i, int j, const float *free,
+                      const float square[LANES], float seen[LANES])
 {
-    float seen[LANES] = {0}, squares[LANES];
-    v8_store(squares, square);
     for (int lane = 0; lane < LANES; lane++, i++) {
-        if (!(free[lane] > 0) || squares[lane] >= 1)
+        seen[lane] = 0;
+        if (!(free[lane] > 0) || square[lane] >= 1)
             continue;
         bearing at = m->bearings[j][i];
         if (p->u != 0 || p->v != 0)
@@ -208,44 +207,49 @@ static v8 see_cells(const images *m, const place *p, int i, int j, const float *
         float sight = 1 / (ray[0] + at.part * (ray[1] - ray[0]));
         seen[lane] = skv_minf(free[lane], skv_maxf(0.5f + sight - at.way, 0));
     }
-    return v8_load(seen);
 }
 
 /* What images give in a uniform fluid: sums over cells. */
 typedef struct sums {
-    v8 density;
-    v8 x, y, mirror; /* of pushes: along r, and across the mirror */
+    float density[LANES];
+    float x[LANES], y[LANES], mirror[LANES]; /* of pushes: along r, and across the mirror */
 } sums;
 
-/* Adds LANES cells from cell (i, j) on, those with an image that is felt: the push F over r' is
- * q^2. */
-static void add_cells(const images *m, const window *w, const place *p, int i, int j, v8 x, v8 y,
-                      sums *s)
+/* Adds LANES cells from cell (i, j) on, if one of them is felt; `x` and `y` are the ways there, in
+ * radii. The push F over r' is q^2. */
+static void add_cells(const images *m, const window *w, const place *p, int i, int j,
+                      const float *x, float y, sums *s)
 {
-    const v8 zero = v8_set(0), one = v8_set(1);
+    const float *distance = &w->distance[p->row + SHIFT + j][p->column + SHIFT + i];
     const float *free = &w->free[p->row + SHIFT + j][p->column + SHIFT + i];
-    v8 distance = v8_load(&w->distance[p->row + SHIFT + j][p->column + SHIFT + i]);
-    v8 square = v8_add(v8_mul(x, x), v8_mul(y, y));
-    square = v8_add(square, v8_mul(v8_set(4 * p->distance), distance));
-    v8 share = v8_load(free);
-    if (!v8_any_below(square, one) || !v8_any_below(zero, share))
+    const v8 zero = v8_set(0), one = v8_set(1);
+    float square[LANES], seen[LANES], q[LANES], near = 4 * p->image[SKV_IMAGE_DISTANCE];
+    for (int lane = 0; lane < LANES; lane++)
+        square[lane] = x[lane] * x[lane] + y * y + near * distance[lane];
+    v8 squares = v8_load(square);
+    if (!v8_any_below(squares, one) || !v8_any_below(zero, v8_load(free)))
         return;
-    if (p->nearness)
-        share = see_cells(m, p, i, j, free, square);
-    v8 q = v8_max(v8_sub(one, v8_sqrt(square)), zero), push = v8_mul(share, v8_mul(q, q));
-    v8 more = v8_mul(q, v8_sub(v8_set(4), v8_mul(v8_set(3), q)));
-    s->density = v8_add(s->density, v8_mul(push, more));
-    s->x = v8_sub(s->x, v8_mul(push, x));
-    s->y = v8_sub(s->y, v8_mul(push, y));
-    s->mirror = v8_add(s->mirror, v8_mul(push, distance));
+    if (p->nearness) {
+        see_cells(m, p, i, j, free, square, seen);
+        free = seen;
+    }
+    v8_store(q, v8_max(v8_sub(one, v8_sqrt(squares)), zero));
+    /* Unrolled before it is made vectors of, it would become none. */
+    _Pragma("GCC unroll 1") for (int lane = 0; lane < LANES; lane++)
+    {
+        float push = free[lane] * (q[lane] * q[lane]);
+        s->density[lane] += push * (q[lane] * (4 - 3 * q[lane]));
+        s->x[lane] -= push * x[lane];
+        s->y[lane] -= push * y;
+        s->mirror[lane] += push * distance[lane];
+    }
 }
 
-static float total(v8 lanes)
+static float total(const float lanes[LANES])
 {
-    float lane[LANES], sum = 0;
-    v8_store(lane, lanes);
-    for (int k = 0; k < LANES; k++)
-        sum += lane[k];
+    float sum = 0;
+    for (int lane = 0; lane < LANES; lane++)
+        sum += lanes[lane];
     return sum;
 }
 
@@ -256,17 +260,19 @@ static void find_rest(const images *m, const window *w, const place *p, float *i
     float x[WIDTH];
     for (int i = 0; i < WIDTH; i++)
         x[i] = ((float)(i - REACH) - p->u) * cell;
-    sums s = {v8_set(0), v8_set(0), v8_set(0), v8_set(0)};
+    sums s = {0};
     for (int j = 0; j < SPAN; j++) {
         float y = ((float)(j - REACH) - p->v) * cell;
-        bool felt = y * y + 4 * p->distance * w->least[p->row + SHIFT + j] < 1;
+        bool felt = y * y + 4 * p->image[SKV_IMAGE_DISTANCE] * w->least[p->row + SHIFT + j] < 1;
         for (int i = 0; felt && i < WIDTH; i += LANES)
-            add_cells(m, w, p, i, j, v8_load(x + i), v8_set(y), &s);
+            add_cells(m, w, p, i, j, x + i, y, &s);
     }
     float each = (float)m->b.map->density * (cell * cell), mirror = 2 * total(s.mirror);
-    image[SKV_IMAGE_R] = p->r - each * total(s.density);
-    image[SKV_IMAGE_F1X] = p->f1x - each * (total(s.x) + mirror * p->nx);
-    image[SKV_IMAGE_F1Y] = p->f1y - each * (total(s.y) + mirror * p->ny);
+    image[SKV_IMAGE_R] = p->wall[SKV_WALL_R] - each * total(s.density);
+    image[SKV_IMAGE_F1X] =
+        p->wall[SKV_WALL_F1X] - each * (total(s.x) + mirror * p->image[SKV_IMAGE_NX]);
+    image[SKV_IMAGE_F1Y] =
+        p->wall[SKV_WALL_F1Y] - each * (total(s.y) + mirror * p->image[SKV_IMAGE_NY]);
 }
 
 /* Moves a place that is `missing` cells too near to a wall, or behind its face, away from it. */
@@ -288,25 +294,6 @@ static void keep_off(const images *m, float missing, float nx, float ny, place *
     p->v = v - (float)j;
 }
 
-/* Notes the wall sums and D where a place has been moved to; `values` are the sums if it is shaded.
- */
-static void sum_anew(const images *m, const float values[SKV_WALL_MAPS], place *p)
-{
-    if (p->nearness) {
-        p->r = values[SKV_WALL_R];
-        p->f1x = values[SKV_WALL_F1X];
-        p->f1y = values[SKV_WALL_F1Y];
-    } else {
-        skv_wall_sample wall;
-        skv_wall_map_sample(m->b.map, p->x, p->y, &wall);
-        p->r = wall.r;
-        p->f1x = wall.f1x;
-        p->f1y = wall.f1y;
-    }
-    find_distance(m, p->nearness ? &m->seen_law : &m->law, p->r, p->f1x, p->f1y, &p->distance,
-                  &p->nx, &p->ny);
-}
-
 /* Writes the rest of sample (i, j) of a block at (x, y). */
 static void finish_sample(const images *m, const window *w, int x, int y, int i, int j,
                           const float *wall, float *image)
@@ -320,26 +307,26 @@ static void finish_sample(const images *m, const window *w, int x, int y, int i,
         .row = j,
         .x = skv_wall_sample_place(map, x * BLOCK + i),
         .y = skv_wall_sample_place(map, y * BLOCK + j),
-        .distance = image[SKV_IMAGE_DISTANCE],
-        .nx = image[SKV_IMAGE_NX],
-        .ny = image[SKV_IMAGE_NY],
-        .r = wall[SKV_WALL_R],
-        .f1x = wall[SKV_WALL_F1X],
-        .f1y = wall[SKV_WALL_F1Y],
     };
+    memcpy(p.image, image, sizeof p.image);
+    memcpy(p.wall, wall, sizeof p.wall);
     float nx, ny, off = skv_normal_at(m->b.terrain, p.x, p.y, &nx, &ny) * map->per_metre;
     if (off < -DEEPEST)
         return;
     bool kept_off = off < OFF_WALL;
     if (kept_off)
         keep_off(m, OFF_WALL - off, nx, ny, &p);
-    float nearness[RAYS + 1], values[SKV_WALL_MAPS];
+    float nearness[RAYS + 1];
     if (skv_wall_map_near_thin(map, p.x, p.y)) {
-        look_around(m, &p, nearness, kept_off ? values : NULL);
+        look_around(m, &p, nearness, kept_off ? p.wall : NULL);
         p.nearness = nearness;
+    } else if (kept_off) {
+        skv_wall_sample found;
+        skv_wall_map_sample(map, p.x, p.y, &found);
+        memcpy(p.wall, &found, sizeof p.wall);
     }
     if (kept_off)
-        sum_anew(m, values, &p);
+        find_distance(m, p.nearness != NULL, p.wall, p.image);
     find_rest(m, w, &p, image);
     if (kept_off) {
         /* R is the same up to the wall, so across it has no slope: a push there would be none of an
@@ -350,34 +337,29 @@ static void finish_sample(const images *m, const window *w, int x, int y, int i,
     }
 }
 
-static void measure_blocks(int begin, int end, void *context)
+/* Writes the rests of block (x, y). */
+static void finish_block(const images *m, int x, int y, int32_t number)
 {
-    const images *m = context;
     const skv_wall_map *map = m->b.map;
-    for (int k = begin; k < end; k++) {
-        size_t at = m->blocks[k], columns = (size_t)map->columns;
-        if (map->index[at] >= 0)
-            measure_block(m, (int)(at % columns), (int)(at / columns), map->index[at]);
+    window w;
+    fill_window(m, x, y, &w);
+    for (int j = 0; j < SAMPLES; j++) {
+        for (int i = 0; i < SAMPLES; i++)
+            finish_sample(m, &w, x, y, i, j, map->blocks[number].samples[j][i],
+                          map->images[number].samples[j][i]);
     }
 }
 
-static void finish_blocks(int begin, int end, void *context)
+static void build_blocks(int begin, int end, void *context)
 {
     const images *m = context;
     const skv_wall_map *map = m->b.map;
     for (int k = begin; k < end; k++) {
         size_t at = m->blocks[k], columns = (size_t)map->columns;
         int32_t number = map->index[at];
-        if (number < 0)
-            continue;
-        int x = (int)(at % columns), y = (int)(at / columns);
-        window w;
-        fill_window(m, x, y, &w);
-        for (int j = 0; j < SAMPLES; j++) {
-            for (int i = 0; i < SAMPLES; i++)
-                finish_sample(m, &w, x, y, i, j, map->blocks[number].samples[j][i],
-                              map->images[number].samples[j][i]);
-        }
+        if (number >= 0)
+            (m->measured ? finish_block : measure_block)(m, (int)(at % columns),
+                                                         (int)(at / columns), number);
     }
 }
 
@@ -394,8 +376,9 @@ void skv_wall_build_images(const skv_wall_builder *b, const size_t *blocks, int 
                 m.bearings[j][i] = take_bearing(&m.rays, i - REACH, j - REACH);
     }
     /* All distances first: rests ask the neighbours for theirs. */
-    skv_pool_run(pool, count, measure_blocks, &m);
-    skv_pool_run(pool, count, finish_blocks, &m);
+    skv_pool_run(pool, count, build_blocks, &m);
+    m.measured = true;
+    skv_pool_run(pool, count, build_blocks, &m);
 }
 
 skv_result skv_wall_map_add_images(skv_wall_map *map, const skv_terrain *terrain, skv_pool *pool,
