@@ -64,6 +64,7 @@ typedef struct skv_solver_step {
     const skv_pull *pulls;
     int pull_count;
     int substeps;
+    bool ungauged;          /* nobody wants the pressures: they need not be written */
     skv_pool *pool;         /* null: the calling thread */
     skv_reaction *reaction; /* adds to it; only with `reacts`. Null: not wanted */
 } skv_solver_step;

@@ -32,10 +32,10 @@ static inline skv_corners skv_corners_at(const skv_terrain *terrain, int x, int 
     return (skv_corners){low[0], low[1], high[0], high[1]};
 }
 
-/* Solid at two opposite corners only. */
+/* Solid at two opposite corners only. First what hardly any cell has. */
 static inline bool skv_is_saddle(const skv_corners *c)
 {
-    return c->d00 * c->d11 > 0 && c->d10 * c->d01 > 0 && c->d00 * c->d10 < 0;
+    return c->d00 * c->d10 < 0 && c->d00 * c->d11 > 0 && c->d10 * c->d01 > 0;
 }
 
 /* Distance at (u, v) in 0..1 of a cell: bilinear, but a saddle is two planes that meet in the

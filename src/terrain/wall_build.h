@@ -65,9 +65,10 @@ static inline bool skv_wall_is_shaded(const skv_thin_walls *thin, const skv_terr
     return thin && skv_near_thin_wall(thin, x, y) && skv_distance_at(terrain, x, y) > 0;
 }
 
-/* Writes what such a sample is, at a place in metres. */
+/* Finds how far such a sample, at a place in metres, sees along each ray, in pixels, and writes
+ * what it is if `values` is not null. */
 void skv_wall_shade_sample(const skv_wall_map *map, const skv_terrain *terrain,
                            const skv_shadow_rays *rays, float x, float y,
-                           float values[SKV_WALL_MAPS]);
+                           double sights[SKV_SHADOW_RAYS], float *values);
 
 #endif

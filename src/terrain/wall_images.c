@@ -11,6 +11,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "base/simd.h"
 #include "terrain/image_distance.h"
 #include "terrain/wall_build.h"
 
@@ -41,43 +42,45 @@ enum {
 typedef struct window {
     float distance[ROWS][COLUMNS]; /* D */
     float free[ROWS][COLUMNS];     /* the free shares */
+    float least[ROWS];             /* of the D of each row's cells that are not solid */
 } window;
 
-/* Where the cells around a place lie for its rays: behind which ray, how far on to the next, and
- * how far away, in cells. */
-typedef struct bearings {
-    uint8_t ray[SPAN][WIDTH];
-    float part[SPAN][WIDTH], way[SPAN][WIDTH];
-} bearings;
+/* Where a cell lies for the rays of a place: behind which ray, how far on to the next, and how far
+ * away, in cells. */
+typedef struct bearing {
+    int ray;
+    float part, way;
+} bearing;
 
 typedef struct images {
     skv_wall_builder b;
     skv_image_law law, seen_law; /* for sums over cells, and along rays */
     skv_shadow_rays rays;
-    bearings bearings; /* of samples */
+    bearing bearings[SPAN][WIDTH]; /* of samples */
     const size_t *blocks;
+    bool measured; /* all of their distances */
 } images;
 
 /* A place whose rest is wanted: beyond a sample of the block by less than a cell. */
 typedef struct place {
     int column, row;
     float u, v;
-    float x, y;  /* m */
-    bool shaded; /* only what it sees counts */
-    float distance, nx, ny;
-    float r, f1x, f1y;
+    float x, y;     /* m */
+    float image[3]; /* D and its gradient, as in a block of images */
+    float wall[SKV_WALL_MAPS];
+    const float *nearness; /* of what it sees along its rays, which alone counts; null: all does */
 } place;
 
 /* D and its gradient, by R and F1. */
-static void find_distance(const images *m, const skv_image_law *law, float r, float f1x, float f1y,
-                          float *distance, float *nx, float *ny)
+static void find_distance(const images *m, bool seen, const float *wall, float *image)
 {
     const double full = (double)m->b.map->kernel.full[SKV_WALL_R];
-    double slope, d = skv_image_distance(law, (double)r / full, &slope);
+    const skv_image_law *law = seen ? &m->seen_law : &m->law;
+    double slope, d = skv_image_distance(law, (double)wall[SKV_WALL_R] / full, &slope);
     double gain = slope * skv_kernel_gain(SKV_KERNEL_SMOOTH) / full;
-    *distance = (float)d;
-    *nx = (float)(gain * (double)f1x);
-    *ny = (float)(gain * (double)f1y);
+    image[SKV_IMAGE_DISTANCE] = (float)d;
+    image[SKV_IMAGE_NX] = (float)(gain * (double)wall[SKV_WALL_F1X]);
+    image[SKV_IMAGE_NY] = (float)(gain * (double)wall[SKV_WALL_F1Y]);
 }
 
 /* The same inside a thin wall, whose R is that of the wall alone while what lies before it takes
@@ -104,12 +107,10 @@ static void measure_block(const images *m, int x, int y, int32_t number)
             float sx = skv_wall_sample_place(map, x * BLOCK + i);
             float sy = skv_wall_sample_place(map, y * BLOCK + j);
             bool seen = skv_wall_map_near_thin(map, sx, sy);
-            if (seen && !skv_wall_is_shaded(map->thin, m->b.terrain, sx, sy))
+            if (seen && !(skv_distance_at(m->b.terrain, sx, sy) > 0))
                 find_depth(m, sx, sy, image);
             else
-                find_distance(m, seen ? &m->seen_law : &m->law, wall[SKV_WALL_R],
-                              wall[SKV_WALL_F1X], wall[SKV_WALL_F1Y], &image[SKV_IMAGE_DISTANCE],
-                              &image[SKV_IMAGE_NX], &image[SKV_IMAGE_NY]);
+                find_distance(m, seen, wall, image);
         }
     }
 }
@@ -134,6 +135,7 @@ static void fill_window(const images *m, int x, int y, window *w)
         int row = y * BLOCK + j - LOW, inside_y;
         const int32_t *index =
             map->index + (size_t)block_of(row, map->rows, &inside_y) * (size_t)map->columns;
+        w->least[j] = 1;
         for (int i = 0; i < ROWS; i++) {
             int column = x * BLOCK + i - LOW, inside_x;
             int32_t number = index[block_of(column, map->columns, &inside_x)];
@@ -145,6 +147,8 @@ static void fill_window(const images *m, int x, int y, window *w)
                 continue;
             w->distance[j][i] = map->images[number].samples[inside_y][inside_x][SKV_IMAGE_DISTANCE];
             w->free[j][i] = 1 - skv_wall_solid_share(&m->b, column, row);
+            if (w->free[j][i] > 0)
+                w->least[j] = skv_minf(w->least[j], w->distance[j][i]);
         }
     }
 }
@@ -168,45 +172,40 @@ static int find_ray(const skv_shadow_rays *rays, double x, double y, double *par
     }
 }
 
-static void take_bearings(const skv_shadow_rays *rays, float u, float v, bearings *made)
+static bearing take_bearing(const skv_shadow_rays *rays, double x, double y)
 {
-    memset(made, 0, sizeof *made);
-    for (int j = 0; j < SPAN; j++) {
-        for (int i = 0; i < SPAN; i++) {
-            double x = i - REACH - (double)u, y = j - REACH - (double)v, part;
-            made->ray[j][i] = (uint8_t)find_ray(rays, x, y, &part);
-            made->part[j][i] = (float)part;
-            made->way[j][i] = (float)sqrt(x * x + y * y);
-        }
-    }
+    double part;
+    int ray = find_ray(rays, x, y, &part);
+    return (bearing){ray, (float)part, (float)sqrt(x * x + y * y)};
 }
 
-/* The free shares of the cells around a place, of those that it sees. Beside a flat wall the
- * reciprocals of sights change evenly from ray to ray. */
-static void find_seen(const images *m, const place *p, const float *free, float seen[SPAN][WIDTH])
+/* The reciprocals of a place's sights, which beside a flat wall change evenly from ray to ray, and
+ * its wall sums if `values` is not null. */
+static void look_around(const images *m, const place *p, float nearness[RAYS + 1], float *values)
 {
-    const skv_terrain *terrain = m->b.terrain;
     const double least = 0.01; /* of a cell: a reciprocal is to be had */
     double sights[RAYS];
-    float nearness[RAYS + 1];
-    bearings own;
-    const bearings *at = &m->bearings;
-    if (p->u != 0 || p->v != 0) {
-        take_bearings(&m->rays, p->u, p->v, &own);
-        at = &own;
-    }
-    skv_shadow_sights(&m->rays, terrain, skv_to_grid(terrain, p->x), skv_to_grid(terrain, p->y),
-                      m->b.map->radius * (double)terrain->per_metre, sights);
+    skv_wall_shade_sample(m->b.map, m->b.terrain, &m->rays, p->x, p->y, sights, values);
     for (int i = 0; i < RAYS; i++)
         nearness[i] = (float)(1 / skv_max(sights[i] / m->b.cell, least));
     nearness[RAYS] = nearness[0];
-    for (int j = 0; j < SPAN; j++, free += COLUMNS) {
-        for (int i = 0; i < WIDTH; i++) {
-            const float *ray = nearness + at->ray[j][i];
-            float sight = 1 / (ray[0] + at->part[j][i] * (ray[1] - ray[0]));
-            float share = skv_maxf(0.5f + sight - at->way[j][i], 0);
-            seen[j][i] = skv_minf(free[i], share);
-        }
+}
+
+/* Finds the free shares of LANES cells from cell (i, j) on, of those that a place sees; 0 where
+ * r'^2, the square, tells that they are not felt. */
+static void see_cells(const images *m, const place *p, int i, int j, const float *free,
+                      const float square[LANES], float seen[LANES])
+{
+    for (int lane = 0; lane < LANES; lane++, i++) {
+        seen[lane] = 0;
+        if (!(free[lane] > 0) || square[lane] >= 1)
+            continue;
+        bearing at = m->bearings[j][i];
+        if (p->u != 0 || p->v != 0)
+            at = take_bearing(&m->rays, i - REACH - (double)p->u, j - REACH - (double)p->v);
+        const float *ray = p->nearness + at.ray;
+        float sight = 1 / (ray[0] + at.part * (ray[1] - ray[0]));
+        seen[lane] = skv_minf(free[lane], skv_maxf(0.5f + sight - at.way, 0));
     }
 }
 
@@ -216,15 +215,30 @@ typedef struct sums {
     float x[LANES], y[LANES], mirror[LANES]; /* of pushes: along r, and across the mirror */
 } sums;
 
-/* Adds LANES cells of a row; `x` and `y` are the ways there, in radii, `near` is 4 D. The push F
- * over r' is q^2. */
-static void add_cells(const float *distance, const float *free, const float *x, float y, float near,
-                      sums *s)
+/* Adds LANES cells from cell (i, j) on, if one of them is felt; `x` and `y` are the ways there, in
+ * radii. The push F over r' is q^2. */
+static void add_cells(const images *m, const window *w, const place *p, int i, int j,
+                      const float *x, float y, sums *s)
 {
-    for (int lane = 0; lane < LANES; lane++) {
-        float r = sqrtf(x[lane] * x[lane] + y * y + near * distance[lane]);
-        float q = skv_maxf(1 - r, 0), push = free[lane] * (q * q);
-        s->density[lane] += push * (q * (4 - 3 * q));
+    const float *distance = &w->distance[p->row + SHIFT + j][p->column + SHIFT + i];
+    const float *free = &w->free[p->row + SHIFT + j][p->column + SHIFT + i];
+    const v8 zero = v8_set(0), one = v8_set(1);
+    float square[LANES], seen[LANES], q[LANES], near = 4 * p->image[SKV_IMAGE_DISTANCE];
+    for (int lane = 0; lane < LANES; lane++)
+        square[lane] = x[lane] * x[lane] + y * y + near * distance[lane];
+    v8 squares = v8_load(square);
+    if (!v8_any_below(squares, one) || !v8_any_below(zero, v8_load(free)))
+        return;
+    if (p->nearness) {
+        see_cells(m, p, i, j, free, square, seen);
+        free = seen;
+    }
+    v8_store(q, v8_max(v8_sub(one, v8_sqrt(squares)), zero));
+    /* Unrolled before it is made vectors of, it would become none. */
+    _Pragma("GCC unroll 1") for (int lane = 0; lane < LANES; lane++)
+    {
+        float push = free[lane] * (q[lane] * q[lane]);
+        s->density[lane] += push * (q[lane] * (4 - 3 * q[lane]));
         s->x[lane] -= push * x[lane];
         s->y[lane] -= push * y;
         s->mirror[lane] += push * distance[lane];
@@ -243,27 +257,22 @@ static float total(const float lanes[LANES])
 static void find_rest(const images *m, const window *w, const place *p, float *image)
 {
     const float cell = 1.0f / REACH;
-    const float *distance = &w->distance[p->row + SHIFT][p->column + SHIFT];
-    const float *free = &w->free[p->row + SHIFT][p->column + SHIFT];
-    size_t free_row = COLUMNS;
-    float seen[SPAN][WIDTH], x[WIDTH];
-    if (p->shaded) {
-        find_seen(m, p, free, seen);
-        free = seen[0];
-        free_row = WIDTH;
-    }
+    float x[WIDTH];
     for (int i = 0; i < WIDTH; i++)
         x[i] = ((float)(i - REACH) - p->u) * cell;
     sums s = {0};
-    for (int j = 0; j < SPAN; j++, distance += COLUMNS, free += free_row) {
+    for (int j = 0; j < SPAN; j++) {
         float y = ((float)(j - REACH) - p->v) * cell;
-        for (int i = 0; i < WIDTH; i += LANES)
-            add_cells(distance + i, free + i, x + i, y, 4 * p->distance, &s);
+        bool felt = y * y + 4 * p->image[SKV_IMAGE_DISTANCE] * w->least[p->row + SHIFT + j] < 1;
+        for (int i = 0; felt && i < WIDTH; i += LANES)
+            add_cells(m, w, p, i, j, x + i, y, &s);
     }
     float each = (float)m->b.map->density * (cell * cell), mirror = 2 * total(s.mirror);
-    image[SKV_IMAGE_R] = p->r - each * total(s.density);
-    image[SKV_IMAGE_F1X] = p->f1x - each * (total(s.x) + mirror * p->nx);
-    image[SKV_IMAGE_F1Y] = p->f1y - each * (total(s.y) + mirror * p->ny);
+    image[SKV_IMAGE_R] = p->wall[SKV_WALL_R] - each * total(s.density);
+    image[SKV_IMAGE_F1X] =
+        p->wall[SKV_WALL_F1X] - each * (total(s.x) + mirror * p->image[SKV_IMAGE_NX]);
+    image[SKV_IMAGE_F1Y] =
+        p->wall[SKV_WALL_F1Y] - each * (total(s.y) + mirror * p->image[SKV_IMAGE_NY]);
 }
 
 /* Moves a place that is `missing` cells too near to a wall, or behind its face, away from it. */
@@ -283,22 +292,6 @@ static void keep_off(const images *m, float missing, float nx, float ny, place *
     p->row += j;
     p->u = u - (float)i;
     p->v = v - (float)j;
-    p->shaded = skv_wall_map_near_thin(map, p->x, p->y);
-    if (p->shaded) {
-        float values[SKV_WALL_MAPS];
-        skv_wall_shade_sample(map, m->b.terrain, &m->rays, p->x, p->y, values);
-        p->r = values[SKV_WALL_R];
-        p->f1x = values[SKV_WALL_F1X];
-        p->f1y = values[SKV_WALL_F1Y];
-    } else {
-        skv_wall_sample wall;
-        skv_wall_map_sample(map, p->x, p->y, &wall);
-        p->r = wall.r;
-        p->f1x = wall.f1x;
-        p->f1y = wall.f1y;
-    }
-    find_distance(m, p->shaded ? &m->seen_law : &m->law, p->r, p->f1x, p->f1y, &p->distance, &p->nx,
-                  &p->ny);
 }
 
 /* Writes the rest of sample (i, j) of a block at (x, y). */
@@ -314,21 +307,26 @@ static void finish_sample(const images *m, const window *w, int x, int y, int i,
         .row = j,
         .x = skv_wall_sample_place(map, x * BLOCK + i),
         .y = skv_wall_sample_place(map, y * BLOCK + j),
-        .distance = image[SKV_IMAGE_DISTANCE],
-        .nx = image[SKV_IMAGE_NX],
-        .ny = image[SKV_IMAGE_NY],
-        .r = wall[SKV_WALL_R],
-        .f1x = wall[SKV_WALL_F1X],
-        .f1y = wall[SKV_WALL_F1Y],
     };
+    memcpy(p.image, image, sizeof p.image);
+    memcpy(p.wall, wall, sizeof p.wall);
     float nx, ny, off = skv_normal_at(m->b.terrain, p.x, p.y, &nx, &ny) * map->per_metre;
     if (off < -DEEPEST)
         return;
     bool kept_off = off < OFF_WALL;
     if (kept_off)
         keep_off(m, OFF_WALL - off, nx, ny, &p);
-    else
-        p.shaded = skv_wall_map_near_thin(map, p.x, p.y);
+    float nearness[RAYS + 1];
+    if (skv_wall_map_near_thin(map, p.x, p.y)) {
+        look_around(m, &p, nearness, kept_off ? p.wall : NULL);
+        p.nearness = nearness;
+    } else if (kept_off) {
+        skv_wall_sample found;
+        skv_wall_map_sample(map, p.x, p.y, &found);
+        memcpy(p.wall, &found, sizeof p.wall);
+    }
+    if (kept_off)
+        find_distance(m, p.nearness != NULL, p.wall, p.image);
     find_rest(m, w, &p, image);
     if (kept_off) {
         /* R is the same up to the wall, so across it has no slope: a push there would be none of an
@@ -339,34 +337,29 @@ static void finish_sample(const images *m, const window *w, int x, int y, int i,
     }
 }
 
-static void measure_blocks(int begin, int end, void *context)
+/* Writes the rests of block (x, y). */
+static void finish_block(const images *m, int x, int y, int32_t number)
 {
-    const images *m = context;
     const skv_wall_map *map = m->b.map;
-    for (int k = begin; k < end; k++) {
-        size_t at = m->blocks[k], columns = (size_t)map->columns;
-        if (map->index[at] >= 0)
-            measure_block(m, (int)(at % columns), (int)(at / columns), map->index[at]);
+    window w;
+    fill_window(m, x, y, &w);
+    for (int j = 0; j < SAMPLES; j++) {
+        for (int i = 0; i < SAMPLES; i++)
+            finish_sample(m, &w, x, y, i, j, map->blocks[number].samples[j][i],
+                          map->images[number].samples[j][i]);
     }
 }
 
-static void finish_blocks(int begin, int end, void *context)
+static void build_blocks(int begin, int end, void *context)
 {
     const images *m = context;
     const skv_wall_map *map = m->b.map;
     for (int k = begin; k < end; k++) {
         size_t at = m->blocks[k], columns = (size_t)map->columns;
         int32_t number = map->index[at];
-        if (number < 0)
-            continue;
-        int x = (int)(at % columns), y = (int)(at / columns);
-        window w;
-        fill_window(m, x, y, &w);
-        for (int j = 0; j < SAMPLES; j++) {
-            for (int i = 0; i < SAMPLES; i++)
-                finish_sample(m, &w, x, y, i, j, map->blocks[number].samples[j][i],
-                              map->images[number].samples[j][i]);
-        }
+        if (number >= 0)
+            (m->measured ? finish_block : measure_block)(m, (int)(at % columns),
+                                                         (int)(at / columns), number);
     }
 }
 
@@ -378,11 +371,14 @@ void skv_wall_build_images(const skv_wall_builder *b, const size_t *blocks, int 
     skv_image_law_make(false, &m.seen_law);
     if (b->map->thin) {
         skv_shadow_rays_make(&m.rays);
-        take_bearings(&m.rays, 0, 0, &m.bearings);
+        for (int j = 0; j < SPAN; j++)
+            for (int i = 0; i < WIDTH; i++)
+                m.bearings[j][i] = take_bearing(&m.rays, i - REACH, j - REACH);
     }
     /* All distances first: rests ask the neighbours for theirs. */
-    skv_pool_run(pool, count, measure_blocks, &m);
-    skv_pool_run(pool, count, finish_blocks, &m);
+    skv_pool_run(pool, count, build_blocks, &m);
+    m.measured = true;
+    skv_pool_run(pool, count, build_blocks, &m);
 }
 
 skv_result skv_wall_map_add_images(skv_wall_map *map, const skv_terrain *terrain, skv_pool *pool,

@@ -30,7 +30,8 @@ enum {
 /* The solid shares of the cells around a block. */
 typedef struct window {
     float share[WINDOW][ROW_LENGTH];
-    float least[WINDOW], most[WINDOW]; /* of each row */
+    float least[WINDOW];   /* of each row */
+    uint64_t some[WINDOW]; /* bits: of each row the cells that are not air */
 } window;
 
 /* Distance in pixels at a point given in cells. */
@@ -94,26 +95,29 @@ static int sort_square(const skv_wall_builder *b, double x, double y, double sid
 static void fill_window(const skv_wall_builder *b, int x0, int y0, window *w)
 {
     for (int y = 0; y < WINDOW; y++) {
-        float least = 1, most = 0;
+        float least = 1;
+        uint64_t some = 0;
         for (int x = 0; x < WINDOW; x++) {
             float share = skv_wall_solid_share(b, x0 + x, y0 + y);
             w->share[y][x] = share;
             least = share < least ? share : least;
-            most = share > most ? share : most;
+            some |= (uint64_t)(share > 0) << x;
         }
         for (int x = WINDOW; x < ROW_LENGTH; x++)
             w->share[y][x] = 0;
         w->least[y] = least;
-        w->most[y] = most;
+        w->some[y] = some;
     }
 }
 
-/* Adds one row of cells, weighed by one row of the kernel, to LANES samples beside each other.
- * `cells` is the cell in line with the first sample. The kernel's even weights meet sums of the
- * cells to the left and right of a sample, its odd ones differences. */
-static void add_row(const float *cells, const float weight[][SKV_WALL_MAPS], int half_width,
-                    float sums[SKV_WALL_MAPS][LANES])
+/* Adds one row of cells, weighed by one row of the kernel, to LANES samples beside each other, of
+ * which the first is in line with cell `at`. The kernel's even weights meet sums of the cells to
+ * the left and right of a sample, its odd ones differences; those of air add nothing. */
+static void add_row(const window *w, int row, int at, const float weight[][SKV_WALL_MAPS],
+                    int half_width, float sums[SKV_WALL_MAPS][LANES])
 {
+    const uint64_t each = (1 << LANES) - 1, some = w->some[row];
+    const float *cells = w->share[row] + at;
     for (int lane = 0; lane < LANES; lane++) {
         sums[SKV_WALL_R][lane] += weight[0][SKV_WALL_R] * cells[lane];
         sums[SKV_WALL_RN][lane] += weight[0][SKV_WALL_RN] * cells[lane];
@@ -121,21 +125,23 @@ static void add_row(const float *cells, const float weight[][SKV_WALL_MAPS], int
         sums[SKV_WALL_F2Y][lane] += weight[0][SKV_WALL_F2Y] * cells[lane];
     }
     for (int x = 1; x <= half_width; x++) {
-        const float *w = weight[x];
+        const float *v = weight[x];
+        if (!((some >> (at + x) | some >> (at - x)) & each))
+            continue;
         for (int lane = 0; lane < LANES; lane++) {
             float sum = cells[lane + x] + cells[lane - x];
             float difference = cells[lane + x] - cells[lane - x];
-            sums[SKV_WALL_R][lane] += w[SKV_WALL_R] * sum;
-            sums[SKV_WALL_RN][lane] += w[SKV_WALL_RN] * sum;
-            sums[SKV_WALL_F1X][lane] += w[SKV_WALL_F1X] * difference;
-            sums[SKV_WALL_F1Y][lane] += w[SKV_WALL_F1Y] * sum;
-            sums[SKV_WALL_F2X][lane] += w[SKV_WALL_F2X] * difference;
-            sums[SKV_WALL_F2Y][lane] += w[SKV_WALL_F2Y] * sum;
+            sums[SKV_WALL_R][lane] += v[SKV_WALL_R] * sum;
+            sums[SKV_WALL_RN][lane] += v[SKV_WALL_RN] * sum;
+            sums[SKV_WALL_F1X][lane] += v[SKV_WALL_F1X] * difference;
+            sums[SKV_WALL_F1Y][lane] += v[SKV_WALL_F1Y] * sum;
+            sums[SKV_WALL_F2X][lane] += v[SKV_WALL_F2X] * difference;
+            sums[SKV_WALL_F2Y][lane] += v[SKV_WALL_F2Y] * sum;
         }
     }
 }
 
-/* Convolves a block; rows of air are left out, rows of solid are constants. */
+/* Convolves a block; air is left out, rows of solid are constants. */
 static void fill_block(const skv_wall_kernel *kernel, const window *w, skv_wall_block *made)
 {
     for (int y = 0; y < SAMPLES; y++) {
@@ -143,11 +149,11 @@ static void fill_block(const skv_wall_kernel *kernel, const window *w, skv_wall_
             float sums[SKV_WALL_MAPS][LANES] = {0};
             for (int j = 0; j < SKV_WALL_SPAN; j++) {
                 int row = y + j;
-                if (w->most[row] <= 0)
+                if (!w->some[row])
                     continue;
                 if (w->least[row] < 1) {
-                    add_row(w->share[row] + x0 + SKV_WALL_REACH, kernel->weight[j],
-                            kernel->half_width[j], sums);
+                    add_row(w, row, x0 + SKV_WALL_REACH, kernel->weight[j], kernel->half_width[j],
+                            sums);
                     continue;
                 }
                 for (int k = 0; k < SKV_WALL_MAPS; k++) {
@@ -331,10 +337,10 @@ void skv_wall_take_found(skv_wall_map *map, skv_thin_walls *found, const skv_sha
 
 void skv_wall_shade_sample(const skv_wall_map *map, const skv_terrain *terrain,
                            const skv_shadow_rays *rays, float x, float y,
-                           float values[SKV_WALL_MAPS])
+                           double sights[SKV_SHADOW_RAYS], float *values)
 {
     skv_shadow_at(rays, map->pressure, terrain, skv_to_grid(terrain, x), skv_to_grid(terrain, y),
-                  map->radius * (double)terrain->per_metre, map->density, values);
+                  map->radius * (double)terrain->per_metre, map->density, sights, values);
 }
 
 /* Replaces the samples of block (x, y) that lie in the air near a thin wall. */
@@ -345,8 +351,9 @@ static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
         for (int i = 0; i < SAMPLES; i++) {
             float sx = skv_wall_sample_place(map, x * BLOCK + i),
                   sy = skv_wall_sample_place(map, y * BLOCK + j);
+            double sights[SKV_SHADOW_RAYS];
             if (skv_wall_is_shaded(map->thin, terrain, sx, sy))
-                skv_wall_shade_sample(map, terrain, rays, sx, sy, b->samples[j][i]);
+                skv_wall_shade_sample(map, terrain, rays, sx, sy, sights, b->samples[j][i]);
         }
     }
 }

@@ -65,36 +65,38 @@ static void finish(const double sums[SKV_WALL_MAPS], double particles_per_square
         values[k] = (float)(particles_per_square_radius * turn / SKV_SHADOW_RAYS * sums[k]);
 }
 
-/* How far one sees from a point along a ray, in pixels; `longest` if there is no wall. */
-static double sight(const skv_terrain *terrain, double gx, double gy, double x, double y,
+/* How far a point is from walls, in pixels. */
+static double distance_at(const skv_terrain *terrain, double gx, double gy)
+{
+    return (double)skv_grid_distance(terrain, (float)gx, (float)gy) * (double)terrain->per_metre;
+}
+
+/* How far one sees from a point, which is `d` from walls, along a ray, in pixels; `longest` if
+ * there is no wall. */
+static double sight(const skv_terrain *terrain, double gx, double gy, double d, double x, double y,
                     double longest)
 {
-    for (double t = 0; t < longest;) {
-        double d = (double)skv_grid_distance(terrain, (float)(gx + t * x), (float)(gy + t * y)) *
-                   (double)terrain->per_metre;
+    for (double t = 0;; d = distance_at(terrain, gx + t * x, gy + t * y)) {
         if (d <= TOUCH)
             return t + d > 0 ? t + d : 0;
         t += 0.9 * d + STEP;
+        if (t >= longest)
+            return longest;
     }
-    return longest;
-}
-
-void skv_shadow_sights(const skv_shadow_rays *rays, const skv_terrain *terrain, float gx, float gy,
-                       double longest, double sights[SKV_SHADOW_RAYS])
-{
-    for (int i = 0; i < SKV_SHADOW_RAYS; i++)
-        sights[i] = sight(terrain, (double)gx, (double)gy, rays->x[i], rays->y[i], longest);
 }
 
 void skv_shadow_at(const skv_shadow_rays *rays, skv_kernel pressure, const skv_terrain *terrain,
                    float gx, float gy, double radius_pixels, double particles_per_square_radius,
-                   float values[SKV_WALL_MAPS])
+                   double sights[SKV_SHADOW_RAYS], float *values)
 {
-    double sums[SKV_WALL_MAPS] = {0}, sights[SKV_SHADOW_RAYS];
-    skv_shadow_sights(rays, terrain, gx, gy, radius_pixels, sights);
+    double sums[SKV_WALL_MAPS] = {0}, x = (double)gx, y = (double)gy;
+    double d = distance_at(terrain, x, y);
     for (int i = 0; i < SKV_SHADOW_RAYS; i++)
+        sights[i] = sight(terrain, x, y, d, rays->x[i], rays->y[i], radius_pixels);
+    for (int i = 0; values && i < SKV_SHADOW_RAYS; i++)
         add_ray(pressure, rays->x[i], rays->y[i], sights[i] / radius_pixels, sums);
-    finish(sums, particles_per_square_radius, values);
+    if (values)
+        finish(sums, particles_per_square_radius, values);
 }
 
 void skv_shadow_of_plane(const skv_shadow_rays *rays, skv_kernel pressure, double distance,

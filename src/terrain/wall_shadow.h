@@ -15,18 +15,14 @@ typedef struct skv_shadow_rays {
 
 void skv_shadow_rays_make(skv_shadow_rays *rays);
 
-/* How far one sees along each ray from a point in grid coordinates, in pixels; `longest` where
- * there is no wall. */
-void skv_shadow_sights(const skv_shadow_rays *rays, const skv_terrain *terrain, float gx, float gy,
-                       double longest, double sights[SKV_SHADOW_RAYS]);
-
-/* The sums at a point in grid coordinates, for a kernel of the pressure, a radius in pixels and n0
- * h^2 particles in a square radius. */
+/* How far one sees along each ray from a point in grid coordinates, in pixels, as far as the radius
+ * where there is no wall; and, if `values` is not null, the sums there, for a kernel of the
+ * pressure, a radius in pixels and n0 h^2 particles in a square radius. */
 void skv_shadow_at(const skv_shadow_rays *rays, skv_kernel pressure, const skv_terrain *terrain,
                    float gx, float gy, double radius_pixels, double particles_per_square_radius,
-                   float values[SKV_WALL_MAPS]);
+                   double sights[SKV_SHADOW_RAYS], float *values);
 
-/* The same beside a flat wall at a distance in radii; the vectors point along x. */
+/* Those sums beside a flat wall at a distance in radii; the vectors point along x. */
 void skv_shadow_of_plane(const skv_shadow_rays *rays, skv_kernel pressure, double distance,
                          double particles_per_square_radius, float values[SKV_WALL_MAPS]);
 

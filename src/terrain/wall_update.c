@@ -202,12 +202,13 @@ static void shade_block(const update *u, int x, int y, const skv_wall_block *old
             float sx = skv_wall_sample_place(map, column), sy = skv_wall_sample_place(map, row);
             if (!skv_wall_is_shaded(map->thin, terrain, sx, sy))
                 continue;
+            double sights[SKV_SHADOW_RAYS];
             bool stays = old && is_marked(u->former, sx, sy) &&
                          !is_near(u, &u->seen, column, row, column, row, u->sight);
             if (stays)
                 memcpy(made->samples[j][i], old->samples[j][i], sizeof made->samples[j][i]);
             else
-                skv_wall_shade_sample(map, terrain, &u->rays, sx, sy, made->samples[j][i]);
+                skv_wall_shade_sample(map, terrain, &u->rays, sx, sy, sights, made->samples[j][i]);
         }
     }
 }

@@ -50,6 +50,7 @@ typedef struct settling {
     skv_fluid_def fluid; /* without friction of any kind */
     skv_lies lies;
     float *vx, *vy; /* what the particles had */
+    float *before;  /* what they had before the last round */
     double carried; /* 1/c^2 of the substeps whose weight they have taken on, s^2/m^2 */
     double calm;    /* m/s, in the substeps that are taken */
     float kept;     /* share of the velocity, from one round to the next */
@@ -78,10 +79,19 @@ static void sink(const settling *s, skv_lie lie, double softness)
     }
 }
 
-static skv_result take_round(const settling *s, skv_error *error)
+/* How many floats lie from the first that a round begins from to the last, pressures in between. */
+static size_t round_size(const skv_state *p)
+{
+    return (size_t)(p->clearance + p->count - p->x);
+}
+
+/* Takes a round without pressures, which cost a seventh, or the last one `again`, with them: which
+ * one is the last is known only when it is over. */
+static skv_result take_round(const settling *s, bool again, skv_error *error)
 {
     skv_world *world = s->world;
     skv_state *p = &world->state;
+    memcpy(again ? p->x : s->before, again ? s->before : p->x, round_size(p) * sizeof *p->x);
     float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
     for (int i = 0; i < p->count; i++) {
         float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
@@ -92,6 +102,7 @@ static skv_result take_round(const settling *s, skv_error *error)
     skv_solver_step step = skv_world_describe_step(world, &s->constants, pulls);
     step.gravity_x = step.gravity_y = 0;
     step.pull_count = 0;
+    step.ungauged = !again;
     skv_result result = world->solver->type->reserve(world->solver, &step, error);
     if (result == SKV_OK)
         world->solver->type->advance(world->solver, &step);
@@ -139,8 +150,11 @@ static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
     sink(s, SKV_RESTS, softness - s->carried);
     s->carried = softness;
     skv_result result = SKV_OK;
-    for (int r = 0; r < rounds && result == SKV_OK && (r < LEAST_ROUNDS || !is_calm(s)); r++)
-        result = take_round(s, error);
+    bool again = false;
+    for (int r = 0; result == SKV_OK && !again; r++) {
+        again = r == rounds || (r >= LEAST_ROUNDS && is_calm(s));
+        result = take_round(s, again, error);
+    }
     return result;
 }
 
@@ -205,7 +219,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
     settling s = {.world = world, .fluid = world->fluid};
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
-    float *numbers = skv_calloc(3 * count, sizeof *numbers);
+    float *numbers = skv_calloc(3 * count + round_size(p), sizeof *numbers);
     s.lies.lie = skv_calloc(count, sizeof *s.lies.lie);
     skv_result result = SKV_OK;
     if (!numbers || !s.lies.lie)
@@ -214,6 +228,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
         s.vx = numbers;
         s.vy = numbers + count;
         s.lies.weight = numbers + 2 * count;
+        s.before = numbers + 3 * count;
         result = skv_world_find_lies(world, &s.lies, error);
     }
     if (result == SKV_OK) {

@@ -115,7 +115,7 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
                           .pool = pool,
                           .frame = frame,
                           .substeps = substeps,
-                          .to_take = substeps};
+                          .to_take = frame->pressure ? substeps : 0};
     skv_pool_team(pool, member, &shared);
     skv_impulse_sum walls = {0};
     for (int t = 0; t < rows->threads; t++)

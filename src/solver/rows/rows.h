@@ -62,7 +62,7 @@ typedef struct skv_row_frame {
     const uint8_t *part; /* skv_part; null: all move */
     float *x, *y, *vx, *vy;
     float *clearance;     /* lower bound of the distance to the nearest wall */
-    float *pressure;      /* written only */
+    float *pressure;      /* written only; null: nobody wants it */
     float *warm_push;     /* solver.h */
     float length, speed;  /* factors from the caller's units to h, h a substep, ... */
     float push;           /* ... and h a substep squared */

@@ -90,7 +90,7 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .vx = r->swapped ? p->vy : p->vx,
         .vy = r->swapped ? p->vx : p->vy,
         .clearance = p->clearance,
-        .pressure = p->pressure,
+        .pressure = step->ungauged ? NULL : p->pressure,
         .warm_push = p->warm_push,
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,

@@ -99,6 +99,7 @@ void skv_rows_store(const skv_rows *rows, int thread, const skv_row_frame *frame
         frame->vy[i] = p->v[k] / frame->speed;
         frame->clearance[i] = p->clearance[k] / frame->length * SAFE_BOUND;
         frame->warm_push[i] = p->warm_push[k] / frame->push;
-        frame->pressure[i] = rows->pressure[k];
+        if (frame->pressure)
+            frame->pressure[i] = rows->pressure[k];
     }
 }
