@@ -322,6 +322,9 @@ static void finish_sample(const images *m, const window *w, int x, int y, int i,
         p.nearness = nearness;
     } else if (kept_off) {
         skv_wall_sample found;
+        _Static_assert(sizeof found == sizeof p.wall &&
+                           offsetof(skv_wall_sample, f1x) == SKV_WALL_F1X * sizeof *p.wall,
+                       "a sample lies as the maps do");
         skv_wall_map_sample(map, p.x, p.y, &found);
         memcpy(p.wall, &found, sizeof p.wall);
     }

@@ -79,6 +79,10 @@ static void sink(const settling *s, skv_lie lie, double softness)
     }
 }
 
+/* Seven arrays of floats lie beside each other: all that a round begins from, and the pressures. */
+_Static_assert(offsetof(skv_state, clearance) - offsetof(skv_state, x) == 6 * sizeof(float *),
+               "what a round begins from is copied as one piece");
+
 /* How many floats lie from the first that a round begins from to the last, pressures in between. */
 static size_t round_size(const skv_state *p)
 {
