@@ -22,8 +22,8 @@
 #define WARM_REACH       0.7   /* of the pressure at the expected depth: more is found cold */
 #define WARM_MOST        6     /* pushes that are found, at most; at rest it is up to 1.6 */
 #define MAX_COURANT      0.9   /* fastest advance, h per substep */
-#define PAIR_LAG         0.55f /* of the way: waves and jets lose half of what they would */
-#define LAG_FROM         0.006 /* h per substep, from which on it is whole: what rests stays calm */
+#define PAIR_LAG         0.7f  /* of the way: waves and jets lose a third of what they would */
+#define LAG_FROM         0.010 /* h per substep, from which on it is whole: what rests stays calm */
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
 #define MOST_SUBSTEPS    1000  /* a frame, as in a definition */
@@ -31,14 +31,14 @@
 #define COHESION_FROM    0.25  /* rest densities: a little more than two in one place */
 #define COHESION_FULL    0.5   /* rest densities: a little less than at a flat surface */
 #define COHESION_BELOW   0.95  /* rest densities: the bulk, which wants for nothing */
-#define COHESION_PULL    3.57  /* F is so much weaker here than q, for which k_coh was meant */
+#define COHESION_PULL    1.785 /* half of what makes F pull as q did: a crust drags on waves */
 #define COHESION_TENSION 0.255 /* of k_coh; more makes drops stiffer, less lets them come apart */
 #define TENSION_FROM     0.2   /* of |g| at a flat surface: how uneven the bulk may be */
 #define TENSION_UNTIL    0.1   /* of the push at the expected depth: what is pressed so has none */
 #define STICKS           0.05  /* wall friction from which on a viscous fluid does not slip */
 #define LEFTOVER_CROWD   2     /* how crowded what images leave over is, to the lattice */
 #define GRIP             0.2   /* of the friction in contact: it acts on all of the layer */
-#define COHESION_MARGIN  6     /* how much stiffer than the cohesion the pressure must be */
+#define COHESION_MARGIN  12    /* how much stiffer than the cohesion the pressure must be */
 
 bool skv_within(double value, double lo, double hi)
 {

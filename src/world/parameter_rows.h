@@ -63,7 +63,7 @@ NUMBER(FLUID_VISCOSITY_LINEAR, "fluid.viscosity_linear", fluid.viscosity_linear,
 NUMBER(FLUID_VISCOSITY_QUADRATIC, "fluid.viscosity_quadratic", fluid.viscosity_quadratic, "1/m",
        0, 1000, 0, true, "the same, growing with the speed")
 NUMBER(FLUID_NEAR_STIFFNESS, "fluid.near_stiffness", fluid.near_stiffness, "m/s^2", 0, 200,
-       98.1, true, "calibrated law: keeps particles apart")
+       107.9, true, "calibrated law: keeps particles apart")
 NUMBER(FLUID_COHESION, "fluid.cohesion", fluid.cohesion, "m/s^2", 0, 500, 78.48, true,
        "calibrated law: 39 splashes, 235 clings")
 NUMBER(FLUID_RELAXATION, "fluid.relaxation", fluid.relaxation, "", 0.05, 0.4, 0.35, true,

@@ -187,7 +187,7 @@ void oracle_take_pairs(oracle *o, double lag)
 {
     for (int i = 0; i < o->n; i++) {
         double way_x = o->dt * o->vx[i] + o->wx[i], way_y = o->dt * o->vy[i] + o->wy[i];
-        double slow = fmin(1, pow(hypot(way_x, way_y) / (0.006 * radius_of(o)), 2));
+        double slow = fmin(1, pow(hypot(way_x, way_y) / (0.010 * radius_of(o)), 2));
         o->px[i] = o->x[i] - lag * slow * way_x;
         o->py[i] = o->y[i] - lag * slow * way_y;
     }
@@ -258,7 +258,7 @@ static void pressure_calibrated(oracle *o, int i, bool first)
     push += first ? fmin(warm, 6 * push) : 0;
     o->warm[i] = (first ? 0 : o->warm[i]) + push / (o->dt * o->dt);
     double held = fmin(1, fmax(0, (fill - 0.25) / 0.25));
-    double pull = 3.57 * o->k_coh / 2 * rest * fmax(0, 0.95 - fill) * held;
+    double pull = 1.785 * o->k_coh / 2 * rest * fmax(0, 0.95 - fill) * held;
     double usual = lattice_near_density(o->eta) / rest;
     double crowd = o->k_near / 2 * fmax(0, o->near_density[i] - usual * o->density[i]);
     o->push[i] = push - share * (pull + 4 * usual * crowd);

@@ -47,7 +47,7 @@ void oracle_viscosity(oracle *o);
 void oracle_advance(oracle *o, double max_speed);
 /* From now on pairs are taken so much of the substep's way behind where the particles are,
  * less of it where they hardly move; and how much that is by the calibrated law. */
-#define ORACLE_LAG 0.55
+#define ORACLE_LAG 0.7
 void oracle_take_pairs(oracle *o, double lag);
 void oracle_density(oracle *o, bool gradient);
 /* `first`: iteration, which starts warm. */

@@ -64,7 +64,7 @@ static energy_law law_of(const skv_world *world)
                         .rest = lattice.density,
                         .push = (double)f->relaxation * f->iterations * h /
                                 (6 * dt * dt * lattice.response),
-                        .pull = 3.57 * (double)f->cohesion,
+                        .pull = 1.785 * (double)f->cohesion,
                         .k_near = (double)f->near_stiffness,
                         .near_share = lattice.near_density / lattice.density,
                         .tension = 0.255 * (double)f->cohesion,
@@ -191,15 +191,17 @@ static history watch(const group *g, skv_world *world)
     return seen;
 }
 
-/* The bounds, by the law's own scales. The calibrated law's energies are those of k_coh h; what it
- * may gain is the error of its substeps, felt by three or more in one place. The clavet law is the
- * thesis' explicit one: within a substep particles fall through much of its k h. */
+/* The bounds, by the law's own scales. The calibrated law's energies are those of k_coh h, of the
+ * cohesion and as much again of the tension; what it may gain is the error of its substeps, felt by
+ * three or more in one place. The clavet law is the thesis' explicit one: within a substep
+ * particles fall through much of its k h. */
 static void check(const group *g, double distance, skv_world *world)
 {
     place(world, g, distance);
     energy_law e = law_of(world);
     history seen = watch(g, world);
-    double dt = 1.0 / 60 / skv_world_substeps_per_frame(world), unit = e.h * e.pull;
+    double dt = 1.0 / 60 / skv_world_substeps_per_frame(world);
+    double unit = (e.kernel == SKV_KERNEL_SPIKY ? 1 : 2) * e.h * e.pull;
     double gain = e.kernel == SKV_KERNEL_SPIKY ? 6 : 0.08;
     double speed = e.kernel == SKV_KERNEL_SPIKY ? 0.4 * e.h / dt : 1.25 * sqrt(unit);
     if (seen.gained > gain * unit || seen.speed > speed)

@@ -48,7 +48,7 @@ static void defaults_are_the_rows(void **unused)
     skv_fluid_def clavet = skv_default_fluid_def(SKV_LAW_CLAVET);
     assert_true(clavet.law == SKV_LAW_CLAVET && clavet.iterations == 1);
     assert_true(clavet.radius_ratio == 2.85f && clavet.contact_distance == 0.3f);
-    assert_true(clavet.near_stiffness == 98.1f);
+    assert_true(clavet.near_stiffness == 107.9f);
 }
 
 static void members_are_set_by_path(void **unused)

@@ -87,10 +87,10 @@ static skv_world *make_filled(const kind *k)
 {
     skv_world *world = make_world(k, 1);
     fixture_fill(world, 0, 0, k->calm ? 1.6f : 0.6f, k->calm ? 0.3f : 0.7f);
-    /* A pool that is about to fall asleep. */
+    /* A pool that is falling asleep, and no longer turns over now and then. */
     for (int f = 0; k->calm && f < 3600; f++) {
         fixture_run(world, 1);
-        if (skv_world_awake_count(world) < skv_world_particle_count(world))
+        if (skv_world_awake_count(world) < skv_world_particle_count(world) / 2)
             break;
     }
     return world;

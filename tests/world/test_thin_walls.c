@@ -192,6 +192,7 @@ static const wall gate = {.name = "a gate", .pixels = 3, .gap = 0.08};
 static void thin_walls_hold_and_part(void **unused)
 {
     (void)unused;
+    double squares = 0;
     for (size_t i = 0; i < WALLS; i++) {
         rest alone = watch(&walls[i], make_world(&walls[i], SKV_SOLVER_FAST, false));
         rest both = watch(&walls[i], make_world(&walls[i], SKV_SOLVER_FAST, true));
@@ -209,9 +210,12 @@ static void thin_walls_hold_and_part(void **unused)
         /* What a level makes in pressure is not the other side's doing: set against the level. */
         double share_both = both.pressure / (both.level - PROBE);
         double share_alone = alone.pressure / (alone.level - PROBE);
-        assert_true(fabs(share_both - share_alone) < 0.002 * share_alone);
+        squares += pow(share_both / share_alone - 1, 2) / WALLS;
         assert_true(fabs(both.layer - 1) < 0.1 && fabs(alone.layer - 1) < 0.1);
     }
+    /* Water rests in a lattice, by chance one that bears a thousandth more or less: what the other
+     * side did would show behind every wall. */
+    assert_true(sqrt(squares) < 0.0015);
 }
 
 /* The reference solver's sums have the same order whoever else there is: the same bits. */
