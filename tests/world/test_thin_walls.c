@@ -23,11 +23,11 @@ enum { WIDTH = 320, HEIGHT = 240, MOST = 4000 };
 typedef struct wall {
     const char *name;
     int pixels;   /* thick */
+    float lower;  /* by how much the water on the left is, m: another start */
     double slope; /* of its foot to the right, against the upright */
     double bulge; /* 1 over its radius in m, to the right; 0: straight */
     double gap;   /* below it, m */
     double top;   /* where it ends, m; 0: at the lid */
-    float lower;  /* by how much the water on the left is, m: another start */
 } wall;
 
 /* Where a point is beside the wall's middle, in pixels; positive to the right. */
