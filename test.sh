@@ -48,7 +48,7 @@ run_tests() {
     passed=$((passed + total - bad))
     say "build/$preset: $((total - bad)) of $total tests passed ($(elapsed))"
     if ((bad)); then
-        grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^      Start ' "$log" | head -n 200
+        grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^      Start ' "$log" | sed -n '1,200p'
     fi
 }
 
