@@ -1,20 +1,21 @@
 /* Archimedes: the force of water at rest on a body that is held in it.
  *
- * A square body is fixed in the middle of a pool. After six seconds the force meter watches for
- * four.
+ * A square body is fixed in the middle of a pool. After six seconds of scale 1 the force meter
+ * watches for four.
  */
 #include "experiments/experiment.h"
 #include "experiments/theory.h"
 
-enum { WAIT = 6, WATCH = 4, MAX_SAMPLES = 1000 };
+enum { WAIT = 6, WATCH = 4 };
 enum { SIZE, DEPTH };
-enum { C_DENSITY, C_GRAVITY, C_AREA };
+enum { C_DENSITY, C_GRAVITY, C_AREA, C_PACE };
 
 static skv_instrument build(stage *s, double size, double depth)
 {
     double width = 5 * size, below = size, level = below + size + depth;
     double x = width / 2 - size / 2, margin = size / 4;
-    s->total = WAIT + WATCH;
+    double pace = skv_stage_pace(s);
+    s->total = (WAIT + WATCH) * pace;
     stage_plan plan = {.width = width,
                        .height = level + size,
                        .solids = 1,
@@ -27,16 +28,13 @@ static skv_instrument build(stage *s, double size, double depth)
     skv_stage_check_passage(s, SIZE, 1);
     skv_stage_check_passage(s, DEPTH, 1);
     return skv_stage_add(s, SKV_INSTRUMENT_FORCE, x - margin, below - margin, x + size + margin,
-                         below + size + margin, WATCH);
+                         below + size + margin, WATCH * pace);
 }
 
 static void draw(const stage *s, const void *meter, findings *found)
 {
-    double times[MAX_SAMPLES], force[MAX_SAMPLES];
-    int count = skv_stage_history(s, *(const skv_instrument *)meter, 1, times, force, MAX_SAMPLES);
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
-    for (int i = 0; i < count; i++)
-        skv_plot_point(&found->plot, times[i], force[i]);
+    skv_stage_trace(s, *(const skv_instrument *)meter, 1, 1);
 }
 
 static void measure(stage *s, findings *found)
@@ -46,10 +44,11 @@ static void measure(stage *s, findings *found)
     found->condition[C_DENSITY] = skv_stage_density(s);
     found->condition[C_GRAVITY] = skv_stage_gravity(s);
     found->condition[C_AREA] = size * size;
+    found->condition[C_PACE] = skv_stage_pace(s);
     found->foreseen = true;
     skv_stage_show(s, draw, &meter);
-    skv_stage_wait(s, WAIT);
-    skv_stage_watch(s, WATCH);
+    skv_stage_wait(s, WAIT * skv_stage_pace(s));
+    skv_stage_watch(s, WATCH * skv_stage_pace(s));
     found->measured[0] = skv_stage_read(s, meter, 1);
     skv_stage_draw(s);
 }
@@ -59,8 +58,8 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
     expected->theory[0] =
         skv_theory_buoyancy(condition[C_DENSITY], condition[C_GRAVITY], condition[C_AREA]);
     skv_plot_begin(plot, "theory: weight of the displaced water", SKV_CURVE_THEORY);
-    skv_plot_point(plot, WAIT, expected->theory[0]);
-    skv_plot_point(plot, WAIT + WATCH, expected->theory[0]);
+    skv_plot_point(plot, WAIT * condition[C_PACE], expected->theory[0]);
+    skv_plot_point(plot, (WAIT + WATCH) * condition[C_PACE], expected->theory[0]);
 }
 
 const experiment skv_exp_archimedes = {
@@ -79,6 +78,7 @@ const experiment skv_exp_archimedes = {
                        "at any depth (Archimedes).",
             .x_label = "time (s)",
             .y_label = "force upwards (N)",
+            .scatters = true,
         },
     .parameters =
         {
@@ -88,7 +88,7 @@ const experiment skv_exp_archimedes = {
                        "depth of its upper side below the surface"},
         },
     .count = 1,
-    .quantities = {{"force upwards", "N", 0.03, false, 0}},
+    .quantities = {{"force upwards", "N", 0.03, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

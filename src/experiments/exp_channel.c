@@ -176,7 +176,7 @@ const experiment skv_exp_channel = {
                            "linear viscosity sigma of the fluid in the channel"},
         },
     .count = 1,
-    .quantities = {{"profile, R^2 of the best parabola", "", 0.005, false, 0}},
+    .quantities = {{"profile, R^2 of the best parabola", "", 0.005, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -123,8 +123,8 @@ const experiment skv_exp_droplet = {
                         "length over width at the start"},
         },
     .count = 2,
-    .quantities = {{"shorter / longer axis", "", 0.05, false, 0},
-                   {"particles escaped", "", 0, false, 0}},
+    .quantities = {{"shorter / longer axis", "", 0.05, AS_WRITTEN, 0},
+                   {"particles escaped", "", 0, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

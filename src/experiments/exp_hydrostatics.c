@@ -1,8 +1,8 @@
 /* Hydrostatics: the pressure in a pool at rest grows with the depth, and the pool keeps its volume.
  *
- * The pool is filled and left alone for six seconds, then watched for three: six layers of equal
- * thickness, away from the side walls by four smoothing radii, give their mean pressure and mean
- * depth below the surface that the level gauges see.
+ * The pool is filled and left alone for six seconds of scale 1, then watched for three: six layers
+ * of equal thickness, away from the side walls by four smoothing radii, give their mean pressure
+ * and mean depth below the surface that the level gauges see.
  */
 #include "experiments/experiment.h"
 #include "experiments/theory.h"
@@ -16,13 +16,13 @@ enum { WIDTH, DEPTH };
 enum { C_DENSITY = LAYERS, C_GRAVITY, C_FILLED };
 
 typedef struct pool {
-    double width, depth;
+    double width, depth, watch;
     skv_instrument gauges[GAUGES], layers[LAYERS];
 } pool;
 
 static void build(stage *s, pool *p)
 {
-    s->total = WAIT + WATCH;
+    s->total = WAIT * skv_stage_pace(s) + p->watch;
     stage_plan plan = {.width = p->width,
                        .height = 1.4 * p->depth,
                        .waters = 1,
@@ -34,7 +34,7 @@ static void build(stage *s, pool *p)
     skv_stage_check_passage(s, WIDTH, 0.2);
     for (int i = 0; i < GAUGES; i++) {
         double x = p->width * (0.25 + 0.5 * i / (GAUGES - 1));
-        p->gauges[i] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, 1.4 * p->depth, WATCH);
+        p->gauges[i] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, 1.4 * p->depth, p->watch);
     }
 }
 
@@ -46,7 +46,7 @@ static void add_layers(stage *s, pool *p)
            away = fmin(4 * s->h, 0.4 * p->width);
     for (int i = 0; i < LAYERS; i++)
         p->layers[i] = skv_stage_add(s, SKV_INSTRUMENT_REGION, away, i * thickness, p->width - away,
-                                     (i + 1) * thickness, WATCH);
+                                     (i + 1) * thickness, p->watch);
 }
 
 static void draw(const stage *s, const void *set_up, findings *found)
@@ -65,16 +65,18 @@ static void draw(const stage *s, const void *set_up, findings *found)
 
 static void measure(stage *s, findings *found)
 {
-    pool p = {.width = skv_stage_length(s, WIDTH), .depth = skv_stage_length(s, DEPTH)};
+    pool p = {.width = skv_stage_length(s, WIDTH),
+              .depth = skv_stage_length(s, DEPTH),
+              .watch = WATCH * skv_stage_pace(s)};
     build(s, &p);
-    skv_stage_wait(s, WAIT);
+    skv_stage_wait(s, WAIT * skv_stage_pace(s));
     add_layers(s, &p);
     found->condition[C_FILLED] = skv_stage_area(s);
     found->condition[C_DENSITY] = skv_stage_density(s);
     found->condition[C_GRAVITY] = skv_stage_gravity(s);
     found->foreseen = true;
     skv_stage_show(s, draw, &p);
-    skv_stage_watch(s, WATCH);
+    skv_stage_watch(s, p.watch);
     skv_stage_draw(s);
     found->measured[LAYERS] = skv_stage_mean_level(s, p.gauges, GAUGES) * p.width;
 }
@@ -119,13 +121,13 @@ const experiment skv_exp_hydrostatics = {
                        "depth of the pool"},
         },
     .count = LAYERS + 1,
-    .quantities = {{"pressure, layer 1", "Pa m", 0.06, false, 0},
-                   {"pressure, layer 2", "Pa m", 0.06, false, 0},
-                   {"pressure, layer 3", "Pa m", 0.06, false, 0},
-                   {"pressure, layer 4", "Pa m", 0.06, false, 0},
-                   {"pressure, layer 5", "Pa m", 0.06, false, 0},
-                   {"pressure, layer 6", "Pa m", 0.06, false, 0},
-                   {"volume kept", "m^2", 0.05, false, 0}},
+    .quantities = {{"pressure, layer 1", "Pa m", 0.06, AS_WRITTEN, 0},
+                   {"pressure, layer 2", "Pa m", 0.06, AS_WRITTEN, 0},
+                   {"pressure, layer 3", "Pa m", 0.06, AS_WRITTEN, 0},
+                   {"pressure, layer 4", "Pa m", 0.06, AS_WRITTEN, 0},
+                   {"pressure, layer 5", "Pa m", 0.06, AS_WRITTEN, 0},
+                   {"pressure, layer 6", "Pa m", 0.06, AS_WRITTEN, 0},
+                   {"volume kept", "m^2", 0.05, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -101,7 +101,7 @@ const experiment skv_exp_momentum = {
         },
     .count = 1,
     /* Single precision: 6e-8 a rounding. */
-    .quantities = {{"momentum drift in 10 s", "", 1e-6, false, 0}},
+    .quantities = {{"momentum drift in 10 s", "", 1e-6, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -96,9 +96,7 @@ static void measure(stage *s, findings *found)
     t.floor = DROP * t.slot;
     t.low = t.floor + SILL * t.slot;
     t.high = t.low + t.slot;
-    /* Times grow with the root of a length over gravity. */
-    double pace = sqrt(s->settings.common[PARAM_SCALE] * 9.81 / gravity);
-    double watch = WATCH * pace, surface = 0, level = 0, first = 0;
+    double pace = skv_stage_pace(s), watch = WATCH * pace, surface = 0, level = 0, first = 0;
     s->total = WAIT + START * pace + watch;
     build(s, &t);
     skv_stage_wait(s, START * pace);
@@ -167,8 +165,8 @@ const experiment skv_exp_orifice = {
                       "height of the slot"},
         },
     .count = 2,
-    .quantities = {{"jet speed", "m/s", 0.03, false, 0},
-                   {"discharge coefficient", "", 0.1, false, 0}},
+    .quantities = {{"jet speed", "m/s", 0.03, AS_WRITTEN, 0},
+                   {"discharge coefficient", "", 0.1, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

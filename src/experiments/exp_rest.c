@@ -1,35 +1,33 @@
 /* Coming to rest: how long a filled pool takes to settle, and what is left of motion afterwards.
  *
  * The pool is filled, settled as every scene is, and let go. Its rms speed is read every frame
- * for 23 seconds; it has settled at the moment after which it never exceeds 0.02 m/s again.
+ * for 23 seconds; it has settled at the moment after which it never exceeds 0.02 m/s again. Seconds
+ * and speeds are those of scale 1: a larger pool takes longer, and what moves in it is faster.
  */
 #include "experiments/experiment.h"
 
 #include <math.h>
 
-enum { SECONDS = 23 };
+enum { SECONDS = 23, SHOWN = 10, FRAMES_A_POINT = 3, POINTS = SHOWN * 60 / FRAMES_A_POINT };
 enum { WIDTH, DEPTH };
+enum { C_PACE, C_SPEED };
 
 #define SETTLED 0.02 /* m/s */
 
-/* Root of the mean square of the samples with from <= t < to. */
-static double rms_between(const double *t, const double *v, int count, double from, double to)
-{
-    double sum = 0;
-    int used = 0;
-    for (int i = 0; i < count; i++) {
-        if (t[i] >= from && t[i] < to) {
-            sum += v[i] * v[i];
-            used++;
-        }
-    }
-    return used ? sqrt(sum / used) : (double)NAN;
-}
+/* The last two rows' mean squares, between these seconds. */
+enum { PERIODS = 2 };
+static const double periods[PERIODS][2] = {{6, 9}, {20, 23}};
+
+typedef struct pool {
+    double pace, speed;
+    double times[POINTS], speeds[POINTS]; /* to be drawn */
+    int count;
+} pool;
 
 static skv_instrument build(stage *s)
 {
     double width = skv_stage_length(s, WIDTH), depth = skv_stage_length(s, DEPTH);
-    s->total = SECONDS;
+    s->total = SECONDS * skv_stage_pace(s);
     stage_plan plan = {.width = width,
                        .height = 1.4 * depth,
                        .waters = 1,
@@ -41,41 +39,58 @@ static skv_instrument build(stage *s)
     return skv_stage_add(s, SKV_INSTRUMENT_ENERGY, 0, 0, 0, 0, 0);
 }
 
-static void draw(const stage *s, const void *energy, findings *found)
+static void draw(const stage *s, const void *set_up, findings *found)
 {
-    double times[SECONDS * 60], speeds[SECONDS * 60];
-    int count =
-        skv_stage_history(s, *(const skv_instrument *)energy, 2, times, speeds, SECONDS * 60);
+    (void)s;
+    const pool *p = set_up;
     skv_plot_begin(&found->plot, "rms speed", SKV_CURVE_LINE);
-    for (int i = 0; i < count && times[i] < 10; i += 3)
-        skv_plot_point(&found->plot, times[i], speeds[i]);
+    for (int i = 0; i < p->count; i++)
+        skv_plot_point(&found->plot, p->times[i], p->speeds[i]);
+}
+
+static void keep_point(pool *p, double t, double speed)
+{
+    if (p->count < POINTS && t >= p->count * FRAMES_A_POINT / 60.0 * p->pace) {
+        p->times[p->count] = t;
+        p->speeds[p->count++] = speed;
+    }
 }
 
 static void measure(stage *s, findings *found)
 {
+    pool p = {.pace = skv_stage_pace(s), .speed = skv_stage_speed(s)};
     skv_instrument energy = build(s);
+    found->condition[C_PACE] = p.pace;
+    found->condition[C_SPEED] = p.speed;
     found->foreseen = true;
-    skv_stage_show(s, draw, &energy);
-    skv_stage_watch(s, SECONDS);
+    skv_stage_show(s, draw, &p);
+    double settled = 0, sums[PERIODS] = {0};
+    int samples[PERIODS] = {0};
+    int frames = (int)(s->total * 60 + 0.5);
+    for (int f = 1; f <= frames; f++) {
+        skv_stage_watch(s, 1 / 60.0);
+        double t = f / 60.0, speed = skv_stage_read(s, energy, 2);
+        keep_point(&p, t, speed);
+        settled = speed >= SETTLED * p.speed ? t : settled;
+        for (int i = 0; i < PERIODS; i++) {
+            if (t >= periods[i][0] * p.pace && t < periods[i][1] * p.pace) {
+                sums[i] += speed * speed;
+                samples[i]++;
+            }
+        }
+    }
     skv_stage_draw(s);
-    double times[SECONDS * 60], speeds[SECONDS * 60];
-    int count = skv_stage_history(s, energy, 2, times, speeds, SECONDS * 60);
-    double settled = 0;
-    for (int i = 0; i < count; i++)
-        if (speeds[i] >= SETTLED)
-            settled = times[i];
     found->measured[0] = settled;
-    found->measured[1] = rms_between(times, speeds, count, 6, 9);
-    found->measured[2] = rms_between(times, speeds, count, 20, 23);
+    for (int i = 0; i < PERIODS; i++)
+        found->measured[1 + i] = sqrt(sums[i] / samples[i]);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
 {
-    (void)condition;
     expected->theory[0] = expected->theory[1] = expected->theory[2] = 0;
     skv_plot_begin(plot, "settled", SKV_CURVE_THEORY);
-    skv_plot_point(plot, 0, SETTLED);
-    skv_plot_point(plot, 10, SETTLED);
+    skv_plot_point(plot, 0, SETTLED * condition[C_SPEED]);
+    skv_plot_point(plot, SHOWN * condition[C_PACE], SETTLED * condition[C_SPEED]);
 }
 
 const experiment skv_exp_rest = {
@@ -91,7 +106,8 @@ const experiment skv_exp_rest = {
                        "without, and how long until nothing moves faster than 2 cm/s?",
             .measure =
                 "A pool is filled, settled and let go. An energy meter reads the rms speed of all "
-                "particles for twenty-three seconds.",
+                "particles for twenty-three seconds; longer in a larger pool, where all takes "
+                "longer.",
             .compare = "There is no theory for it here, only two bounds: particles that tremble "
                        "for ever are a fault of the method, not of water. What remains after "
                        "twenty seconds should be below a millimetre a second.",
@@ -106,9 +122,9 @@ const experiment skv_exp_rest = {
                        "depth of the pool"},
         },
     .count = 3,
-    .quantities = {{"time to settle below 0.02 m/s", "s", 2, false, 0},
-                   {"rms speed, 6-9 s", "m/s", 0.005, false, 0},
-                   {"rms speed, 20-23 s", "m/s", 0.001, false, 0}},
+    .quantities = {{"time to settle below 0.02 m/s", "s", 2, BY_PACE, 0},
+                   {"rms speed, 6-9 s", "m/s", 0.005, BY_SPEED, 0},
+                   {"rms speed, 20-23 s", "m/s", 0.001, BY_SPEED, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -157,6 +157,7 @@ const experiment skv_exp_ringing = {
                        "tension = p R (Laplace), and the frequencies go as R to the power -3/2.",
             .x_label = "time (s)",
             .y_label = "shape, (xx - yy) / (xx + yy)",
+            .scatters = true,
         },
     .parameters =
         {
@@ -166,8 +167,8 @@ const experiment skv_exp_ringing = {
                         "length over width at the start"},
         },
     .count = 2,
-    .quantities = {{"surface tension", "N", 0.15, false, 0},
-                   {"frequency, smaller / larger drop", "", 0.05, false, 0}},
+    .quantities = {{"surface tension", "N", 0.15, AS_WRITTEN, 0},
+                   {"frequency, smaller / larger drop", "", 0.05, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

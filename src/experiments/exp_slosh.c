@@ -136,8 +136,8 @@ const experiment skv_exp_slosh = {
                        "slope of the surface at the start; 0: 0.15, in shallow water less"},
         },
     .count = 2,
-    .quantities = {{"period", "s", 0.02, false, 0},
-                   {"amplitude after one period", "", 0.12, false, 0}},
+    .quantities = {{"period", "s", 0.02, AS_WRITTEN, 0},
+                   {"amplitude after one period", "", 0.12, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

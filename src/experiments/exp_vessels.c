@@ -4,7 +4,9 @@
 
 #include <math.h>
 
-enum { VESSELS = 3, GAUGES = 3, RUN = 14, END = 2, MAX_SAMPLES = 1200 };
+/* Seconds are those of scale 1. */
+enum { VESSELS = 3, GAUGES = 3, RUN = 14, END = 2 };
+enum { C_LEVEL, C_RUN };
 enum { LEVEL, HEAD };
 
 /* Widths, and the wall between two vessels, in mean levels; the duct under the walls. */
@@ -63,8 +65,8 @@ static void build(stage *s, vessels *v)
     for (int i = 0; i < VESSELS; i++) {
         for (int k = 0; k < GAUGES; k++) {
             double x = v->x0[i] + (v->x1[i] - v->x0[i]) * (k + 1) / (GAUGES + 1);
-            v->gauges[i][k] =
-                skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, DUCT * v->level / 2, x, v->height, END);
+            v->gauges[i][k] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, DUCT * v->level / 2, x,
+                                            v->height, END * skv_stage_pace(s));
         }
     }
 }
@@ -86,23 +88,21 @@ static void draw(const stage *s, const void *set_up, findings *found)
                                                     SKV_CURVE_DOTS};
     const vessels *v = set_up;
     for (int i = 0; i < VESSELS; i++) {
-        double times[MAX_SAMPLES], levels[MAX_SAMPLES];
-        int count = skv_stage_history(s, v->gauges[i][1], 2, times, levels, MAX_SAMPLES);
         skv_plot_begin(&found->plot, labels[i], styles[i]);
-        for (int k = 0; k < count; k += i == 0 ? 1 : 20)
-            skv_plot_point(&found->plot, times[k], levels[k]);
+        skv_stage_trace(s, v->gauges[i][1], 2, i == 0 ? 1 : 20);
     }
 }
 
 static void measure(stage *s, findings *found)
 {
     vessels v = {.level = skv_stage_length(s, LEVEL), .head = skv_stage_length(s, HEAD)};
-    s->total = RUN;
+    s->total = RUN * skv_stage_pace(s);
     build(s, &v);
-    found->condition[0] = filled_level(s, &v);
+    found->condition[C_LEVEL] = filled_level(s, &v);
+    found->condition[C_RUN] = s->total;
     found->foreseen = true;
     skv_stage_show(s, draw, &v);
-    skv_stage_watch(s, RUN);
+    skv_stage_watch(s, s->total);
     skv_stage_draw(s);
     double highest = -HUGE_VAL, lowest = HUGE_VAL;
     for (int i = 0; i < VESSELS; i++) {
@@ -116,8 +116,8 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 {
     expected->theory[0] = 0;
     skv_plot_begin(plot, "theory: one level", SKV_CURVE_THEORY);
-    skv_plot_point(plot, 0, condition[0]);
-    skv_plot_point(plot, RUN, condition[0]);
+    skv_plot_point(plot, 0, condition[C_LEVEL]);
+    skv_plot_point(plot, condition[C_RUN], condition[C_LEVEL]);
 }
 
 const experiment skv_exp_vessels = {
@@ -149,7 +149,7 @@ const experiment skv_exp_vessels = {
                       "difference between the highest and the lowest level at the start"},
         },
     .count = 1,
-    .quantities = {{"highest - lowest level", "m", 0.25, true, 0}},
+    .quantities = {{"highest - lowest level", "m", 0.25, IN_SPACINGS, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -156,8 +156,8 @@ const experiment skv_exp_viscosity = {
                          "kinematic viscosity that the fluid is given"},
         },
     .count = 2,
-    .quantities = {{"kinematic viscosity", "m^2/s", 0.25, false, 0},
-                   {"without viscosity", "m^2/s", 0.002, false, 0}},
+    .quantities = {{"kinematic viscosity", "m^2/s", 0.25, AS_WRITTEN, 0},
+                   {"without viscosity", "m^2/s", 0.002, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -29,6 +29,8 @@ skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *op
         found->substeps = skv_world_substeps_per_frame(set_up.world);
         found->spacing = set_up.spacing;
         found->seconds = set_up.done;
+        found->pace = skv_stage_pace(&set_up);
+        found->speed = skv_stage_speed(&set_up);
     }
     return skv_stage_close(&set_up);
 }
@@ -56,6 +58,20 @@ void skv_findings_free(findings *found)
     skv_plot_free(&found->plot);
 }
 
+static double allowed(const quantity *q, const findings *found)
+{
+    switch (q->allowance) {
+    case IN_SPACINGS:
+        return q->tolerance * found->spacing;
+    case BY_PACE:
+        return q->tolerance * found->pace;
+    case BY_SPEED:
+        return q->tolerance * found->speed;
+    default:
+        return q->tolerance;
+    }
+}
+
 static double rms_deviation(const double *a, const double *b, int count)
 {
     double sum = 0;
@@ -77,7 +93,7 @@ void skv_experiment_judge(const experiment *e, const findings *found, const expe
             .measured = found->measured[i],
             .theory = expected->theory[i],
             .ratio = (double)NAN,
-            .tolerance = q->tolerance * (q->in_spacings ? found->spacing : 1),
+            .tolerance = allowed(q, found),
         };
         if (q->points > 0) {
             row->measured = rms_deviation(found->point, expected->point, q->points);

@@ -13,11 +13,19 @@
 
 enum { MAX_QUANTITIES = 8, MAX_CONDITIONS = 16, MAX_POINTS = 16 };
 
+/* What a tolerance is multiplied with. */
+typedef enum allowance {
+    AS_WRITTEN,
+    IN_SPACINGS, /* of the particles, m */
+    BY_PACE,     /* a time at scale 1 under 9.81 m/s^2; see skv_stage_pace */
+    BY_SPEED,    /* a speed there; see skv_stage_speed */
+} allowance;
+
 /* One measured quantity. */
 typedef struct quantity {
     const char *name, *unit;
     double tolerance; /* of the ratio, or in `unit` where the theory is 0 */
-    bool in_spacings; /* the tolerance is so many spacings of the particles, in m */
+    allowance allowance;
     int points; /* above 0: the quantity is the rms deviation of that many points of a curve */
 } quantity;
 
@@ -29,6 +37,7 @@ struct findings {
     skv_plot plot;
     int particles, substeps;
     double spacing, seconds;
+    double pace, speed; /* of the stage */
 };
 
 typedef struct expectation {

@@ -78,6 +78,16 @@ double skv_stage_gravity(const stage *s)
     return s->settings.common[PARAM_GRAVITY];
 }
 
+double skv_stage_pace(const stage *s)
+{
+    return sqrt(s->settings.common[PARAM_SCALE] * 9.81 / skv_stage_gravity(s));
+}
+
+double skv_stage_speed(const stage *s)
+{
+    return s->settings.common[PARAM_SCALE] / skv_stage_pace(s);
+}
+
 void skv_stage_set(stage *s, const char *path, double value)
 {
     int i = 0;
@@ -217,6 +227,11 @@ double skv_stage_area(const stage *s)
     return s->world ? skv_world_particle_count(s->world) * s->spacing * s->spacing : (double)NAN;
 }
 
+static int frames_in(double seconds)
+{
+    return (int)(seconds * 60 + 0.5);
+}
+
 /* ---- Instruments ----------------------------------------------------------------------------- */
 
 skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
@@ -229,7 +244,7 @@ skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, doub
     def.x1 = x1;
     def.y1 = y1;
     def.window = window;
-    def.capacity = HISTORY;
+    def.capacity = (int)fmax(HISTORY, frames_in(s->total) + 1);
     if (skv_stage_ok(s))
         skv_stage_keep(s, skv_lab_add(s->lab, &def, &id, s->error));
     return id;
@@ -252,6 +267,21 @@ int skv_stage_history(const stage *s, skv_instrument id, int channel, double *ti
                       int capacity)
 {
     return skv_stage_ok(s) ? skv_lab_history(s->lab, id, channel, times, values, capacity) : 0;
+}
+
+void skv_stage_trace(const stage *s, skv_instrument id, int channel, int every)
+{
+    skv_plot *plot = &s->found->plot;
+    int count = skv_stage_history(s, id, channel, NULL, NULL, 0);
+    double *times = skv_calloc(2 * (size_t)count + 1, sizeof *times);
+    if (!times) {
+        plot->failed = true;
+        return;
+    }
+    skv_stage_history(s, id, channel, times, times + count, count);
+    for (int i = 0; i < count; i += every)
+        skv_plot_point(plot, times[i], times[count + i]);
+    skv_free(times);
 }
 
 /* ---- Time ------------------------------------------------------------------------------------ */
@@ -315,11 +345,6 @@ void skv_stage_draw(stage *s)
         return;
     skv_plot_cut(&s->found->plot, 0);
     s->draw(s, s->set_up, s->found);
-}
-
-static int frames_in(double seconds)
-{
-    return (int)(seconds * 60 + 0.5);
 }
 
 /* Whether nothing but the plan is asked for, and it is complete after so much waiting. */

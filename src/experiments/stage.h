@@ -67,6 +67,10 @@ void skv_stage_require(stage *s, bool condition, const char *message);
 double skv_stage_value(const stage *s, int own);
 double skv_stage_length(const stage *s, int own);
 double skv_stage_gravity(const stage *s);
+/* How many times as long everything takes as at scale 1 under 9.81 m/s^2, for times grow with the
+ * root of a length over gravity, and how many times as fast everything moves (W. Froude's law). */
+double skv_stage_pace(const stage *s);
+double skv_stage_speed(const stage *s);
 /* Overrides what the settings say of the fluid: "fluid.viscosity". Before skv_stage_build. */
 void skv_stage_set(stage *s, const char *path, double value);
 
@@ -92,6 +96,9 @@ double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int co
 /* As skv_lab_history. */
 int skv_stage_history(const stage *s, skv_instrument id, int channel, double *times, double *values,
                       int capacity);
+
+/* Adds the history of a channel to the plot's last curve, every so many-th sample. */
+void skv_stage_trace(const stage *s, skv_instrument id, int channel, int every);
 
 /* Names the function that draws the curves: whoever observes the experiment sees them grow. */
 void skv_stage_show(stage *s, draw_curves *draw, const void *set_up);

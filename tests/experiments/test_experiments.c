@@ -164,7 +164,7 @@ static void the_judge_sees_either_side_move(void **unused)
     (void)unused;
     for (int k = 0; skv_experiment_at(k); k++) {
         const experiment *e = skv_experiment_at(k);
-        findings found = {.spacing = 0.01};
+        findings found = {.spacing = 0.01, .pace = 3, .speed = 0.25};
         expectation expected = {{0}, {0}};
         for (int i = 0; i < MAX_CONDITIONS; i++)
             found.condition[i] = 0.3 + 0.1 * i;
@@ -177,7 +177,10 @@ static void the_judge_sees_either_side_move(void **unused)
             assert_true(rows[i].pass);
         for (int i = 0; i < e->count; i++) {
             const quantity *q = &e->quantities[i];
-            double allowed = q->tolerance * (q->in_spacings ? 0.01 : 1);
+            double allowed = q->tolerance * (q->allowance == IN_SPACINGS ? 0.01
+                                             : q->allowance == BY_PACE   ? 3
+                                             : q->allowance == BY_SPEED  ? 0.25
+                                                                         : 1);
             for (int side = 0; side < 2; side++) {
                 findings moved = found;
                 expectation other = expected;
@@ -257,6 +260,33 @@ static void expect_level(double given, double filled, double asked)
 {
     assert_true(filled < 0.99 * asked);
     assert_true(given < filled && given > 0.945 * filled);
+}
+
+/* A pool twice as large under twice the gravity takes as long to rest, at twice the
+ * speed. */
+static void times_and_speeds_grow_with_the_tank(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *experiment, *scale, *gravity;
+        double seconds, allowed; /* of the last row of rest */
+    } cases[] = {
+        {"rest", "1", "9.81", 23, 0.001},      {"rest", "2", "19.62", 23, 0.002},
+        {"rest", "0.5", "19.62", 11.5, 0.001}, {"hydrostatics", "0.25", "9.81", 4.5, 0},
+        {"archimedes", "2", "19.62", 10, 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const skv_setting list[] = {
+            {"particles", "500"}, {"scale", cases[i].scale}, {"gravity", cases[i].gravity}};
+        skv_report *report = run(cases[i].experiment, list, 3);
+        int particles, substeps;
+        double spacing, seconds;
+        skv_report_facts(report, &particles, &spacing, &substeps, &seconds);
+        assert_true(fabs(seconds - cases[i].seconds) < 0.02);
+        if (cases[i].allowed > 0)
+            assert_true(fabs(skv_report_row(report, 2)->tolerance - cases[i].allowed) < 1e-9);
+        skv_report_destroy(report);
+    }
 }
 
 static void theory_gets_the_water_that_is_there(void **unused)
@@ -529,6 +559,7 @@ int main(void)
         cmocka_unit_test(impossible_set_ups_are_refused),
         cmocka_unit_test(the_judge_sees_either_side_move),
         cmocka_unit_test(a_real_finding_fails_against_a_wrong_theory),
+        cmocka_unit_test(times_and_speeds_grow_with_the_tank),
         cmocka_unit_test(theory_gets_the_water_that_is_there),
         cmocka_unit_test(walls_by_images_do_not_drag),
         cmocka_unit_test(theory_follows_the_parameters),
