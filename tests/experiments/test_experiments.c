@@ -262,8 +262,7 @@ static void expect_level(double given, double filled, double asked)
     assert_true(given < filled && given > 0.945 * filled);
 }
 
-/* A pool twice as large under twice the gravity takes as long to rest, at twice the
- * speed. */
+/* A pool twice as large under twice the gravity takes as long to rest, at twice the speed. */
 static void times_and_speeds_grow_with_the_tank(void **unused)
 {
     (void)unused;
