@@ -120,10 +120,10 @@ if [[ ${SKV_LONG_TESTS:-0} == 1 ]] && prepare clang skvalp-cli; then
     test_scenes_of_clang
 fi
 # These take minutes with the sanitizers, to run the same lines for longer, or on seven threads.
-slow='world/test_(walls|determinism)'
+slow='world/test_(walls|thin_walls|determinism)'
 # And these half a minute to two each: with the long tests only.
 [[ ${SKV_LONG_TESTS:-0} == 1 ]] ||
-    slow+='|world/test_(ceilings|flow|forces|frames|sleep|snapshot|step|thin_walls|worlds|footprint)|scene/test_(settle|builtin)|session/test_memory'
+    slow+='|world/test_(ceilings|flow|forces|frames|sleep|snapshot|step|worlds|footprint)|scene/test_(settle|builtin)|session/test_memory'
 # The long forms are long enough without the sanitizers.
 unset SKV_LONG_TESTS
 if prepare asan sanitized_tests; then
