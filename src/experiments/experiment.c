@@ -58,20 +58,6 @@ void skv_findings_free(findings *found)
     skv_plot_free(&found->plot);
 }
 
-static double allowed(const quantity *q, const findings *found)
-{
-    switch (q->allowance) {
-    case IN_SPACINGS:
-        return q->tolerance * found->spacing;
-    case BY_PACE:
-        return q->tolerance * found->pace;
-    case BY_SPEED:
-        return q->tolerance * found->speed;
-    default:
-        return q->tolerance;
-    }
-}
-
 static double rms_deviation(const double *a, const double *b, int count)
 {
     double sum = 0;
@@ -83,6 +69,7 @@ static double rms_deviation(const double *a, const double *b, int count)
 void skv_experiment_judge(const experiment *e, const findings *found, const expectation *expected,
                           skv_lab_row *rows)
 {
+    const double unit[] = {1, found->spacing, found->pace, found->speed}; /* by allowance */
     for (int i = 0; i < e->count; i++) {
         const quantity *q = &e->quantities[i];
         skv_lab_row *row = &rows[i];
@@ -93,7 +80,7 @@ void skv_experiment_judge(const experiment *e, const findings *found, const expe
             .measured = found->measured[i],
             .theory = expected->theory[i],
             .ratio = (double)NAN,
-            .tolerance = allowed(q, found),
+            .tolerance = q->tolerance * unit[q->allowance],
         };
         if (q->points > 0) {
             row->measured = rms_deviation(found->point, expected->point, q->points);

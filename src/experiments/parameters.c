@@ -18,7 +18,7 @@ static const skv_field common[COMMON_PARAMETERS] = {
     [PARAM_PARTICLES] = {"particles", SKV_FIELD_INTEGER, "", 200, 200000, NULL, "4000",
                          "wanted number of particles; the spacing follows from it"},
     [PARAM_SCALE] = {"scale", SKV_FIELD_NUMBER, "", 0.2, 4, NULL, "1",
-                     "multiplies every length of every set-up; times grow with its root"},
+                     "multiplies every length of every set-up"},
     [PARAM_GRAVITY] = {"gravity", SKV_FIELD_NUMBER, "m/s^2", 0.5, 100, NULL, "9.81",
                        "acceleration of gravity"},
 };

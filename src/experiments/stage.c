@@ -244,7 +244,8 @@ skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, doub
     def.x1 = x1;
     def.y1 = y1;
     def.window = window;
-    def.capacity = (int)fmax(HISTORY, frames_in(s->total) + 1);
+    int frames = frames_in(s->total);
+    def.capacity = frames < HISTORY ? HISTORY : frames;
     if (skv_stage_ok(s))
         skv_stage_keep(s, skv_lab_add(s->lab, &def, &id, s->error));
     return id;
