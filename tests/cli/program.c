@@ -18,10 +18,15 @@
 
 #include <cmocka.h>
 
-static pid_t start(const char *folder, const char *const *arguments, int out, int err)
+/* With `group` as the leader of a group of its own. Child and parent both see to that, for either
+ * may be late: once the program runs, the parent cannot any more, and until the child has run, its
+ * group is none. */
+static pid_t start(const char *folder, const char *const *arguments, int out, int err, bool group)
 {
     pid_t pid = fork();
     assert_true(pid >= 0);
+    if (group)
+        setpgid(pid, pid);
     if (pid == 0) {
         int null = open("/dev/null", O_RDWR);
         dup2(null, STDIN_FILENO);
@@ -62,7 +67,7 @@ program_result program_run(const char *folder, const char *const *arguments)
     FILE *out = tmpfile(), *err = tmpfile();
     int status;
     assert_true(out && err);
-    pid_t pid = start(folder, arguments, fileno(out), fileno(err));
+    pid_t pid = start(folder, arguments, fileno(out), fileno(err), false);
     while (waitpid(pid, &status, 0) == -1)
         assert_int_equal(errno, EINTR);
     result.status = status_of(status);
@@ -82,9 +87,7 @@ void program_free(program_result *result)
 
 pid_t program_start(const char *folder, const char *const *arguments)
 {
-    pid_t pid = start(folder, arguments, -1, -1);
-    setpgid(pid, pid);
-    return pid;
+    return start(folder, arguments, -1, -1, true);
 }
 
 int program_wait(pid_t pid, double seconds)
