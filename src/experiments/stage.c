@@ -80,7 +80,9 @@ double skv_stage_gravity(const stage *s)
 
 double skv_stage_pace(const stage *s)
 {
-    return sqrt(s->settings.common[PARAM_SCALE] * 9.81 / skv_stage_gravity(s));
+    /* What failed may have no settings, and counts frames all the same. */
+    return skv_stage_ok(s) ? sqrt(s->settings.common[PARAM_SCALE] * 9.81 / skv_stage_gravity(s))
+                           : 1;
 }
 
 double skv_stage_speed(const stage *s)
