@@ -34,7 +34,7 @@
 #define COHESION_PULL    1.785 /* half of what makes F pull as q did: a crust drags on waves */
 #define COHESION_TENSION 0.255 /* of k_coh; more makes drops stiffer, less lets them come apart */
 #define TENSION_FROM     0.2   /* of |g| at a flat surface: how uneven the bulk may be */
-#define TENSION_UNTIL    0.1   /* of the push at the expected depth: what is pressed so has none */
+#define TENSION_UNTIL    0.25  /* of the push at the expected depth: what is pressed so has none */
 #define STICKS           0.05  /* wall friction from which on a viscous fluid does not slip */
 #define LEFTOVER_CROWD   2     /* how crowded what images leave over is, to the lattice */
 #define GRIP             0.2   /* of the friction in contact: it acts on all of the layer */

@@ -232,7 +232,7 @@ void oracle_density(oracle *o, bool gradient)
         /* A fifth of what it is at a flat surface does not count. */
         double size = hypot(o->gx[i], o->gy[i]), bulk = o->clavet ? 0 : 0.2 * o->eta * o->eta / 15;
         double share = size > bulk ? 1 - bulk / size : 0;
-        share *= o->clavet ? 1 : fmax(0, 1 - o->dt * o->dt * o->warm[i] / (0.1 * deep_push(o)));
+        share *= o->clavet ? 1 : fmax(0, 1 - o->dt * o->dt * o->warm[i] / (0.25 * deep_push(o)));
         o->gx[i] *= gradient ? share : 1;
         o->gy[i] *= gradient ? share : 1;
     }
