@@ -161,6 +161,7 @@ const experiment skv_exp_channel = {
                        "the best one through the points.",
             .x_label = "height / height of the channel",
             .y_label = "speed along the channel (m/s)",
+            .scatters = true,
         },
     .parameters =
         {
