@@ -69,30 +69,49 @@ static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, i
                      : skv_boundary_sample(boundary, x, y, &to->at.wall);
 }
 
+/* Samples the walls for a particle that may be near one; returns whether it is, and so needs the
+ * sample. */
+V8_INLINE bool sample_one(const skv_rows *s, int i, const skv_row_constants *c,
+                          const skv_boundary *boundary, skv_near_wall *wall)
+{
+    const skv_row_particles *p = &s->set[s->current];
+    p->clearance[i] = sample_wall(p, i, c, boundary, wall);
+    /* As whoever has to sample again will see it. */
+    if (p->clearance[i] >= 1 || (c->images && wall->at.image.distance >= 1))
+        return false;
+    if (c->images) {
+        s->image[i] = wall->at.image.distance;
+        s->beside[i / TILE] = true;
+    }
+    return true;
+}
+
+/* Whether one of the eight particles at i may be closer to a wall. */
+V8_INLINE bool any_closer(const skv_row_particles *p, int i, float distance)
+{
+    return v8_any_below(v8_load(p->clearance + i), v8_set(distance));
+}
+
 /* Samples the walls for the particles near one, keeps the samples until the update, and notes the
  * distances of images, how far the density looks ahead, and who may have a gradient. */
 static void sample(const skv_rows *s, int row, const skv_row_constants *c,
                    const skv_boundary *boundary, skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
-    int begin = s->row_start[row], end = s->row_end[row], used = 0;
+    int end = s->row_end[row], used = 0;
     if (!c->clavet)
         prepare(s, row, c);
-    for (int i = begin; i < end; i++) {
-        if (p->clearance[i] >= 1)
+    for (int eight = s->row_start[row]; eight < end; eight += ROW_LANES) {
+        if (!any_closer(p, eight, 1))
             continue;
-        skv_near_wall wall;
-        p->clearance[i] = sample_wall(p, i, c, boundary, &wall);
-        /* As whoever has to sample again will see it. */
-        if (p->clearance[i] >= 1 || (c->images && wall.at.image.distance >= 1))
-            continue;
-        if (c->images) {
-            s->image[i] = wall.at.image.distance;
-            s->beside[i / TILE] = true;
+        for (int i = eight; i < eight + ROW_LANES && i < end; i++) {
+            skv_near_wall wall;
+            if (p->clearance[i] >= 1 || !sample_one(s, i, c, boundary, &wall))
+                continue;
+            if (used < samples->room)
+                samples->sample[used] = wall;
+            used++;
         }
-        if (used < samples->room)
-            samples->sample[used] = wall;
-        used++;
     }
     samples->used = used <= samples->room ? used : -1;
 }
@@ -163,14 +182,16 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
  * unevenness of the bulk, times the tension's strength, which fades with what has pressed them in
- * the last substep. In the sums' place; notes of each eight whether one has any. */
+ * the last substep. In the sums' place; notes of each eight whether one has any, and where they
+ * are. */
 static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
     const v8 scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
     const v8 until = v8_set(c->tension_until);
     const float *warm_push = s->set[s->current].warm_push;
-    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
+    int end = s->row_end[row], first = end / ROW_LANES + 1, last = s->row_start[row] / ROW_LANES;
+    for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 gx = zero, gy = zero, share = zero;
         if (s->graded[i / ROW_LANES]) {
             gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
@@ -182,8 +203,15 @@ static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c
         }
         v8_store(s->gradient_x + i, v8_mul(share, gx));
         v8_store(s->gradient_y + i, v8_mul(share, gy));
-        s->graded[i / ROW_LANES] = v8_any_below(zero, share) != 0;
+        const int eight = i / ROW_LANES;
+        s->graded[eight] = v8_any_below(zero, share) != 0;
+        if (s->graded[eight]) {
+            first = first < eight ? first : eight;
+            last = eight + 1;
+        }
     }
+    s->graded_begin[row] = first;
+    s->graded_end[row] = last;
 }
 
 /* The pressure term's P of eight particles at i, which remember it. Of the first iteration's a part
@@ -297,25 +325,36 @@ static void gauge(const skv_rows *s, int row, int iteration, const skv_row_const
 }
 
 /* Friction along the wall and push out of it, Algorithm 7. */
+V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_row_constants *c,
+                          const skv_boundary *boundary, skv_impulse_sum *walls)
+{
+    const skv_row_particles *p = &s->set[s->current];
+    float nx, ny;
+    float depth = skv_boundary_contact(boundary, p->x[i], p->y[i], &nx, &ny, &p->clearance[i]);
+    if (!(depth > 0))
+        return;
+    /* u, v already hold the whole displacement of the substep. */
+    float slide = p->v[i] * nx - p->u[i] * ny;
+    float rub = c->friction * slide, push = c->softness * depth;
+    float dx = push * nx + rub * ny, dy = push * ny - rub * nx;
+    float made = skv_boundary_move(boundary, &p->x[i], &p->y[i], dx, dy, &p->clearance[i]);
+    p->u[i] += made * dx;
+    p->v[i] += made * dy;
+    skv_impulse_give(walls, p->x[i], p->y[i], made * dx, made * dy);
+}
+
 static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
                         const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
-    for (int i = s->row_start[row]; i < s->row_end[row]; i++) {
-        if (p->clearance[i] >= c->contact_distance || p->number[i] & ROW_HELD)
+    const float near = c->contact_distance;
+    int end = s->row_end[row];
+    for (int eight = s->row_start[row]; eight < end; eight += ROW_LANES) {
+        if (!any_closer(p, eight, near))
             continue;
-        float nx, ny;
-        float depth = skv_boundary_contact(boundary, p->x[i], p->y[i], &nx, &ny, &p->clearance[i]);
-        if (!(depth > 0))
-            continue;
-        /* u, v already hold the whole displacement of the substep. */
-        float slide = p->v[i] * nx - p->u[i] * ny;
-        float rub = c->friction * slide, push = c->softness * depth;
-        float dx = push * nx + rub * ny, dy = push * ny - rub * nx;
-        float made = skv_boundary_move(boundary, &p->x[i], &p->y[i], dx, dy, &p->clearance[i]);
-        p->u[i] += made * dx;
-        p->v[i] += made * dy;
-        skv_impulse_give(walls, p->x[i], p->y[i], made * dx, made * dy);
+        for (int i = eight; i < eight + ROW_LANES && i < end; i++)
+            if (!(p->clearance[i] >= near || p->number[i] & ROW_HELD))
+                touch_wall(s, i, c, boundary, walls);
     }
 }
 
