@@ -14,8 +14,8 @@ Usage: ./test.sh            install what is missing, build, run every test; then
        ./test.sh --quick    only the first part
        ./test.sh --help     this text
 
-All of it is some forty minutes of processor time, so twenty on two processors; the quick part is
-two thirds of that. Every half minute a line says how far it has come. The last line is
+All of it is twenty to forty minutes of processor time, so ten to twenty on two processors; the
+quick part is two thirds of that. Every half minute a line says how far it has come. The last line is
 "N passed, N failed", where one test is one program or script under tests/ in one of the builds; the
 exit status is 0 if none failed. SKV_LONG_TESTS=1 runs the long forms of some tests (250 painted
 worlds instead of 25), and the whole program built by clang. SKVALP_VERBOSE=1 shows all output.
