@@ -8,6 +8,8 @@
 #include "solver/rows/pair_passes.h"
 #include "solver/wall_push.h"
 
+#include <limits.h>
+
 /* What a row's particles have collected. */
 V8_INLINE v8 collected(const float *own, const float *next)
 {
@@ -31,6 +33,24 @@ V8_INLINE v8 lag_of_eight(v8 u, v8 v, const skv_row_constants *c)
     return v8_mul(v8_set(c->pair_lag), square);
 }
 
+/* A row of which no eight is known to have a gradient. */
+V8_INLINE void begin_graded(const skv_rows *s, int row)
+{
+    s->graded_begin[row] = INT_MAX;
+    s->graded_end[row] = 0;
+}
+
+/* Notes whether the next eight of a row may have a gradient. */
+V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
+{
+    s->graded[eight] = graded;
+    if (!graded)
+        return;
+    if (s->graded_begin[row] > eight)
+        s->graded_begin[row] = eight;
+    s->graded_end[row] = eight + 1;
+}
+
 /* Notes of a row's eights how far the density looks ahead of their places, four times the lag, as
  * its sums need it; who may have a gradient; and that nobody has an image, which sampling finds. */
 static void prepare(const skv_rows *s, int row, const skv_row_constants *c)
@@ -38,23 +58,16 @@ static void prepare(const skv_rows *s, int row, const skv_row_constants *c)
     const skv_row_particles *p = &s->set[s->current];
     const v8 four = v8_set(4), until = v8_set(c->tension_until), far = v8_set(SKV_FAR);
     int begin = s->row_start[row], end = skv_row_padded_end(s->row_end[row]);
-    int first = end / ROW_LANES, last = begin / ROW_LANES;
+    begin_graded(s, row);
     for (int i = begin; i < end; i += ROW_LANES) {
         v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
         v8 scale = v8_mul(four, lag_of_eight(u, v, c));
         v8_store(s->ahead_x + i, v8_mul(scale, u));
         v8_store(s->ahead_y + i, v8_mul(scale, v));
         v8_store(s->image + i, far);
-        const int eight = i / ROW_LANES;
-        s->graded[eight] = v8_any_below(v8_load(p->warm_push + i), until) != 0;
-        if (s->graded[eight]) {
-            first = first < eight ? first : eight;
-            last = eight + 1;
-        }
+        note_graded(s, row, i / ROW_LANES, v8_any_below(v8_load(p->warm_push + i), until));
     }
     memset(s->beside + begin / TILE, 0, (size_t)(end - begin) / TILE);
-    s->graded_begin[row] = first;
-    s->graded_end[row] = last;
 }
 
 /* The walls at a particle; returns the distance. Once for all: each copy is a kilobyte. */
@@ -190,10 +203,11 @@ static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c
     const v8 scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
     const v8 until = v8_set(c->tension_until);
     const float *warm_push = s->set[s->current].warm_push;
-    int end = s->row_end[row], first = end / ROW_LANES + 1, last = s->row_start[row] / ROW_LANES;
-    for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
+    begin_graded(s, row);
+    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
+        const int eight = i / ROW_LANES;
         v8 gx = zero, gy = zero, share = zero;
-        if (s->graded[i / ROW_LANES]) {
+        if (s->graded[eight]) {
             gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
             gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
             v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
@@ -203,15 +217,8 @@ static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c
         }
         v8_store(s->gradient_x + i, v8_mul(share, gx));
         v8_store(s->gradient_y + i, v8_mul(share, gy));
-        const int eight = i / ROW_LANES;
-        s->graded[eight] = v8_any_below(zero, share) != 0;
-        if (s->graded[eight]) {
-            first = first < eight ? first : eight;
-            last = eight + 1;
-        }
+        note_graded(s, row, eight, v8_any_below(zero, share));
     }
-    s->graded_begin[row] = first;
-    s->graded_end[row] = last;
 }
 
 /* The pressure term's P of eight particles at i, which remember it. Of the first iteration's a part
@@ -343,6 +350,7 @@ V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_row_constants *c,
     skv_impulse_give(walls, p->x[i], p->y[i], made * dx, made * dy);
 }
 
+/* The same for all of a row. */
 static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
                         const skv_boundary *boundary, skv_impulse_sum *walls)
 {
