@@ -21,7 +21,7 @@ static double left_of_motion(int particles)
     skv_scene_options options = skv_default_scene_options();
     options.particles = particles;
     skv_scene *scene;
-    skv_world *world;
+    skv_world *world = NULL;
     skv_error error;
     if (skv_scene_load_memory(deep, strlen(deep), "json", "test", &options, &scene, &error) !=
             SKV_OK ||
