@@ -15,6 +15,23 @@ V8_INLINE bool meets_images(const skv_rows *s, int i, bool either)
     return s->beside[i / TILE] || (either && any_flag(s, i, s->beside, TILE));
 }
 
+/* How near to walls a partner must be for one of a tile's particles to see its image: r'^2 is 4 Di
+ * Dj at least. A little more, for what is rounded. */
+VARIANT float image_reach(const tile *t)
+{
+    const float *own = t->images + t->place;
+    float least = own[0];
+    for (int k = 1; k < TILE; k++)
+        least = own[k] < least ? own[k] : least;
+    return 0.250001f / (least > SKV_LEAST_IMAGE ? least : SKV_LEAST_IMAGE);
+}
+
+/* Whether one of the eight partners at j is as near as that. */
+V8_INLINE bool within_reach(const tile *t, int j, float reach)
+{
+    return v8_any_below(v8_load(t->images + j), v8_set(reach));
+}
+
 /* q of the images of a tile's pairs, from their own: r'^2 = r^2 + 4 Di Dj. 0 where there is none.
  */
 VARIANT void measure_images(const tile *t, int j, const wide *q, wide *seen)

@@ -117,8 +117,8 @@ VARIANT void look_ahead(int j, const look *own, const wide *dx, const wide *dy, 
     EACH(k) ahead[k] = wide_add(x[k], y[k]);
 }
 
-/* Pass A for a tile and a part of eight partners. */
-VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigned with,
+/* Pass A for a tile and a part of eight partners, some of which have images. */
+VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigned with, bool imaged,
                           const tile *t, const look *own, density_sums *sums,
                           const skv_row_sums *to, float *keep)
 {
@@ -136,7 +136,7 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
         look_ahead(j, own, dx, dy, ahead);
         EACH(k) w[k] = wide_mul(q2[k], wide_add(q2[k], ahead[k]));
     }
-    if (with & WITH_IMAGES)
+    if (imaged)
         add_image_kernels(t, j, q, ahead, w, q3);
     EACH(k) sums->density[k] = wide_add(sums->density[k], w[k]);
     EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
@@ -157,11 +157,12 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
  * the sort, and what has moved since may be near. A half left out there gave other bits than an
  * eight does. */
 VARIANT void density_block(const skv_row_particles *p, int j, bool first, unsigned with,
-                           const tile *t, const look *own, density_sums *sums,
+                           const tile *t, const look *own, float reach, density_sums *sums,
                            const skv_row_sums *to, float *keep)
 {
+    const bool imaged = with & WITH_IMAGES && within_reach(t, j, reach);
     EACH_PART(n)
-    density_part(p, j + n * PART_LEN, first && n == 0, with, t, own, &sums[n], to,
+    density_part(p, j + n * PART_LEN, first && n == 0, with, imaged, t, own, &sums[n], to,
                  with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
@@ -221,6 +222,7 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
 {
     const skv_row_sums own = s->own, next = s->next;
     const int i = t->place, step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
+    const float reach = with & WITH_IMAGES ? image_reach(t) : 0;
     density_sums sums[PARTS];
     look ahead;
     ahead.all_x = s->ahead_x;
@@ -237,12 +239,12 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
      * unrolled once. */
     skv_row_sums to = own;
     int j = i + 1, last = s->own_end[i / TILE];
-    density_block(p, j, true, with, t, &ahead, sums, &to, keep);
+    density_block(p, j, true, with, t, &ahead, reach, sums, &to, keep);
     keep += step;
     j += ROW_LANES;
     for (bool in_own = true;; in_own = false) {
         for (; j < last; j += ROW_LANES, keep += step)
-            density_block(p, j, false, with, t, &ahead, sums, &to, keep);
+            density_block(p, j, false, with, t, &ahead, reach, sums, &to, keep);
         if (!in_own)
             break;
         j = s->next_begin[i / TILE];
@@ -361,10 +363,12 @@ VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j
     EACH(k) size[k] = wide_add(size[k], w[k]);
 }
 
-/* Pass B for a tile and a part of eight partners. Where q is kept, r is 1 - q. */
+/* Pass B for a tile and a part of eight partners, some of which have images. Where q is kept, r is
+ * 1 - q. */
 VARIANT void displacement_part(const skv_row_particles *p, const partners *others, int j,
-                               bool first, unsigned with, const tile *t, const pushes *pressed,
-                               move_sums *sums, const skv_row_moves *to, const float *keep)
+                               bool first, unsigned with, bool imaged, const tile *t,
+                               const pushes *pressed, move_sums *sums, const skv_row_moves *to,
+                               const float *keep)
 {
     const wide one = wide_set(1);
     wide dx[WIDES], dy[WIDES], r[WIDES], q[WIDES], inverse[WIDES], ratio[WIDES], size[WIDES];
@@ -401,7 +405,7 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
             EACH(k) virial[k] = wide_sub(virial[k], wide_mul(ey[k], dy[k]));
         }
     }
-    if (with & WITH_IMAGES) {
+    if (imaged) {
         wide thrust[WIDES];
         add_image_pushes(with & WITH_GAUGE, pressed, push, near_push, t, j, q, virial, size, thrust,
                          to->thrust + j);
@@ -426,12 +430,15 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
 
 /* The same for all eight. */
 VARIANT void displacement_block(const skv_row_particles *p, const partners *others, int j,
-                                bool first, unsigned with, const tile *t, const pushes *pressed,
-                                move_sums *sums, const skv_row_moves *to, const float *keep)
+                                bool first, unsigned with, const tile *t, float reach,
+                                const pushes *pressed, move_sums *sums, const skv_row_moves *to,
+                                const float *keep)
 {
+    /* The gauge wants the virial of who is far from walls as well. */
+    const bool imaged = with & WITH_IMAGES && (with & WITH_GAUGE || within_reach(t, j, reach));
     EACH_PART(n)
-    displacement_part(p, others, j + n * PART_LEN, first && n == 0, with, t, pressed, &sums[n], to,
-                      with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
+    displacement_part(p, others, j + n * PART_LEN, first && n == 0, with, imaged, t, pressed,
+                      &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
 static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, bool thrust)
@@ -467,6 +474,7 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
 {
     const skv_row_moves own = s->own_move, next = s->next_move;
     const int i = t->place, step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
+    const float reach = with & WITH_IMAGES ? image_reach(t) : 0;
     pushes pressed;
     move_sums sums[PARTS];
     EACH(k)
@@ -487,12 +495,12 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
     }
     skv_row_moves to = own;
     int j = i + 1, last = s->own_end[i / TILE];
-    displacement_block(p, others, j, true, with, t, &pressed, sums, &to, keep);
+    displacement_block(p, others, j, true, with, t, reach, &pressed, sums, &to, keep);
     keep += step;
     j += ROW_LANES;
     for (bool in_own = true;; in_own = false) {
         for (; j < last; j += ROW_LANES, keep += step)
-            displacement_block(p, others, j, false, with, t, &pressed, sums, &to, keep);
+            displacement_block(p, others, j, false, with, t, reach, &pressed, sums, &to, keep);
         if (!in_own)
             break;
         j = s->next_begin[i / TILE];
