@@ -70,6 +70,16 @@ typedef struct look {
     const float *all_x, *all_y;
 } look;
 
+/* Whether one of flags from..to is set; most often the first or the last is. */
+V8_INLINE bool any_between(const bool *flag, int from, int to)
+{
+    if (flag[to])
+        return true;
+    while (from < to && !flag[from])
+        from++;
+    return from < to;
+}
+
 /* Whether a tile or one of its partners has a flag, which `size` places share: of all that lie in
  * the very blocks that the loops compute. The first is there even if it has no partner, and what
  * lies behind the last partner may have come near since the sort. */
@@ -77,13 +87,9 @@ static __attribute__((noinline)) bool any_flag(const skv_rows *s, int i, const b
 {
     int own_end = s->own_end[i / TILE] > i + 1 ? s->own_end[i / TILE] : i + 2;
     int next_begin = s->next_begin[i / TILE], next_end = s->next_end[i / TILE];
-    bool any = false;
-    for (int e = i / size; e <= (own_end + ROW_LANES - 2) / size; e++)
-        any |= flag[e];
-    for (int e = next_begin / size; next_begin < next_end && e <= (next_end + ROW_LANES - 2) / size;
-         e++)
-        any |= flag[e];
-    return any;
+    return any_between(flag, i / size, (own_end + ROW_LANES - 2) / size) ||
+           (next_begin < next_end &&
+            any_between(flag, next_begin / size, (next_end + ROW_LANES - 2) / size));
 }
 
 /* How far a place lags behind the particle: such a share of its way of the substep. */
