@@ -92,20 +92,19 @@ manager=''
 key g
 await 60 less 60 fluid 15 65 85 95 || fail "G shows no gallery"
 title() { xdotool getwindowname "$window"; }
-opened() { [[ $(title) == 'Dam break'* ]]; }
-is_pool() { [[ $(title) == Pool* ]]; }
+opened() { [[ $(title) == *' – Skvalp' && $(title) != Pool* ]]; }
 # The window moves when its manager goes, and a gallery that is still coming up takes no click: so
-# where it is is asked anew, and one clicks until something happens. Where what happened is another scene,
-# for the window moved below the pointer, the gallery is called again.
-open_second() {
-    is_pool || key g
+# where it is is asked anew, and one clicks until a scene comes up. Which one lies there depends on
+# the size that the manager has left the window with, if it was ended on the way.
+open_another() {
+    less 60 fluid 15 65 85 95 || key g
     place
     xdotool mousemove $((X + WIDTH * 30 / 100)) $((Y + HEIGHT * 75 / 100))
     sleep 0.5
     xdotool click 1
     await 10 opened
 }
-await 120 open_second || fail "the gallery's second scene was not opened: $(title)"
+await 120 open_another || fail "no other scene was opened from the gallery: $(title)"
 quit_app_behind F10
 
 # 5. 360 pixels wide, upright: picture, tools and time are all there, and the settings are kept.
