@@ -70,7 +70,7 @@ typedef struct look {
     const float *all_x, *all_y;
 } look;
 
-/* Whether one of flags from..to is set; most often the first or the last is. */
+/* Whether one of flags from..to is set. The last is looked at first: most often it tells. */
 V8_INLINE bool any_between(const bool *flag, int from, int to)
 {
     if (flag[to])
