@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "skvalp/parameters.h"
 #include "words.h"
 
 typedef struct property {

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "machine.h"
+#include "skvalp/particles.h"
 
 enum { WIDTH = 1024, HEIGHT = 576, STEP = 12 /* pixels from frame to frame */ };
 enum { MOST_ROUNDS = 64, QUICK_ROUNDS = 16 };

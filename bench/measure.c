@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "machine.h"
+#include "skvalp/query.h"
 
 enum {
     MOST_ROUNDS = 40,

@@ -1,6 +1,7 @@
 /* Copies a world, so that solvers and thread counts are compared on the same particles at the same
  * moment. Invariant: a twin shares the source's terrain and has its particles. */
 #include "twin.h"
+#include "skvalp/particles.h"
 
 static skv_result copy_particles(const skv_world *source, skv_world *twin, skv_error *error)
 {

@@ -7,6 +7,7 @@
 #include "output_json.h"
 #include "progress.h"
 #include "skvalp/link.h"
+#include "skvalp/query.h"
 #include "state_file.h"
 
 static skv_result play(skv_player *player, const char *name, bool quiet, skv_error *error)

@@ -3,7 +3,7 @@
 #define CLI_OUTPUT_TABLE_H
 
 #include "output_file.h"
-#include "skvalp/world.h"
+#include "skvalp/query.h"
 
 void trace_head(output_file *file);
 void trace_rows(output_file *file, const skv_world *world, double time);

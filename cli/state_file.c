@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 
 #include "skvalp/link.h"
+#include "skvalp/snapshot.h"
 
 /* Bytes: 2 million particles and the largest picture fit several times. */
 #define LARGEST_STATE (1 << 29)

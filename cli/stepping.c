@@ -4,6 +4,7 @@
  * round differently, so what was stepped to look at a moment between two frames is taken back.
  */
 #include "stepping.h"
+#include "skvalp/snapshot.h"
 
 #include <stdlib.h>
 

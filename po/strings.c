@@ -4,6 +4,7 @@
  */
 #include <skvalp/experiments.h>
 #include <skvalp/measure.h>
+#include <skvalp/parameters.h>
 #include <skvalp/render.h>
 #include <skvalp/scene.h>
 #include <skvalp/session.h>

@@ -13,7 +13,7 @@ packages_build=(gcc libc6-dev cmake ninja-build pkg-config libgtk-4-dev libadwai
 # Mesa draws; GTK's icons are SVG files, which need the loader.
 packages_run=(libegl1 libgles2 libgl1-mesa-dri adwaita-icon-theme librsvg2-common ffmpeg)
 packages_test=(libcmocka-dev clang-19 wasi-libc libclang-rt-19-dev-wasm32 librsvg2-bin xvfb xauth xdotool xclip imagemagick
-    x11-utils openbox mutter pipewire dbus at-spi2-core desktop-file-utils appstream gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user lld-19 nodejs python3 g++ libsdl2-dev abigail-tools chromium)
+    x11-utils openbox mutter pipewire dbus at-spi2-core desktop-file-utils appstream gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user lld-19 nodejs python3 g++ libsdl2-dev chromium)
 # What the page is built with; npm brings the newer node that its build takes.
 packages_web=(clang-19 lld-19 wasi-libc libclang-rt-19-dev-wasm32 cmake ninja-build libgles-dev nodejs
     librsvg2-bin)

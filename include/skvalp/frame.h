@@ -8,6 +8,7 @@
 #define SKVALP_FRAME_H
 
 #include "skvalp/base.h"
+#include "skvalp/particles.h"
 #include "skvalp/terrain.h"
 #include "skvalp/world.h"
 

@@ -12,6 +12,7 @@
 #ifndef SKVALP_PLAYER_H
 #define SKVALP_PLAYER_H
 
+#include "skvalp/acting.h"
 #include "skvalp/base.h"
 #include "skvalp/scene.h"
 #include "skvalp/world.h"

@@ -7,10 +7,16 @@
 #ifndef SKVALP_SKVALP_H
 #define SKVALP_SKVALP_H
 
+#include "skvalp/acting.h"
 #include "skvalp/base.h"
 #include "skvalp/camera.h"
+#include "skvalp/fluid.h"
 #include "skvalp/frame.h"
 #include "skvalp/measure.h"
+#include "skvalp/parameters.h"
+#include "skvalp/particles.h"
+#include "skvalp/query.h"
+#include "skvalp/snapshot.h"
 #include "skvalp/terrain.h"
 #include "skvalp/world.h"
 

@@ -8,6 +8,7 @@
  * the flow is laminar.
  */
 #include "experiments/experiment.h"
+#include "skvalp/acting.h"
 
 #include <math.h>
 

@@ -10,6 +10,7 @@
 #include "experiments/experiment.h"
 #include "experiments/oscillation.h"
 #include "experiments/theory.h"
+#include "skvalp/acting.h"
 
 #include <math.h>
 

@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "skvalp/particles.h"
 
 #include <math.h>
 #include <string.h>

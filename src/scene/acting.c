@@ -45,6 +45,7 @@ static skv_force make_force(const skv_shape_values *values, const skv_area *area
 {
     skv_force force = {.area = *area};
 #define FORCE_NUMBER(id, member, ...) force.member = number(values, SKV_FORCE_##id);
+#include "skvalp/acting.h"
 #include "world/force_rows.h"
     return force;
 }

@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "skvalp/acting.h"
 #include "world/dye.h"
 
 /* Rows of the scene's own. */

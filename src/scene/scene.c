@@ -5,6 +5,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "scene/scene_data.h"
+#include "skvalp/particles.h"
 
 void skv_scene_destroy(skv_scene *scene)
 {

@@ -8,6 +8,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "skvalp/area.h"
+
 /* Which fields beside the shape itself a kind has, and which of them it needs. */
 typedef struct kind_fields {
     const char *name;

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "skvalp/acting.h"
 
 #define PAINTED_SPEED 1.0f /* m/s */
 #define MOST_ROUND    1.5  /* length over thickness: less is a dot */

@@ -3,7 +3,8 @@
 #define SKV_SCENE_WATER_H
 
 #include "scene/shape.h"
-#include "skvalp/world.h"
+#include "skvalp/acting.h"
+#include "skvalp/particles.h"
 
 typedef struct skv_water {
     skv_shape *shapes;

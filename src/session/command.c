@@ -4,6 +4,8 @@
 
 #include "base/assert.h"
 #include "base/exact.h"
+#include "skvalp/parameters.h"
+#include "skvalp/particles.h"
 #include "world/forces.h"
 
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "session/history.h"
 
 #include "base/memory.h"
+#include "skvalp/snapshot.h"
 #include "terrain/terrain.h"
 
 #include <string.h>

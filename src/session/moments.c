@@ -5,6 +5,7 @@
  */
 #include "base/assert.h"
 #include "session/player.h"
+#include "skvalp/snapshot.h"
 #include "terrain/terrain.h"
 #include "world/parameters.h"
 

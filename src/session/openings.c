@@ -8,6 +8,7 @@
 #include "scene/read/file.h"
 #include "session/save.h"
 #include "session/worker.h"
+#include "skvalp/snapshot.h"
 
 /* Bytes: 2 million particles and the largest picture fit several times. */
 #define LARGEST_FILE (1 << 29)

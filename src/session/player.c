@@ -9,6 +9,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "scene/recipe.h"
+#include "skvalp/query.h"
 
 #include <string.h>
 

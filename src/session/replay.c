@@ -10,6 +10,8 @@
 #include "scene/recipe.h"
 #include "session/packed_log.h"
 #include "session/player.h"
+#include "skvalp/query.h"
+#include "skvalp/snapshot.h"
 
 #include <string.h>
 

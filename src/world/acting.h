@@ -4,7 +4,8 @@
 #define SKV_WORLD_ACTING_H
 
 #include "base/bytes.h"
-#include "skvalp/world.h"
+#include "skvalp/acting.h"
+#include "skvalp/particles.h"
 #include "solver/solver.h"
 
 /* What an emitter has to go on with. */

@@ -4,7 +4,7 @@
 
 #include "base/bytes.h"
 #include "base/region.h"
-#include "skvalp/world.h"
+#include "skvalp/area.h"
 #include "world/state.h"
 
 /* Whether an area is of a known kind and finite. */

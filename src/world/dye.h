@@ -2,7 +2,7 @@
 #ifndef SKV_WORLD_DYE_H
 #define SKV_WORLD_DYE_H
 
-#include "skvalp/world.h"
+#include "skvalp/particles.h"
 
 /* FIRST(name) and NEXT(name) in order: the number of a dye is its place. */
 #define SKV_DYE_NAMES(FIRST, NEXT)                                                                 \

@@ -2,7 +2,7 @@
 #ifndef SKV_WORLD_EVENTS_H
 #define SKV_WORLD_EVENTS_H
 
-#include "skvalp/world.h"
+#include "skvalp/query.h"
 
 typedef struct skv_events {
     skv_event *list;

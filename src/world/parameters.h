@@ -3,7 +3,7 @@
 #ifndef SKV_WORLD_PARAMETERS_H
 #define SKV_WORLD_PARAMETERS_H
 
-#include "skvalp/world.h"
+#include "skvalp/parameters.h"
 
 /* Index of a row, as in skv_world_field. */
 typedef enum skv_parameter {

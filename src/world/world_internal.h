@@ -4,6 +4,11 @@
 #define SKV_WORLD_INTERNAL_H
 
 #include "base/pool.h"
+#include "skvalp/acting.h"
+#include "skvalp/parameters.h"
+#include "skvalp/particles.h"
+#include "skvalp/query.h"
+#include "skvalp/snapshot.h"
 #include "skvalp/world.h"
 #include "solver/solver.h"
 #include "terrain/wall_map.h"

@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include <skvalp/player.h>
+#include <skvalp/query.h>
 
 #include "program.h"
 #include "support/kept.h"

@@ -5,6 +5,10 @@
  */
 #include "fuzz.h"
 
+#include <skvalp/acting.h>
+#include <skvalp/parameters.h>
+#include <skvalp/query.h>
+#include <skvalp/snapshot.h>
 #include <skvalp/world.h>
 
 #include <math.h>

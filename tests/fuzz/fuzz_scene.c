@@ -3,6 +3,7 @@
  * scene with the input as settings, a "path=value" in each line. */
 #include "fuzz.h"
 
+#include <skvalp/query.h>
 #include <skvalp/scene.h>
 #include <skvalp/world.h>
 

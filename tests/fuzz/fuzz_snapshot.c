@@ -5,6 +5,8 @@
 
 #include "base/envelope.h"
 
+#include <skvalp/query.h>
+#include <skvalp/snapshot.h>
 #include <skvalp/world.h>
 
 #include <stdlib.h>

@@ -58,8 +58,8 @@ layer_of() {
     of=
     case $name in
     skvalp/fields.h) of=base ;;
-    skvalp/area.h) of=world ;;
-    skvalp/frame.h) of=world ;;
+    skvalp/acting.h | skvalp/area.h | skvalp/fluid.h | skvalp/frame.h | skvalp/parameters.h) of=world ;;
+    skvalp/particles.h | skvalp/query.h | skvalp/snapshot.h) of=world ;;
     skvalp/mark.h) of=camera ;;
     skvalp/pair.h | skvalp/player.h) of=session ;;
     skvalp/fingers.h | skvalp/stopwatch.h | skvalp/tilt.h) of=session ;;

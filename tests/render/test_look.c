@@ -14,6 +14,7 @@
 
 #include "render/picture.h"
 #include "render/renderer.h"
+#include <skvalp/query.h>
 
 static const char *palette_name(int palette)
 {

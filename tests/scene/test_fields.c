@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "scene/fields.h"
+#include <skvalp/parameters.h>
 
 static void test_every_row_is_complete(void **state)
 {

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include "support/comma_locale.h"
+#include <skvalp/acting.h>
+#include <skvalp/query.h>
 
 #define WATER "\"water\": [{\"shape\": \"box\", \"y1\": 0.3}]"
 

@@ -12,6 +12,8 @@
 
 #include "base/memory.h"
 #include "scene/read/png.h"
+#include <skvalp/acting.h>
+#include <skvalp/particles.h>
 
 #define SIZE 32
 

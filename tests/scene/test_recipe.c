@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include <skvalp/query.h>
 #include <skvalp/world.h>
 
 #include "scene/recipe.h"

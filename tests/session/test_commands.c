@@ -11,6 +11,8 @@
 #include <cmocka.h>
 
 #include "session/support.h"
+#include <skvalp/parameters.h>
+#include <skvalp/query.h>
 
 /* An edit is one step of undo; one that is refused leaves nothing behind. */
 static void test_edits_bring_their_mark(void **state)

@@ -17,6 +17,7 @@
 
 #include <skvalp/experiments.h>
 #include <skvalp/measure.h>
+#include <skvalp/query.h>
 #include <skvalp/session.h>
 
 /* Makes the call; if memory failed it must say so, and a second call must succeed. */

@@ -10,6 +10,8 @@
 
 #include "session/support.h"
 #include "support/kept.h"
+#include <skvalp/query.h>
+#include <skvalp/snapshot.h>
 
 enum { FRAMES = 200 };
 

@@ -14,6 +14,7 @@
 #include <cmocka.h>
 
 #include "session/support.h"
+#include <skvalp/query.h>
 
 static int granted; /* threads that the system still has */
 

@@ -1,0 +1,115 @@
+/** @file
+ * Acting: what moves the fluid beside its own weight and pressure: gravity, hands, forces, emitters
+ * and drains. All of it is plain data, is part of the state, and acts until it is changed.
+ */
+#ifndef SKVALP_ACTING_H
+#define SKVALP_ACTING_H
+
+#include "skvalp/area.h"
+#include "skvalp/base.h"
+#include "skvalp/world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SKV_MAX_HANDS    16
+#define SKV_MAX_FORCES   16
+#define SKV_MAX_EMITTERS 16
+#define SKV_MAX_DRAINS   16
+
+/** Sets gravity, m/s^2, each component -1000..1000, from the next substep on. Unless the definition
+ * gave their number, the substeps follow it by the rule: up at once, down when a third of them can
+ * be spared; and by the load. */
+SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error);
+
+/** A finger or the mouse holding fluid (thesis, section 3.5): within `radius` of (x, y), and fading
+ * with the distance, particles are pulled towards the point, slowed down, and carried along with
+ * the pointer's velocity. */
+typedef struct skv_hand {
+    float x, y;       /**< m */
+    float vx, vy;     /**< the pointer's velocity, m/s */
+    float radius;     /**< m, > 0; default 0.15 */
+    float attraction; /**< m/s^2 towards the point, at half the radius; default 60 */
+    float friction;   /**< 1/s: how fast the particles' own velocity fades; default 6 */
+    float follow;     /**< 1/s: how fast they take the pointer's velocity; default 6 */
+} skv_hand;
+
+SKV_API skv_hand skv_default_hand(void);
+
+/** Sets the hands that act from the next step on, replacing all earlier ones; count 0 lets go.
+ * Fails with SKV_ERROR_VALUE (a field not finite or out of range: the old hands stay) or
+ * SKV_ERROR_LIMIT (more than SKV_MAX_HANDS). */
+SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count,
+                                       skv_error *error);
+
+/** A force field: what is done to all fluid in an area, at the surface as below it. What is 0 does
+ * nothing. Over the whole world: skv_box(-100, -100, 100, 100). */
+typedef struct skv_force {
+    skv_area area;
+    float ax, ay;             /**< m/s^2, like gravity; each -1000..1000 */
+    float toward_x, toward_y; /**< m: the point of attraction, in the area or not; +-1000 */
+    float attraction;         /**< m/s^2 towards it, -1000..1000, negative: away; it fades away only
+                                 within a smoothing radius of the point */
+    float wind_x, wind_y; /**< m/s, each -100..100: the velocity that the fluid is to take ... */
+    float drag;           /**< ... and how fast it does, 1/s, 0..1000 */
+    float spin; /**< rad/s, -100..100: so fast the wind turns, counter-clockwise, about the middle
+                   of the area, or of the box around it */
+} skv_force;
+
+/** Sets the forces that act from the next substep on, replacing all earlier ones, and wakes the
+ * fluid. Substeps follow as they follow gravity. Fails with SKV_ERROR_VALUE (not finite or out of
+ * range: the old forces stay) or SKV_ERROR_LIMIT (more than SKV_MAX_FORCES). */
+SKV_API skv_result skv_world_set_forces(skv_world *world, const skv_force *forces, int count,
+                                        skv_error *error);
+
+/** The forces that act; they belong to the world and are valid until the next ones are set. */
+SKV_API const skv_force *skv_world_forces(const skv_world *world, int *count);
+
+/** An emitter: fluid appears along a line and flows off across it, width * speed m^2/s of it. From
+ * the line on, as far as a smoothing radius, all fluid as wide as the line has the emitter's
+ * velocity: the mouth, which should be free of walls; a wall right behind the line is welcome.
+ * Where a place on the line is taken or solid, nothing appears, and the event SKV_EVENT_BLOCKED
+ * tells. */
+typedef struct skv_emitter {
+    float x, y;   /**< m: the middle of the line; each -100..100 */
+    float vx, vy; /**< m/s, each -20..20; both 0: closed */
+    float width;  /**< m: the length of the line, above 0, and at most 1000 spacings */
+    int dye;      /**< colour of what comes, 0..SKV_DYES */
+} skv_emitter;
+
+/** Sets the emitters from the next substep on, replacing all earlier ones; one that stays where and
+ * as fast as it is goes on without a gap. They stop when the world holds as many particles as
+ * `emission_limit`, or with `emission_replaces` the oldest particles go. Fails with SKV_ERROR_VALUE
+ * (not finite or out of range: the old ones stay) or SKV_ERROR_LIMIT (more than SKV_MAX_EMITTERS).
+ */
+SKV_API skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters, int count,
+                                          skv_error *error);
+/** The emitters; they belong to the world and are valid until the next ones are set. */
+SKV_API const skv_emitter *skv_world_emitters(const skv_world *world, int *count);
+
+/** A drain: particles in an area are taken out between substeps. */
+typedef struct skv_drain {
+    skv_area area;
+    float rate; /**< m^2/s, at most so much, 0..10000; 0: all that comes */
+} skv_drain;
+
+/** The same for drains; at most SKV_MAX_DRAINS. */
+SKV_API skv_result skv_world_set_drains(skv_world *world, const skv_drain *drains, int count,
+                                        skv_error *error);
+SKV_API const skv_drain *skv_world_drains(const skv_world *world, int *count);
+
+/** Particles that have come and gone while the world ran, since it was made: their number changes
+ * by emitted - drained - left - replaced, and by what the host adds and removes. */
+typedef struct skv_flow {
+    int64_t emitted, drained;
+    int64_t left;     /**< through open sides */
+    int64_t replaced; /**< taken out to make room for new ones */
+    int64_t blocked;  /**< could not be emitted */
+} skv_flow;
+SKV_API skv_flow skv_world_flow(const skv_world *world);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,63 @@
+/** @file
+ * Fluid: what a liquid is like, as plain data.
+ */
+#ifndef SKVALP_FLUID_H
+#define SKVALP_FLUID_H
+
+#include "skvalp/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How density becomes displacement. Both go through the same passes. */
+typedef enum skv_law {
+    SKV_LAW_CALIBRATED, /**< density constraint: pressures and periods of a real liquid (default) */
+    SKV_LAW_CLAVET      /**< the thesis' double density relaxation (Algorithm 6, symmetric) */
+} skv_law;
+
+/** "calibrated" or "clavet". */
+SKV_API const char *skv_law_name(skv_law law);
+
+/** A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. Ranges
+ * and defaults are those of skv_world_field. */
+typedef struct skv_fluid_def {
+    skv_law law;
+    float spacing;               /**< s: one particle per s*s square metres at rest, m */
+    float radius_ratio;          /**< h/s: smoothing radius in spacings */
+    float density;               /**< kg/m^2 of the sheet */
+    float viscosity;             /**< kinematic, m^2/s, on top of the method's own */
+    float viscosity_linear;      /**< sigma, 1/s: removes a pair's approach speed */
+    float viscosity_quadratic;   /**< beta, 1/m: the same, growing with the speed */
+    float near_stiffness;        /**< k_near, m/s^2, calibrated law */
+    float cohesion;              /**< k_coh, m/s^2, calibrated law */
+    float relaxation;            /**< omega, share of the correction applied, calibrated law;
+                                      more than 4 / radius_ratio^2 acts as that */
+    int iterations;              /**< relaxation rounds a substep */
+    float clavet_stiffness;      /**< k h^-1 dt^2, dimensionless */
+    float clavet_near_stiffness; /**< k_near h^-1 dt^2, dimensionless */
+    float clavet_rest_density;   /**< rho0, dimensionless */
+    float wall_friction;         /**< share of the tangential speed lost at a wall in 1/60 s */
+    float wall_softness;         /**< share of the penetration corrected in 1/60 s */
+    float contact_distance;      /**< in spacings: closer than this to a wall is contact */
+    bool wall_images;            /**< walls by images, which do not drag; calibrated law */
+    float adhesion;              /**< share of their pull that holds fluid up against gravity */
+    int cookie;
+} skv_fluid_def;
+
+/** The default fluid, water, for a law. */
+SKV_API skv_fluid_def skv_default_fluid_def(skv_law law);
+
+/** Liquids by name: density in kg/m^3 and kinematic viscosity in m^2/s at 20 degrees Celsius. */
+typedef struct skv_material {
+    const char *name;
+    float density, viscosity;
+} skv_material;
+
+/** The materials; null past the last. Static. The first is water, the default fluid. */
+SKV_API const skv_material *skv_material_info(int i);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
