@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures on this machine, all of it, and puts the results where docs/performance.md shows them:
-# bench/results/<processor>.csv, docs/pictures/bench.svg and the tables of the page.
+# Measures on this machine, all of it, and writes the results: bench/results/<processor>.csv and .md,
+# docs/pictures/bench.svg and the short table of docs/performance.md.
 set -euo pipefail
 
 program=bench.sh
@@ -14,8 +14,9 @@ usage() {
     cat <<END
 Usage: scripts/bench.sh [BUILD] [OPTION...]
 
-Runs BUILD/skvalp bench (default: build/release) with the options given, and refreshes the tables
-of $page, the plot beside it and this processor's CSV. Takes minutes; leave the machine alone.
+Runs BUILD/skvalp bench (default: build/release) with the options given, and refreshes the table
+of $page, the plot beside it and this processor's files in bench/results. Takes minutes; leave the
+machine alone.
 END
 }
 
@@ -30,6 +31,8 @@ tables=$(mktemp)
 trap 'rm -f "$tables"' EXIT
 "$build/skvalp" bench "$@" --csv "$csv" --plot docs/pictures/bench.svg --markdown >"$tables" ||
     die "measuring failed, see the line above"
+cp "$tables" "${csv%.csv}.md"
+scripts/bench-digest.sh "$csv" >"$tables"
 
 replace_in_page "$page" bench "$tables"
-say "Refreshed $page, docs/pictures/bench.svg and $csv."
+say "Refreshed $page, docs/pictures/bench.svg, $csv and ${csv%.csv}.md."

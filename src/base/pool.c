@@ -6,7 +6,7 @@
  * these counters spins before it sleeps: a phase takes tens of microseconds and a sleep costs as
  * much, but spinning or yielding beside a busy process costs whole time slices. So a member spins
  * the longer the more often that has helped, and briefly again once it has not
- * (docs/performance.md).
+ * (docs/notebook/2026-11-21-the-shape-of-the-solver.md).
  */
 #include "base/pool.h"
 

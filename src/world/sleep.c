@@ -14,7 +14,7 @@
  * goes far or the tile sets in motion as a whole. A jerk is no motion: what was held lies under
  * forces that have changed meanwhile, and two tiles would wake each other by turns for ever. The
  * limits are in spacings and in sqrt(g s), the speed gained in falling half a spacing; how they
- * were found is in docs/model.md.
+ * were found is in docs/notebook/2026-11-24-sleep.md.
  *
  * Invariant: a calm particle outside awake tiles has no velocity and does not move; who sleeps
  * depends on the particles alone, not on threads.

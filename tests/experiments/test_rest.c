@@ -1,5 +1,5 @@
 /* No row of particles beats for ever: deep, coarse pools, whose substeps start as warm as they may,
- * come to rest (docs/performance.md, "Rows that beat"). */
+ * come to rest (docs/notebook/2026-11-26-rows-that-beat.md). */
 #include "skvalp/scene.h"
 
 #include "support/fixture.h"

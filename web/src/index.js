@@ -13,7 +13,7 @@ const frame = 1 / 60;
 /**
  * @typedef {object} SceneOptions
  * @property {number} [particles] how many; the scene's own number if it is not given
- * @property {Record<string, string | number | boolean>} [settings] by path, as docs/parameters.md has them:
+ * @property {Record<string, string | number | boolean>} [settings] by path, as docs/scenes.md has them:
  *     { 'fluid.law': 'clavet' }
  */
 
