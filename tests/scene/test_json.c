@@ -72,6 +72,9 @@ static const mistake mistakes[] = {
     {"{\"title\": \"two\\nlines\"}", SKV_ERROR_VALUE,
      "a.json:1: title: \"two?lines\" holds a control character; allowed is text of at most 100 "
      "bytes"},
+    {"{\"title\": \"rub\x7f out\"}", SKV_ERROR_VALUE,
+     "a.json:1: title: \"rub? out\" holds a control character; allowed is text of at most 100 "
+     "bytes"},
     {"{\"world\": {\"open\": {\"left\": 1}}}", SKV_ERROR_VALUE,
      "a.json:1: world.open.left: 1 is not true or false; allowed is true or false"},
     {"{\"fluid\": 3}", SKV_ERROR_VALUE,

@@ -99,6 +99,54 @@ static void a_hand_wakes_what_it_reaches_and_waves_wake_the_rest(void **unused)
     skv_world_destroy(world);
 }
 
+static float highest(const skv_world *world, float *x)
+{
+    skv_particles p = skv_world_particles(world);
+    float y = 0;
+    for (int i = 0; i < p.count; i++) {
+        if (p.y[i] > y) {
+            y = p.y[i];
+            *x = p.x[i];
+        }
+    }
+    return y;
+}
+
+/* A hand wakes what lies within its radius, and nothing that lies a millimetre beyond. */
+static void a_hand_reaches_as_far_as_its_radius(void **unused)
+{
+    (void)unused;
+    for (int reaches = 0; reaches < 2; reaches++) {
+        skv_world *world = fixture_sleeping_pool(0.02f, 1);
+        skv_hand hand = skv_default_hand();
+        hand.radius = 0.2f;
+        hand.y = highest(world, &hand.x) + hand.radius + (reaches ? -0.001f : 0.001f);
+        assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+        fixture_run(world, 1);
+        assert_int_equal(skv_world_awake_count(world) > 0, reaches);
+        skv_world_destroy(world);
+    }
+}
+
+/* An emitter that may not emit leaves the water around its mouth asleep, until it may. */
+static void an_emitter_that_pauses_wakes_nobody(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
+    char limit[16];
+    skv_format(limit, sizeof limit, "%d", skv_world_particle_count(world));
+    assert_int_equal(skv_world_set(world, "emission.replaces", "false", NULL), SKV_OK);
+    assert_int_equal(skv_world_set(world, "emission.limit", limit, NULL), SKV_OK);
+    skv_emitter emitter = {.x = 0.8f, .y = 0.15f, .vx = 0.2f, .width = 0.1f};
+    assert_int_equal(skv_world_set_emitters(world, &emitter, 1, NULL), SKV_OK);
+    fixture_run(world, 30);
+    assert_int_equal(skv_world_awake_count(world), 0);
+    assert_int_equal(skv_world_set(world, "emission.limit", "20000", NULL), SKV_OK);
+    fixture_run(world, 2);
+    assert_true(skv_world_awake_count(world) > 0);
+    skv_world_destroy(world);
+}
+
 /* A drop falls on a sleeping pool: freely, until it lands, and then it wakes the pool. */
 static void a_falling_drop_is_not_held_and_wakes_the_pool(void **unused)
 {
@@ -142,6 +190,23 @@ static void a_fast_drop_does_not_pass_through_sleeping_fluid(void **unused)
     for (int i = pool; i < p.count; i++)
         depth += (double)p.y[i] / drop;
     assert_true(depth > 0.1);
+    skv_world_destroy(world);
+}
+
+/* A drop may get half as fast again within a call: the pool wakes where it would be then. */
+static void what_gets_faster_still_finds_fluid_awake(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_sleeping_pool(0.02f, 1);
+    const float dt = 0.1f, tile = 2 * skv_world_smoothing_radius(world);
+    float x = 0, top = floorf(highest(world, &x) / tile);
+    /* Half of its way is a tile. At its own speed it ends a little more than two tiles above the
+     * pool's highest; beside the tile that it is in, one is awake. */
+    float speed = 2 * tile / dt, way = speed * dt + 9.81f * dt * dt;
+    float y = (top + 2.3f) * tile + way;
+    assert_int_equal(skv_world_add_particle(world, 0.8f, y, 0, -speed, NULL), SKV_OK);
+    assert_int_equal(skv_world_step(world, dt, NULL), SKV_OK);
+    assert_true(skv_world_awake_count(world) > 1);
     skv_world_destroy(world);
 }
 
@@ -242,8 +307,11 @@ int main(void)
         cmocka_unit_test(fluid_in_motion_is_never_left_out),
         cmocka_unit_test(tilting_wakes_everything),
         cmocka_unit_test(a_hand_wakes_what_it_reaches_and_waves_wake_the_rest),
+        cmocka_unit_test(a_hand_reaches_as_far_as_its_radius),
+        cmocka_unit_test(an_emitter_that_pauses_wakes_nobody),
         cmocka_unit_test(a_falling_drop_is_not_held_and_wakes_the_pool),
         cmocka_unit_test(a_fast_drop_does_not_pass_through_sleeping_fluid),
+        cmocka_unit_test(what_gets_faster_still_finds_fluid_awake),
         cmocka_unit_test(a_push_in_velocity_wakes),
         cmocka_unit_test(a_partly_sleeping_world_does_not_depend_on_threads),
         cmocka_unit_test(falling_asleep_does_not_shake_the_pool),

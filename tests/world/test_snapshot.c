@@ -3,7 +3,9 @@
 #include "base/bytes.h"
 #include "support/failing_memory.h"
 #include "support/fixture.h"
+#include "world/world_internal.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -349,6 +351,33 @@ static void another_kind_of_world_is_refused(void **unused)
     skv_world_destroy(world);
 }
 
+/* How far an emitter's next row and a drain's due particles are: what no world reaches is refused.
+ */
+static void emitters_and_drains_that_no_world_has_are_refused(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_small(SKV_SOLVER_FAST), *other = make_small(SKV_SOLVER_FAST);
+    const skv_emitter emitter = {.x = 0.3f, .y = 0.4f, .vy = -1, .width = 0.1f};
+    const skv_drain drain = {.area = skv_circle(0.3f, 0.1f, 0.05f), .rate = 0.1f};
+    assert_int_equal(skv_world_set_emitters(world, &emitter, 1, NULL), SKV_OK);
+    assert_int_equal(skv_world_set_drains(world, &drain, 1, NULL), SKV_OK);
+    double *const numbers[] = {&world->acting.streams[0].way, &world->acting.streams[0].travelled,
+                               &world->acting.drainable[0]};
+    for (int i = 0; i < 3; i++) {
+        const double before = *numbers[i], wrong[] = {-1, 1e13, (double)NAN, (double)INFINITY};
+        for (int k = 0; k < 4; k++) {
+            *numbers[i] = wrong[k];
+            expect_refused(world, other, "emitters or drains that no world has");
+        }
+        *numbers[i] = before;
+    }
+    blob good = save(world, false);
+    assert_int_equal(skv_world_restore(other, good.bytes, good.size, NULL), SKV_OK);
+    free(good.bytes);
+    skv_world_destroy(world);
+    skv_world_destroy(other);
+}
+
 static void running_out_of_memory_changes_nothing(void **unused)
 {
     (void)unused;
@@ -392,6 +421,7 @@ int main(void)
         cmocka_unit_test(every_byte_may_be_wrong),
         cmocka_unit_test(a_part_of_a_snapshot_is_refused),
         cmocka_unit_test(another_kind_of_world_is_refused),
+        cmocka_unit_test(emitters_and_drains_that_no_world_has_are_refused),
         cmocka_unit_test(running_out_of_memory_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

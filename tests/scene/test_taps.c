@@ -1,0 +1,81 @@
+/* Painted emitters: across their strip, to where there is more room, downwards where that does not
+ * tell. */
+#include "support.h"
+
+#include <math.h>
+
+enum { SIZE = 96 };
+
+/* A green strip in an empty picture, its first pixel from the left and from below, and its size. */
+typedef struct strip {
+    int x, y, width, height;
+} strip;
+
+static rgb paint(int x, int y, void *user)
+{
+    const strip *s = user;
+    int column = x - s->x, row = SIZE - 1 - y - s->y;
+    bool green = column >= 0 && column < s->width && row >= 0 && row < s->height;
+    return (rgb){0, green ? 255 : 0, 0};
+}
+
+static skv_emitter emitter_of(strip s)
+{
+    buffer picture = write_rgb(SIZE, SIZE, paint, &s);
+    /* A coarse fluid: its walls are made sooner. */
+    const skv_setting spacing = {"fluid.spacing", "0.05"};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = &spacing;
+    options.setting_count = 1;
+    skv_scene *scene;
+    skv_world *world;
+    skv_error error = {0};
+    if (skv_scene_load_memory(picture.data, picture.size, "png", "p.png", &options, &scene,
+                              &error) != SKV_OK ||
+        skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    int count;
+    const skv_emitter *emitters = skv_world_emitters(world, &count);
+    assert_int_equal(count, 1);
+    skv_emitter emitter = emitters[0];
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+    buffer_free(&picture);
+    return emitter;
+}
+
+static void a_strip_emits_to_where_there_is_more_room(void **unused)
+{
+    (void)unused;
+    const struct {
+        strip strip;
+        float vx, vy;
+    } cases[] = {
+        {{10, 40, 2, 20}, 1, 0},
+        {{84, 40, 2, 20}, -1, 0},
+        {{40, 10, 20, 2}, 0, 1},
+        {{40, 84, 20, 2}, 0, -1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        skv_emitter e = emitter_of(cases[i].strip);
+        assert_float_equal(e.vx, cases[i].vx, 1e-5f);
+        assert_float_equal(e.vy, cases[i].vy, 1e-5f);
+    }
+}
+
+/* Two pixels more room above do not tell, and down is where it flows; four do. */
+static void a_little_more_room_does_not_tell(void **unused)
+{
+    (void)unused;
+    assert_float_equal(emitter_of((strip){40, 46, 20, 2}).vy, -1, 1e-5f);
+    assert_float_equal(emitter_of((strip){40, 45, 20, 2}).vy, 1, 1e-5f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_strip_emits_to_where_there_is_more_room),
+        cmocka_unit_test(a_little_more_room_does_not_tell),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
