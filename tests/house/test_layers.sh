@@ -2,7 +2,8 @@
 # The layering rule: base <- terrain, camera <- solver <- world <- measure, scene, render; experiments
 # and session stand on measure and scene, the faces on all of them. A file includes only what stands
 # left of it, and nothing goes round in a circle; the faces know public headers only, the experiments besides their own only those of
-# base; the core needs nothing but the C library and threads. Arguments: build folder, source folder.
+# base; the core needs nothing but the C library and threads. The web's modules go ui -> simulation ->
+# src. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_layers.sh BUILD SOURCE}")
 cd "${2:?usage: test_layers.sh BUILD SOURCE}"
@@ -203,6 +204,79 @@ files_called | sort >"$calls"
 [[ -s $calls ]] || complain "$build" "no object was found to read calls from"
 complain_of_circles "calls" <"$calls"
 
+# The web's modules: imports, and workers that are started. Types are imported downwards, too, but may
+# go round.
+declare -A web_may=(
+    [page]="page ui simulation src"
+    [ui]="ui simulation src"
+    [simulation]="simulation src"
+    [src]="src"
+    [tools]="tools src"
+)
+
+web_layer_of() {
+    case $1 in
+    web/page/ui/*) of=ui ;;
+    web/page/simulation/*) of=simulation ;;
+    web/page/*) of=page ;;
+    web/src/*) of=src ;;
+    web/tools/*) of=tools ;;
+    *) of= ;;
+    esac
+}
+
+# Of each import: the module, what it names (a neighbour's path as it stands there, or a package), and
+# `type` where that is gone once it is built.
+modules_named() {
+    find web/page web/src web/tools -regextype posix-extended -regex '.*\.(ts|tsx|js)' -print0 |
+        xargs -0 awk -v quote="['\"]" '
+            /^[[:space:]]*\/\// { next }
+            /^import/ || /^export/ { type = /^(im|ex)port type/ }
+            match($0, "((^|[} ])from |^import |import\\(|new Worker\\(new URL\\()" quote "[^\"]*") {
+                split(substr($0, RSTART, RLENGTH), part, quote)
+                comment = /^[[:space:]]*\/?\*/ || /typeof import/
+                print FILENAME, part[2], type || comment ? "type" : "value"
+                type = 0
+            }'
+}
+
+# Sets `target` to the file that a module names; to nothing if there is none.
+find_module() {
+    local place ending
+    place=$(realpath -ms --relative-to=. "${1%/*}/$2")
+    target=
+    for ending in '' .ts .tsx; do
+        [[ ! -f $place$ending ]] || target=$place$ending
+    done
+}
+
+imports=$(mktemp)
+trap 'rm -f "$calls" "$imports"' EXIT
+while read -r file name kind; do
+    web_layer_of "$file"
+    layer=$of
+    if [[ $name != .* ]]; then
+        [[ $layer != @(simulation|src|tools) || $name != @(preact|@preact)* ]] ||
+            complain "$file" "layer $layer must not know what draws the page: $name"
+        continue
+    fi
+    # Made by a build; a package's own file; a stylesheet.
+    [[ $name != */interface.js && $name != */node_modules/* && $name != *.css ]] || continue
+    find_module "$file" "$name"
+    if [[ -z $target ]]; then
+        complain "$file" "$name leads to no module"
+        continue
+    fi
+    web_layer_of "$target"
+    # A test may take its tools from everywhere.
+    [[ $file == *.test.ts || $target != web/* || -z $of || " ${web_may[$layer]} " == *" $of "* ]] ||
+        complain "$file" "layer $layer must not import $name of layer $of"
+    [[ $kind == type ]] || printf '%s %s\n' "$file" "$target" >>"$imports"
+    files=$((files + 1))
+done < <(modules_named)
+[[ -s $imports ]] || complain web "no module was found to read imports from"
+complain_of_circles "imports" <"$imports"
+
 ((files > 0)) || complain . "no file was found to check"
 ((bad == 0)) || exit 1
-printf 'layers: %d files keep to them\n' "$files"
+printf 'layers: %d files and imports keep to them\n' "$files"

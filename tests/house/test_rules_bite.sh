@@ -85,6 +85,19 @@ for sin in sin other_sin; do
 done
 bites test_layers.sh "files that call each other" "src/base/other_sin.c: calls in a circle" "$work/build"
 
+printf "import { state } from '../ui/model';\n" >>"$work/copy/web/page/simulation/pacing.ts"
+bites test_layers.sh "the page's simulation imports its surface" \
+    "web/page/simulation/pacing.ts: layer simulation must not import ../ui/model of layer ui"
+
+printf "import {\n    Row,\n} from '../page/ui/Row';\n" >>"$work/copy/web/src/memory.js"
+bites test_layers.sh "the package imports the page" "web/src/memory.js: layer src must not import"
+
+printf "import { signal } from '@preact/signals';\n" >>"$work/copy/web/page/simulation/pacing.ts"
+bites test_layers.sh "the page's simulation knows what draws it" "must not know what draws the page"
+
+printf "import { Properties } from './Properties';\n" >>"$work/copy/web/page/ui/Row.tsx"
+bites test_layers.sh "modules that import each other" "web/page/ui/Row.tsx: imports in a circle"
+
 printf 'SKV_API int skv_sin_of_omission(void);\n' >>"$work/copy/include/skvalp/base.h"
 bites test_api.sh "a declared function that does not exist" \
     "skv_sin_of_omission is declared in include/skvalp but not defined"

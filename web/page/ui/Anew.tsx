@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals';
 import type { Field, Settings, WorldState } from '../simulation/protocol';
 import { catalogue, simulation } from './model';
-import { Row } from './Properties';
+import { Row } from './Row';
 import { _ } from './words';
 
 /** What was asked for of the scene that is open. */

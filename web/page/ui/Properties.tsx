@@ -1,12 +1,11 @@
-// Properties: rows made from the registry, with units, help and a way back. Invariants: a row shows what
-// the state has, whoever changed it or went back in time; no parameter is named here, but for the quick
-// choices of planets.
+// Properties: rows made from the registry. Invariants: a row shows what the state has, whoever changed it
+// or went back in time; no parameter is named here, but for the quick choices of planets.
 import { effect, signal } from '@preact/signals';
-import type { Field, Side } from '../simulation/protocol';
+import type { Side } from '../simulation/protocol';
 import { Anew } from './Anew';
-import { Button } from './Button';
 import { catalogue, compared, simulation, state } from './model';
-import { N_, _, titleOfPath, word } from './words';
+import { Row, type RowProps } from './Row';
+import { N_, _, titleOfPath } from './words';
 
 /** Which world they are of. */
 const side = signal<Side>(0);
@@ -32,77 +31,6 @@ effect(() => {
             standards[which] = { opened, values: parameters };
     });
 });
-
-interface RowProps {
-    field: Field;
-    value: string;
-    /** What it began with. */
-    standard: string;
-    set: (text: string) => void;
-}
-
-function Control({ field, value, set, id }: RowProps & { id: string }) {
-    const common = { id, 'aria-describedby': `${id}-help` };
-    if (field.type === 'boolean')
-        return (
-            <input
-                {...common}
-                type="checkbox"
-                role="switch"
-                class="switch"
-                checked={value === 'true'}
-                onChange={(event) => set(event.currentTarget.checked ? 'true' : 'false')}
-            />
-        );
-    if (field.type === 'choice')
-        return (
-            <select {...common} value={value} onChange={(event) => set(event.currentTarget.value)}>
-                {field.choices.map((name) => (
-                    <option value={name} key={name}>
-                        {word(name)}
-                    </option>
-                ))}
-            </select>
-        );
-    return (
-        <input
-            {...common}
-            type="text"
-            inputMode="decimal"
-            class="figure numeric"
-            value={value}
-            onChange={(event) => {
-                const text = event.currentTarget.value.trim().replace(',', '.');
-                event.currentTarget.value = value; // what is refused is forgotten
-                set(text);
-            }}
-        />
-    );
-}
-
-export function Row(props: RowProps) {
-    const { field, value, set } = props;
-    const id = `field-${field.path}`;
-    return (
-        <div class="property">
-            <label for={id}>{titleOfPath(field.path)}</label>
-            <span class="control">
-                {value !== props.standard && (
-                    <Button
-                        icon="undo"
-                        name={`${titleOfPath(field.path)}: ${_('As the scene began')}`}
-                        class="small"
-                        onClick={() => set(props.standard)}
-                    />
-                )}
-                <Control {...props} id={id} />
-            </span>
-            <span class="caption" id={`${id}-help`}>
-                {[field.unit, word(field.help)].filter(Boolean).join(' · ')}
-            </span>
-        </div>
-    );
-}
 
 /** "fluid" of "fluid.viscosity"; "world" of what has no group. */
 function groupOf(path: string): string {
