@@ -1,8 +1,7 @@
 /* Painted emitters: across their strip, to where there is more room, downwards where that does not
  * tell. */
+#include "skvalp/skvalp.h"
 #include "support.h"
-
-#include <math.h>
 
 enum { SIZE = 96 };
 
