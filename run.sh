@@ -33,7 +33,7 @@ build_programs() {
     # The tests need packages of their own; test.sh adds them to the same folder.
     fresh_options+=(-DSKVALP_TESTS=OFF)
     say "Building build/release/skvalp and build/release/skvalp-play"
-    configure release ||
+    configure release -DSKVALP_APP=ON ||
         die "configuring failed: $(reason configure-release) (all of it in" \
             "$logs/configure-release.log)"
     build release skvalp-cli skvalp-play ||
@@ -63,8 +63,8 @@ render() {
 build_page() {
     require_writable . build build/* web web/dist
     install_packages "${packages_web[@]}"
-    install_npm
-    PATH=$PWD/web/node_modules/.bin:$PATH
+    install_npm || exit 1
+    PATH=$page_programs:$PATH
     say "Building web/dist"
     configure web || die "configuring failed: $(reason configure-web) (all of it in $logs/configure-web.log)"
     build web || die "building failed: $(reason build-web) (all of it in $logs/build-web.log)"

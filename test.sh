@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds Skvalp and runs every test. The last line counts them.
+# Installs what is missing, builds Skvalp and runs its tests. The last line counts them.
 set -euo pipefail
 
 program=test.sh
@@ -9,34 +9,56 @@ source scripts/lib.sh
 
 usage() {
     cat <<END
-Usage: ./test.sh            install what is missing, build, run every test; then run the tests of
-                            the library again with the address and undefined-behaviour sanitizers
-       ./test.sh --quick    only the first part
+Usage: ./test.sh            install what is missing, build, run every test; then run the parsers,
+                            the terrain and the session again with the address and
+                            undefined-behaviour sanitizers
+       ./test.sh core       what needs no npm, browser, window, GTK or clang: all labels but the
+                            last three
+       ./test.sh LABEL...   only the tests of these labels, and only what they need:
+           solver     tests/base, camera, terrain, solver, bits
+           world      tests/world, measure
+           scene      tests/scene, experiments, fuzz (the inputs that broke something once)
+           session    tests/session, link
+           render     tests/render
+           cli        tests/cli
+           house      tests/house, install: layers, style, the public interface, packaging
+           app        tests/app: the window, on a display of its own
+           web        tests/web: the WebAssembly module and the page, in node and Chromium
+           sanitized  the second build alone
        ./test.sh --help     this text
 
-All of it is twenty to forty minutes of processor time, so ten to twenty on two processors; the
-quick part is two thirds of that. Every half minute a line says how far it has come. The last line is
-"N passed, N failed", where one test is one program or script under tests/ in one of the builds; the
-exit status is 0 if none failed. SKV_LONG_TESTS=1 runs the long forms of some tests (250 painted
-worlds instead of 25), and the whole program built by clang. SKVALP_VERBOSE=1 shows all output.
+Each label takes less than two minutes on two processors, the whole about five. Every half minute a
+line says how far it has come. The last line is "N passed, N failed" or "N passed, N failed, N skipped",
+where one test is one program or script under tests/ in one of the builds; the exit status is 0 if
+none failed. Skipped are tests of the page where its npm packages cannot be had. SKV_LONG_TESTS=1
+runs the long forms and the tests that have no other (CONTRIBUTING.md). SKVALP_VERBOSE=1 shows all
+output.
 END
 }
 
+core_labels=(solver world scene session render cli house)
 passed=0
 failed=0
+skipped=0
 
 fail() {
     printf '%s: %s\n' "$program" "$*" >&2
     failed=$((failed + 1))
 }
 
-# run_tests PRESET [CTEST-OPTION...]: runs tests, shows what the failing ones said, counts all.
+# one_of LABEL...: the expression by which ctest knows these labels.
+one_of() {
+    local IFS='|'
+    printf '^(%s)$' "$*"
+}
+
+# run_tests PRESET LABEL...: runs their tests, shows what the failing ones said, counts all.
 # One more at a time than there are processors, for those with a window or a browser wait much.
 run_tests() {
     local preset=$1 log=$logs/test-$1.log summary bad total
     shift
     watched "test-$preset" ctest --test-dir "build/$preset" -j $(($(nproc) + 1)) --output-on-failure \
-        --no-tests=error --timeout 3600 "$@" || true
+        --no-tests=error --label-regex "$(one_of "$@")" || true
     summary=$(grep -E '^[0-9]+% tests passed, ' "$log" || true)
     if [[ ! $summary =~ \ ([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+) ]]; then
         fail "running the tests of build/$preset failed: $(reason "test-$preset") ($log)"
@@ -52,31 +74,33 @@ run_tests() {
     fi
 }
 
-# prepare PRESET [TARGET...]: configures and builds; counts a failure and returns 1 if it can't.
+# skip_tests PRESET LABEL: counts the tests of a label as skipped.
+skip_tests() {
+    local number
+    number=$(ctest --test-dir "build/$1" --show-only --label-regex "$(one_of "$2")" |
+        sed -n 's/^Total Tests: //p')
+    skipped=$((skipped + number))
+}
+
+# prepare PRESET CMAKE-OPTION... [-- TARGET...]: configures and builds; counts a failure and returns 1
+# if it can't.
 prepare() {
-    local preset=$1
+    local preset=$1 options=()
     shift
+    while (($#)) && [[ $1 != -- ]]; do
+        options+=("$1")
+        shift
+    done
     say "Building build/$preset"
-    if ! configure "$preset" -DSKVALP_TESTS=ON; then
+    if ! configure "$preset" -DSKVALP_TESTS=ON "${options[@]}"; then
         fail "configuring build/$preset failed: $(reason "configure-$preset")" \
             "(all of it in $logs/configure-$preset.log)"
         return 1
     fi
-    if ! build "$preset" "$@"; then
+    if ! build "$preset" "${@:2}"; then
         fail "building build/$preset failed: $(reason "build-$preset")" \
             "(all of it in $logs/build-$preset.log)"
         return 1
-    fi
-}
-
-# The built-in scenes give the golden hashes, whichever compiler made the program; that clang's solver
-# has the same bits is seen by bits/test_bits_native.
-test_scenes_of_clang() {
-    if logged test-bits-clang bash tests/bits/test_bits_scenes.sh build/clang .; then
-        passed=$((passed + 1))
-        say "clang's program gives the same bits as gcc's ($(elapsed))"
-    else
-        fail "clang's program gives other bits than gcc's ($logs/test-bits-clang.log)"
     fi
 }
 
@@ -86,46 +110,75 @@ finish() {
         failed=1
     fi
     say "Took $(elapsed)."
-    say "$passed passed, $failed failed"
+    say "$passed passed, $failed failed$( ((!skipped)) || printf ', %d skipped' "$skipped")"
     ((failed == 0)) || exit 1
 }
 
-quick=0
+# The labels that are asked for.
+labels=()
+whole=0
 case ${1-} in
-'') ;;
+'')
+    whole=1
+    labels=("${core_labels[@]}" app web sanitized)
+    ;;
 -h | --help)
     usage
     exit
     ;;
---quick)
-    quick=1
-    ;;
-*)
-    die "unknown argument $1; try: ./test.sh --help"
-    ;;
 esac
+for word; do
+    case $word in
+    core) labels+=("${core_labels[@]}") ;;
+    solver | world | scene | session | render | cli | house | app | web | sanitized)
+        labels+=("$word")
+        ;;
+    *) die "unknown argument $word; try: ./test.sh --help" ;;
+    esac
+done
+asked() { [[ " ${labels[*]} " == *" $1 "* ]]; }
 
 trap finish EXIT
 require_writable . build build/*
-install_packages "${packages_build[@]}" "${packages_run[@]}" "${packages_test[@]}"
-[[ ${SKV_LONG_TESTS:-0} != 1 ]] || install_packages "${packages_long[@]}"
-install_npm
-if prepare release; then
-    run_tests release
+packages=("${packages_library[@]}" "${packages_core[@]}")
+if asked app; then
+    packages+=("${packages_build[@]}" "${packages_run[@]}" "${packages_app[@]}")
 fi
-if ((quick)); then
-    exit
+if asked web; then
+    packages+=("${packages_web[@]}" "${packages_browser[@]}")
 fi
-if [[ ${SKV_LONG_TESTS:-0} == 1 ]] && prepare clang skvalp-cli; then
-    test_scenes_of_clang
+if ((whole)) && [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
+    packages+=("${packages_long[@]}")
 fi
-# These take minutes with the sanitizers, to run the same lines for longer, or on seven threads.
-slow='world/test_(walls|thin_walls|determinism)'
-# And these half a minute to two each: with the long tests only.
-[[ ${SKV_LONG_TESTS:-0} == 1 ]] ||
-    slow+='|world/test_(ceilings|flow|forces|frames|sleep|snapshot|step|worlds|footprint)|scene/test_(settle|builtin)|session/test_memory'
+install_packages "${packages[@]}"
+
+# The app is built where it is tested, or where its packages are.
+app=ON
+asked app || [[ -z $(missing_packages "${packages_build[@]}") ]] || app=OFF
+released=() targets=()
+for label in "${labels[@]}"; do
+    [[ $label != sanitized ]] || continue
+    released+=("$label")
+    targets+=("tests_$label")
+done
+# The house's rules read everything that is built.
+! asked house || targets=()
+page=1
+if asked web && ! install_npm; then
+    page=0
+    ((whole)) || die "without npm packages the page cannot be tested"
+fi
+if ((${#released[@]})) && prepare release "-DSKVALP_APP=$app" -- "${targets[@]}"; then
+    if ((!page)); then
+        say "The tests of the page are skipped: its npm packages cannot be had."
+        skip_tests release web
+        mapfile -t released < <(printf '%s\n' "${released[@]}" | grep -vx web)
+    fi
+    ((!whole)) || [[ ${SKV_LONG_TESTS:-0} != 1 ]] || released+=(long)
+    run_tests release "${released[@]}"
+fi
 # The long forms are long enough without the sanitizers.
 unset SKV_LONG_TESTS
-if prepare asan sanitized_tests; then
-    run_tests asan --label-regex '^sanitized$' --exclude-regex "$slow"
+if asked sanitized && prepare asan -- sanitized_tests; then
+    run_tests asan sanitized
 fi

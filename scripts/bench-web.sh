@@ -25,7 +25,7 @@ and until water is, how far the first second keeps up with real time, and the by
 END
 }
 
-export PATH=$PWD/web/node_modules/.bin:$PATH
+export PATH=$page_programs:$PATH
 
 measure_visit() {
     node tests/web/browser/visit.js web/dist

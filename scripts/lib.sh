@@ -6,19 +6,25 @@
 # build/logs/, and to the terminal as well with SKVALP_VERBOSE=1.
 # shellcheck shell=bash disable=SC2034,SC2154
 
-# What the programs are built with, what they need to run, and what the tests need besides.
-# Everything else follows from Debian's own dependencies; recommends are not installed.
-packages_build=(gcc libc6-dev cmake ninja-build pkg-config libgtk-4-dev libadwaita-1-dev
-    libjansson-dev libpng-dev zlib1g-dev libegl-dev libgles-dev gettext)
+# What all but the app is built with, and the app; what they need to run, and what the tests need
+# besides. Everything else follows from Debian's own dependencies; recommends are not installed.
+packages_library=(gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libpng-dev zlib1g-dev
+    libegl-dev libgles-dev)
+packages_build=("${packages_library[@]}" libgtk-4-dev libadwaita-1-dev gettext)
 # Mesa draws; GTK's icons are SVG files, which need the loader.
 packages_run=(libegl1 libgles2 libgl1-mesa-dri adwaita-icon-theme librsvg2-common ffmpeg)
-packages_test=(libcmocka-dev clang-19 wasi-libc libclang-rt-19-dev-wasm32 librsvg2-bin xvfb xauth xdotool xclip imagemagick
-    x11-utils openbox mutter pipewire dbus at-spi2-core desktop-file-utils appstream gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user lld-19 nodejs python3 g++ libsdl2-dev chromium)
+# For the tests of ./test.sh core, of the app, and of the page.
+packages_core=(libcmocka-dev libegl1 libgles2 libgl1-mesa-dri ffmpeg imagemagick g++ python3
+    libsdl2-dev)
+packages_app=(xvfb xauth xdotool xclip imagemagick x11-utils openbox mutter pipewire dbus at-spi2-core
+    desktop-file-utils appstream python3)
+packages_browser=(chromium ffmpeg)
 # What the page is built with; npm brings the newer node that its build takes.
 packages_web=(clang-19 lld-19 wasi-libc libclang-rt-19-dev-wasm32 cmake ninja-build libgles-dev nodejs
     librsvg2-bin)
-# Besides, for the long forms: Debian packages, and Windows.
-packages_long=(lintian gcc-mingw-w64-x86-64 wine64 wine)
+# Besides, for the long forms: clang, arm64, Debian packages, and Windows.
+packages_long=(clang-19 lld-19 gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user file
+    lintian gcc-mingw-w64-x86-64 wine64 wine)
 packages_fuzz=(clang-19 libclang-rt-19-dev zlib1g-dev)
 packages_lint=(clang-19 clang-format-19 clang-tidy-19 shellcheck doxygen)
 
@@ -125,21 +131,30 @@ install_packages() {
             "(all of it in $logs/apt-install.log)"
 }
 
-# install_npm: the npm packages of web/, as package-lock.json has them, if they are not there yet.
+# Where npm puts the newer node that the page's build takes, beside its other programs.
+newer_node=$PWD/web/node/node_modules/.bin
+page_programs=$newer_node:$PWD/web/node_modules/.bin
+
+# install_npm_folder FOLDER: its npm packages, as its package-lock.json has them byte by byte, if they
+# are not there yet.
+install_npm_folder() {
+    local stamp=$1/node_modules/.package-lock.json
+    [[ ! -e $stamp || $stamp -ot $1/package-lock.json ]] || return 0
+    say "Installing the npm packages of $1/"
+    PATH=$newer_node:$PATH logged npm npm ci --prefix "$1" --ignore-scripts --no-audit --no-fund && return
+    rm -f "$stamp"
+    return 1
+}
+
+# install_npm: the npm packages of web/, after the node that they ask for, which is a package, too. Says
+# what failed and returns 1 if they cannot be had.
 install_npm() {
-    local stamp=web/node_modules/.package-lock.json
-    [[ ! -e $stamp || $stamp -ot web/package-lock.json ]] || return 0
     # The npm of whoever has installed a newer node comes with it.
     command -v npm >/dev/null || install_packages npm
-    say "Installing the npm packages of web/"
-    # npm leaves out what the node that it runs in is too old for, as Debian's is for the programs that
-    # build the page: once more with the node that came.
-    if ! logged npm npm ci --prefix web --no-audit --no-fund ||
-        ! PATH=$PWD/web/node_modules/.bin:$PATH \
-            logged npm npm install --prefix web --no-save --no-audit --no-fund; then
-        rm -f "$stamp"
-        die "installing npm packages failed: $(reason npm) (all of it in $logs/npm.log)"
-    fi
+    install_npm_folder web/node && install_npm_folder web && return
+    printf '%s: installing npm packages failed: %s (all of it in %s)\n' "$program" "$(reason npm)" \
+        "$logs/npm.log" >&2
+    return 1
 }
 
 # For a build folder that is made new. Warnings of compilers we do not know must not stop a user;

@@ -28,7 +28,7 @@ case ${1-} in
 esac
 [[ ${2-0} != *[!0-9]* ]] || die "not a seed: $2; try: scripts/monkey.sh --help"
 
-install_packages "${packages_build[@]}" "${packages_run[@]}" "${packages_test[@]}"
+install_packages "${packages_build[@]}" "${packages_run[@]}" "${packages_core[@]}" "${packages_app[@]}"
 say "Building build/monkey"
 configure monkey || die "configuring failed: $(reason configure-monkey) ($logs/configure-monkey.log)"
 build monkey skvalp-play || die "building failed: $(reason build-monkey) ($logs/build-monkey.log)"

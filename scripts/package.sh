@@ -17,7 +17,8 @@ case ${1-} in
 esac
 folder=${1:-build/package}
 
-install_packages "${packages_build[@]}"
+# cpack finds the libraries that programs need with `file`.
+install_packages "${packages_build[@]}" file
 # Their place below /usr follows from the prefix.
 logged package-configure cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_INSTALL_PREFIX=/usr -DSKVALP_TESTS=OFF ||

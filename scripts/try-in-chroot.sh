@@ -68,5 +68,5 @@ inside './run.sh && ls -l out'
 inside './test.sh'
 network=none
 say_offline='echo "Without a network:"'
-inside "$say_offline && ./run.sh build && ./test.sh --quick"
+inside "$say_offline && ./run.sh build && ./test.sh core"
 ((keep)) || rm -rf --one-file-system "$root"

@@ -49,7 +49,7 @@ for header in include/skvalp/*.h; do
     cp "$work/alone.c" "$work/alone.cc"
     "${CC:-gcc}" -std=c17 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only "$work/alone.c" ||
         complain "$header does not compile alone as C17"
-    clang-19 -x c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only \
+    g++ -x c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only \
         "$work/alone.cc" || complain "$header does not compile alone as C++17"
 done
 printf '#include <%s>\n' include/skvalp/*.h | sed 's,include/,,' >"$work/all.c"

@@ -86,6 +86,36 @@ expect "a failing npm fails" test "$status" -eq 1
 expect "the line says what npm missed" grep -q \
     '^try.sh: installing npm packages failed: .* failed, reason: getaddrinfo ENOTFOUND (' "$work/err"
 
+# A registry that fails: the page's tests are skipped, in one line and in the count. What builds and runs
+# tests are stand-ins, too.
+mkdir -p "$work/clone/scripts"
+cp test.sh "$work/clone"
+cp scripts/lib.sh "$work/clone/scripts"
+for tool in cmake ninja; do
+    printf '#!/bin/sh\n' >"$work/bin/$tool"
+done
+cat >"$work/bin/ctest" <<END
+#!/bin/sh
+case "\$*" in
+*--show-only*) echo "Total Tests: 13" ;;
+*) echo "\$*" >>"$work/tested"; echo "100% tests passed, 0 tests failed out of 20" ;;
+esac
+END
+chmod +x "$work/bin/"*
+printf '#!/bin/sh\nprintf installed\n' >"$work/bin/dpkg-query"
+tested() {
+    : >"$work/tested"
+    (cd "$work/clone" && env -u SKV_LONG_TESTS PATH="$work/bin:$PATH" ./test.sh "$@") >"$work/out" 2>"$work/err"
+}
+expect "all but the page is tested without a registry" tested
+expect "the skipped are counted" test "$(tail -n 1 "$work/out")" = "40 passed, 0 failed, 13 skipped"
+expect "one line says what is skipped" test "$(grep -c skipped "$work/out")" -eq 2
+expect "the page is not tried" test -z "$(grep '[(|]web' "$work/tested")"
+! tested web || complain "./test.sh web passes without a registry"
+expect "a label's tests alone are run" tested scene cli
+expect "ctest knows their labels" grep -qF 'label-regex ^(scene|cli)$' "$work/tested"
+expect "the last line counts" test "$(tail -n 1 "$work/out")" = "20 passed, 0 failed"
+
 for script in run.sh test.sh scripts/lint.sh scripts/try-in-chroot.sh; do
     "./$script" --help >"$work/out" 2>"$work/err" || complain "$script --help fails"
     expect "$script --help explains" grep -q "^Usage: " "$work/out"

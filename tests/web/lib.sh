@@ -3,6 +3,8 @@
 # shellcheck shell=bash disable=SC2034,SC2154
 
 modules=$build/web
+# The newer node that npm brings, and the programs beside it: before a command.
+newer=(env "PATH=$PWD/web/node/node_modules/.bin:$PWD/web/node_modules/.bin:$PATH")
 # shellcheck source=tests/support/comparing.sh
 source tests/support/comparing.sh
 
@@ -42,7 +44,7 @@ played() {
 bundle() {
     local folder=$1
     shift
-    web/node_modules/.bin/node tests/web/browser/bundle.js "$folder" "$@"
+    "${newer[@]}" node tests/web/browser/bundle.js "$folder" "$@"
 }
 
 # in_chromium SCRIPT ARGUMENT...: a program of tests/web/browser; one browser at a time. Ends the test if
@@ -52,7 +54,7 @@ in_chromium() {
     local script=tests/web/browser/$1
     shift
     local status=0
-    flock -o "$build/browser.lock" timeout 1200 web/node_modules/.bin/node "$script" "$@" || status=$?
+    flock -o "$build/browser.lock" timeout 1200 "${newer[@]}" node "$script" "$@" || status=$?
     ((status != 124)) || printf '%s was not over after 20 minutes\n' "$script" >&2
     ((status == 0 || status == 64)) || exit 1
     programs=$((programs + 1)) without=$((without + (status == 64)))
@@ -75,7 +77,7 @@ verdict() {
 make_page() {
     local mode
     for mode in production single; do
-        if ! (cd web && SKV_MODULES=$modules node_modules/.bin/node node_modules/vite/bin/vite.js build --mode "$mode" \
+        if ! (cd web && SKV_MODULES=$modules "${newer[@]}" node node_modules/vite/bin/vite.js build --mode "$mode" \
             --outDir "$1" --logLevel warn) >"$build/page.log" 2>&1; then
             grep -iE 'error' "$build/page.log" | head -n 5 >&2
             printf 'building the page failed, see %s\n' "$build/page.log" >&2

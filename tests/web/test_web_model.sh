@@ -11,8 +11,7 @@ make_modules
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 export SKV_MODULES=$modules SKV_NATIVE=$build
-PATH=$PWD/web/node_modules/.bin:$PATH
-if ! (cd web && vitest run --reporter=dot) >"$log" 2>&1; then
+if ! (cd web && "${newer[@]}" vitest run --reporter=dot) >"$log" 2>&1; then
     cat "$log" >&2
     exit 1
 fi

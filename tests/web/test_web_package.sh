@@ -17,7 +17,7 @@ cp -r web/src web/tools web/package.json web/tsconfig.json web/README.md "$work/
 ln -s "$PWD/web/node_modules" "$work/web/node_modules"
 (
     cd "$work/web"
-    PATH=$PWD/node_modules/.bin:$PATH SKV_MODULES=$modules npm pack --silent --pack-destination "$work"
+    SKV_MODULES=$modules "${newer[@]}" npm pack --silent --pack-destination "$work"
 ) >"$build/package.log" 2>&1 || {
     tail -n 5 "$build/package.log" >&2
     exit 1
