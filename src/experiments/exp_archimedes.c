@@ -10,47 +10,47 @@ enum { WAIT = 6, WATCH = 4 };
 enum { SIZE, DEPTH };
 enum { C_DENSITY, C_GRAVITY, C_AREA, C_PACE };
 
-static skv_instrument build(stage *s, double size, double depth)
+static skv_instrument build(rig *s, double size, double depth)
 {
     double width = 5 * size, below = size, level = below + size + depth;
     double x = width / 2 - size / 2, margin = size / 4;
-    double pace = skv_stage_pace(s);
+    double pace = skv_rig_pace(s);
     s->total = (WAIT + WATCH) * pace;
-    stage_plan plan = {.width = width,
-                       .height = level + size,
-                       .solids = 1,
-                       .solid = {skv_shape_box(x, below, x + size, below + size)},
-                       .waters = 1,
-                       .water = {skv_shape_box(0, 0, width, level)},
-                       .depth = level,
-                       .gravity_y = -skv_stage_gravity(s)};
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, SIZE, 1);
-    skv_stage_check_passage(s, DEPTH, 1);
-    return skv_stage_add(s, SKV_INSTRUMENT_FORCE, x - margin, below - margin, x + size + margin,
-                         below + size + margin, WATCH * pace);
+    rig_plan plan = {.width = width,
+                     .height = level + size,
+                     .solids = 1,
+                     .solid = {skv_shape_box(x, below, x + size, below + size)},
+                     .waters = 1,
+                     .water = {skv_shape_box(0, 0, width, level)},
+                     .depth = level,
+                     .gravity_y = -skv_rig_gravity(s)};
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, SIZE, 1);
+    skv_rig_check_passage(s, DEPTH, 1);
+    return skv_rig_add(s, SKV_INSTRUMENT_FORCE, x - margin, below - margin, x + size + margin,
+                       below + size + margin, WATCH * pace);
 }
 
-static void draw(const stage *s, const void *meter, findings *found)
+static void draw(const rig *s, const void *meter, findings *found)
 {
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
-    skv_stage_trace(s, *(const skv_instrument *)meter, 1, 1);
+    skv_rig_trace(s, *(const skv_instrument *)meter, 1, 1);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    double size = skv_stage_length(s, SIZE);
-    skv_instrument meter = build(s, size, skv_stage_length(s, DEPTH));
-    found->condition[C_DENSITY] = skv_stage_density(s);
-    found->condition[C_GRAVITY] = skv_stage_gravity(s);
+    double size = skv_rig_length(s, SIZE);
+    skv_instrument meter = build(s, size, skv_rig_length(s, DEPTH));
+    found->condition[C_DENSITY] = skv_rig_density(s);
+    found->condition[C_GRAVITY] = skv_rig_gravity(s);
     found->condition[C_AREA] = size * size;
-    found->condition[C_PACE] = skv_stage_pace(s);
+    found->condition[C_PACE] = skv_rig_pace(s);
     found->foreseen = true;
-    skv_stage_show(s, draw, &meter);
-    skv_stage_wait(s, WAIT * skv_stage_pace(s));
-    skv_stage_watch(s, WATCH * skv_stage_pace(s));
-    found->measured[0] = skv_stage_read(s, meter, 1);
-    skv_stage_draw(s);
+    skv_rig_show(s, draw, &meter);
+    skv_rig_wait(s, WAIT * skv_rig_pace(s));
+    skv_rig_watch(s, WATCH * skv_rig_pace(s));
+    found->measured[0] = skv_rig_read(s, meter, 1);
+    skv_rig_draw(s);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)

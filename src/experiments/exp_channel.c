@@ -25,16 +25,16 @@ typedef struct flume {
     skv_instrument layers[LAYERS];
 } flume;
 
-static void build(stage *s, flume *f)
+static void build(rig *s, flume *f)
 {
     double turn = TURN * f->channel;
     f->width = f->length + 2 * turn;
     f->top = (1 + BLOCK) * f->channel;
     f->surface = f->top + ABOVE * f->channel;
     s->total = WAIT + WATCH;
-    skv_stage_set(s, "fluid.wall_friction", skv_stage_value(s, FRICTION));
-    skv_stage_set(s, "fluid.viscosity_linear", skv_stage_value(s, VISCOSITY));
-    stage_plan plan = {
+    skv_rig_set(s, "fluid.wall_friction", skv_rig_value(s, FRICTION));
+    skv_rig_set(s, "fluid.viscosity_linear", skv_rig_value(s, VISCOSITY));
+    rig_plan plan = {
         .width = f->width,
         .height = f->surface + f->channel,
         .solids = 1,
@@ -42,14 +42,14 @@ static void build(stage *s, flume *f)
         .waters = 1,
         .water = {skv_shape_box(0, 0, f->width, f->surface)},
         .depth = f->surface,
-        .gravity_y = -skv_stage_gravity(s),
+        .gravity_y = -skv_rig_gravity(s),
         .share = 1.5,
     };
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, HEIGHT, 1);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, HEIGHT, 1);
 }
 
-static void start_pump(stage *s, const flume *f)
+static void start_pump(rig *s, const flume *f)
 {
     skv_hand pump = skv_default_hand();
     pump.x = (float)(f->width / 2);
@@ -58,21 +58,20 @@ static void start_pump(stage *s, const flume *f)
     pump.attraction = 0;
     pump.friction = 0;
     pump.follow = 10;
-    pump.vx = (float)(-skv_stage_value(s, SPEED) * sqrt(s->settings.common[PARAM_SCALE]));
-    if (skv_stage_ok(s))
-        skv_stage_keep(s, skv_world_set_hands(s->world, &pump, 1, s->error));
+    pump.vx = (float)(-skv_rig_value(s, SPEED) * sqrt(s->settings.common[PARAM_SCALE]));
+    if (skv_rig_ok(s))
+        skv_rig_keep(s, skv_world_set_hands(s->world, &pump, 1, s->error));
 }
 
-static void add_layers(stage *s, flume *f)
+static void add_layers(rig *s, flume *f)
 {
     /* R^2 is 0.9973, 0.9977, 0.9977, 0.9973 and 0.9945 at 0.4, 0.5, 0.6, 0.65 and 0.75: there,
      * within a height of the exit, the water turns up to it already and is faster under the block.
      */
     double middle = (f->width - f->length) / 2 + 0.6 * f->length, half = f->length / 10;
     for (int i = 0; i < LAYERS; i++)
-        f->layers[i] =
-            skv_stage_add(s, SKV_INSTRUMENT_REGION, middle - half, f->channel * i / LAYERS,
-                          middle + half, f->channel * (i + 1) / LAYERS, WATCH);
+        f->layers[i] = skv_rig_add(s, SKV_INSTRUMENT_REGION, middle - half, f->channel * i / LAYERS,
+                                   middle + half, f->channel * (i + 1) / LAYERS, WATCH);
 }
 
 /* A place across the channel, -1 at the floor to 1 at the block, and the speed there. */
@@ -102,7 +101,7 @@ static double fit_parabola(const sample *samples, int count, double *a, double *
     return 1 - miss / spread;
 }
 
-static void draw(const stage *s, const void *set_up, findings *found)
+static void draw(const rig *s, const void *set_up, findings *found)
 {
     const flume *f = set_up;
     sample samples[LAYERS];
@@ -111,8 +110,8 @@ static void draw(const stage *s, const void *set_up, findings *found)
     for (int i = 0; i < LAYERS; i++) {
         /* A layer's speed is that of its particles, and so belongs where these are, not to its
          * middle: beside a wall they keep to rows. */
-        double height = skv_stage_read(s, f->layers[i], 3) / f->channel;
-        double speed = skv_stage_read(s, f->layers[i], 4);
+        double height = skv_rig_read(s, f->layers[i], 3) / f->channel;
+        double speed = skv_rig_read(s, f->layers[i], 4);
         /* A layer may lie between two rows of particles, and nothing pass through it. */
         if (isnan(height) || isnan(speed))
             continue;
@@ -122,17 +121,17 @@ static void draw(const stage *s, const void *set_up, findings *found)
     found->measured[0] = fit_parabola(samples, count, &found->condition[0], &found->condition[1]);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    flume f = {.length = skv_stage_length(s, LENGTH), .channel = skv_stage_length(s, HEIGHT)};
+    flume f = {.length = skv_rig_length(s, LENGTH), .channel = skv_rig_length(s, HEIGHT)};
     build(s, &f);
     start_pump(s, &f);
-    skv_stage_wait(s, WAIT);
+    skv_rig_wait(s, WAIT);
     add_layers(s, &f);
     found->foreseen = true;
-    skv_stage_show(s, draw, &f);
-    skv_stage_watch(s, WATCH);
-    skv_stage_draw(s);
+    skv_rig_show(s, draw, &f);
+    skv_rig_watch(s, WATCH);
+    skv_rig_draw(s);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)

@@ -41,22 +41,22 @@ static double time_at(const double *times, const double *fronts, int count, doub
     return (double)NAN;
 }
 
-static skv_instrument build(stage *s, double a)
+static skv_instrument build(rig *s, double a)
 {
-    stage_plan plan = {.width = LENGTH * a,
-                       .height = 1.5 * ASPECT * a,
-                       .solids = 1,
-                       .solid = {skv_shape_box(a, -1, 1.3 * a, 2 * ASPECT * a)},
-                       .waters = 1,
-                       .water = {skv_shape_box(0, 0, a, ASPECT * a)},
-                       .depth = ASPECT * a,
-                       .gravity_y = -skv_stage_gravity(s)};
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, WIDTH, 1);
-    skv_stage_wait(s, WAIT);
+    rig_plan plan = {.width = LENGTH * a,
+                     .height = 1.5 * ASPECT * a,
+                     .solids = 1,
+                     .solid = {skv_shape_box(a, -1, 1.3 * a, 2 * ASPECT * a)},
+                     .waters = 1,
+                     .water = {skv_shape_box(0, 0, a, ASPECT * a)},
+                     .depth = ASPECT * a,
+                     .gravity_y = -skv_rig_gravity(s)};
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, WIDTH, 1);
+    skv_rig_wait(s, WAIT);
     plan.solids = 0;
-    skv_stage_rebuild(s, &plan);
-    return skv_stage_add(s, SKV_INSTRUMENT_LEVEL, 0.2 * a, s->spacing, LENGTH * a, s->spacing, 0);
+    skv_rig_rebuild(s, &plan);
+    return skv_rig_add(s, SKV_INSTRUMENT_LEVEL, 0.2 * a, s->spacing, LENGTH * a, s->spacing, 0);
 }
 
 typedef struct column {
@@ -64,31 +64,31 @@ typedef struct column {
     double width, unit; /* m; of T, s */
 } column;
 
-static void draw(const stage *s, const void *set_up, findings *found)
+static void draw(const rig *s, const void *set_up, findings *found)
 {
     const column *c = set_up;
     double times[MAX_SAMPLES], fronts[MAX_SAMPLES];
-    int count = skv_stage_history(s, c->gauge, 1, times, fronts, MAX_SAMPLES);
+    int count = skv_rig_history(s, c->gauge, 1, times, fronts, MAX_SAMPLES);
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
     for (int i = 0; i < count; i++)
         skv_plot_point(&found->plot, times[i] / c->unit, fronts[i] / c->width);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    double a = skv_stage_length(s, WIDTH);
-    double unit = sqrt(a / skv_stage_gravity(s) / ASPECT); /* of T, s */
+    double a = skv_rig_length(s, WIDTH);
+    double unit = sqrt(a / skv_rig_gravity(s) / ASPECT); /* of T, s */
     double watch = (skv_theory_dam[DAM_POINTS - 1].time + 0.1) * unit;
     s->total = WAIT + watch;
     column c = {build(s, a), a, unit};
     found->condition[C_HEIGHT] = s->spacing / a;
     found->foreseen = true;
-    skv_stage_show(s, draw, &c);
-    skv_stage_sample(s);
-    skv_stage_watch(s, watch + 1.0 / 60);
-    skv_stage_draw(s);
+    skv_rig_show(s, draw, &c);
+    skv_rig_sample(s);
+    skv_rig_watch(s, watch + 1.0 / 60);
+    skv_rig_draw(s);
     double times[MAX_SAMPLES], fronts[MAX_SAMPLES];
-    int count = skv_stage_history(s, c.gauge, 1, times, fronts, MAX_SAMPLES);
+    int count = skv_rig_history(s, c.gauge, 1, times, fronts, MAX_SAMPLES);
     for (int i = 0; i < DAM_POINTS; i++)
         found->point[i] = front_at(times, fronts, count, skv_theory_dam[i].time * unit) / a;
     found->measured[1] = time_at(times, fronts, count, PASSED * a) / unit;

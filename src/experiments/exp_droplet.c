@@ -47,16 +47,16 @@ static double axes(moments m)
     return sqrt((mean - root) / (mean + root));
 }
 
-static void watch(stage *s, findings *found, double limit)
+static void watch(rig *s, findings *found, double limit)
 {
     moments now = {0}, before = {0}, sum = {0};
     int escaped = 0, crossings = 0, counted = 0, frame = 0;
     found->condition[C_TIME] = LONGEST;
     found->foreseen = true;
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
-    for (; frame <= LONGEST * 60 && crossings < CROSSINGS && skv_stage_ok(s); frame++) {
+    for (; frame <= LONGEST * 60 && crossings < CROSSINGS && skv_rig_ok(s); frame++) {
         if (frame > 0)
-            skv_stage_wait(s, 1 / 60.0);
+            skv_rig_wait(s, 1 / 60.0);
         skv_particles p = skv_world_particles(s->world);
         now = moments_of(&p, limit, &escaped);
         crossings += frame > 0 && (now.xx > now.yy) != (before.xx > before.yy);
@@ -72,20 +72,20 @@ static void watch(stage *s, findings *found, double limit)
     found->condition[C_TIME] = (frame - 1) / 60.0;
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    double radius = skv_stage_length(s, RADIUS), stretch = sqrt(skv_stage_value(s, ASPECT));
+    double radius = skv_rig_length(s, RADIUS), stretch = sqrt(skv_rig_value(s, ASPECT));
     double room = 5 * radius * stretch;
     s->total = LONGEST;
-    stage_plan plan = {
+    rig_plan plan = {
         .width = room,
         .height = room,
         .waters = 1,
         .water = {skv_shape_ellipse(room / 2, room / 2, radius * stretch, radius / stretch)},
         .depth = 2 * radius * stretch,
     };
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, RADIUS, 1 / stretch);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, RADIUS, 1 / stretch);
     watch(s, found, 1.3 * radius);
 }
 

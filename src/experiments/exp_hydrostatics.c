@@ -20,65 +20,65 @@ typedef struct pool {
     skv_instrument gauges[GAUGES], layers[LAYERS];
 } pool;
 
-static void build(stage *s, pool *p)
+static void build(rig *s, pool *p)
 {
-    s->total = WAIT * skv_stage_pace(s) + p->watch;
-    stage_plan plan = {.width = p->width,
-                       .height = 1.4 * p->depth,
-                       .waters = 1,
-                       .water = {skv_shape_box(0, 0, p->width, p->depth)},
-                       .depth = p->depth,
-                       .gravity_y = -skv_stage_gravity(s)};
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, DEPTH, 1);
-    skv_stage_check_passage(s, WIDTH, 0.2);
+    s->total = WAIT * skv_rig_pace(s) + p->watch;
+    rig_plan plan = {.width = p->width,
+                     .height = 1.4 * p->depth,
+                     .waters = 1,
+                     .water = {skv_shape_box(0, 0, p->width, p->depth)},
+                     .depth = p->depth,
+                     .gravity_y = -skv_rig_gravity(s)};
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, DEPTH, 1);
+    skv_rig_check_passage(s, WIDTH, 0.2);
     for (int i = 0; i < GAUGES; i++) {
         double x = p->width * (0.25 + 0.5 * i / (GAUGES - 1));
-        p->gauges[i] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, 1.4 * p->depth, p->watch);
+        p->gauges[i] = skv_rig_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, 1.4 * p->depth, p->watch);
     }
 }
 
 /* Layers need to know the level, so they are set up when the water is calm. */
-static void add_layers(stage *s, pool *p)
+static void add_layers(rig *s, pool *p)
 {
-    skv_stage_sample(s);
-    double thickness = skv_stage_mean_level(s, p->gauges, GAUGES) / LAYERS,
+    skv_rig_sample(s);
+    double thickness = skv_rig_mean_level(s, p->gauges, GAUGES) / LAYERS,
            away = fmin(4 * s->h, 0.4 * p->width);
     for (int i = 0; i < LAYERS; i++)
-        p->layers[i] = skv_stage_add(s, SKV_INSTRUMENT_REGION, away, i * thickness, p->width - away,
-                                     (i + 1) * thickness, p->watch);
+        p->layers[i] = skv_rig_add(s, SKV_INSTRUMENT_REGION, away, i * thickness, p->width - away,
+                                   (i + 1) * thickness, p->watch);
 }
 
-static void draw(const stage *s, const void *set_up, findings *found)
+static void draw(const rig *s, const void *set_up, findings *found)
 {
     const pool *p = set_up;
-    double surface = skv_stage_mean_level(s, p->gauges, GAUGES);
+    double surface = skv_rig_mean_level(s, p->gauges, GAUGES);
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
     for (int i = 0; i < LAYERS; i++) {
         /* From the surface down. */
         skv_instrument layer = p->layers[LAYERS - 1 - i];
-        found->measured[i] = skv_stage_read(s, layer, 6);
-        found->condition[i] = surface - skv_stage_read(s, layer, 3);
+        found->measured[i] = skv_rig_read(s, layer, 6);
+        found->condition[i] = surface - skv_rig_read(s, layer, 3);
         skv_plot_point(&found->plot, found->condition[i], found->measured[i]);
     }
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    pool p = {.width = skv_stage_length(s, WIDTH),
-              .depth = skv_stage_length(s, DEPTH),
-              .watch = WATCH * skv_stage_pace(s)};
+    pool p = {.width = skv_rig_length(s, WIDTH),
+              .depth = skv_rig_length(s, DEPTH),
+              .watch = WATCH * skv_rig_pace(s)};
     build(s, &p);
-    skv_stage_wait(s, WAIT * skv_stage_pace(s));
+    skv_rig_wait(s, WAIT * skv_rig_pace(s));
     add_layers(s, &p);
-    found->condition[C_FILLED] = skv_stage_area(s);
-    found->condition[C_DENSITY] = skv_stage_density(s);
-    found->condition[C_GRAVITY] = skv_stage_gravity(s);
+    found->condition[C_FILLED] = skv_rig_area(s);
+    found->condition[C_DENSITY] = skv_rig_density(s);
+    found->condition[C_GRAVITY] = skv_rig_gravity(s);
     found->foreseen = true;
-    skv_stage_show(s, draw, &p);
-    skv_stage_watch(s, p.watch);
-    skv_stage_draw(s);
-    found->measured[LAYERS] = skv_stage_mean_level(s, p.gauges, GAUGES) * p.width;
+    skv_rig_show(s, draw, &p);
+    skv_rig_watch(s, p.watch);
+    skv_rig_draw(s);
+    found->measured[LAYERS] = skv_rig_mean_level(s, p.gauges, GAUGES) * p.width;
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)

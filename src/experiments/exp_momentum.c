@@ -11,24 +11,24 @@ enum { SECONDS = 10 };
 enum { SIZE, SPEED, SPIN };
 
 /* Adds a rotation about a point. */
-static void spin_up(stage *s, double spin, double x, double y)
+static void spin_up(rig *s, double spin, double x, double y)
 {
-    int count = skv_stage_ok(s) ? skv_world_particle_count(s->world) : 0;
-    for (int i = 0; i < count && skv_stage_ok(s); i++) {
+    int count = skv_rig_ok(s) ? skv_world_particle_count(s->world) : 0;
+    for (int i = 0; i < count && skv_rig_ok(s); i++) {
         skv_particles p = skv_world_particles(s->world);
         float vx = (float)(-spin * ((double)p.y[i] - y)), vy = (float)(spin * ((double)p.x[i] - x));
-        skv_stage_keep(s, skv_world_add_velocity(s->world, i, 1, vx, vy, s->error));
+        skv_rig_keep(s, skv_world_add_velocity(s->world, i, 1, vx, vy, s->error));
     }
 }
 
-static skv_instrument build(stage *s)
+static skv_instrument build(rig *s)
 {
-    double size = skv_stage_length(s, SIZE), speed = skv_stage_value(s, SPEED);
+    double size = skv_rig_length(s, SIZE), speed = skv_rig_value(s, SPEED);
     double vx = 0.8 * speed, vy = 0.6 * speed;
     double room = 2.5 * size + SECONDS * speed;
     double x = (room - vx * SECONDS) / 2, y = (room - vy * SECONDS) / 2;
     s->total = SECONDS;
-    stage_plan plan = {
+    rig_plan plan = {
         .width = room,
         .height = room,
         .waters = 1,
@@ -37,22 +37,22 @@ static skv_instrument build(stage *s)
     };
     plan.water[0].vx = vx;
     plan.water[0].vy = vy;
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, SIZE, 1);
-    spin_up(s, skv_stage_value(s, SPIN), x, y);
-    return skv_stage_add(s, SKV_INSTRUMENT_REGION, -1, -1, room + 1, room + 1, 0);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, SIZE, 1);
+    spin_up(s, skv_rig_value(s, SPIN), x, y);
+    return skv_rig_add(s, SKV_INSTRUMENT_REGION, -1, -1, room + 1, room + 1, 0);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
     skv_instrument all = build(s);
     double start_x = 0, start_y = 0, drift = 0;
     found->foreseen = true;
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
     for (int second = 0; second <= SECONDS; second++) {
-        skv_stage_wait(s, second > 0);
-        skv_stage_sample(s);
-        double now_x = skv_stage_read(s, all, 4), now_y = skv_stage_read(s, all, 5);
+        skv_rig_wait(s, second > 0);
+        skv_rig_sample(s);
+        double now_x = skv_rig_read(s, all, 4), now_y = skv_rig_read(s, all, 5);
         if (second == 0) {
             start_x = now_x;
             start_y = now_y;

@@ -37,10 +37,10 @@ static shape bevel(double x, double width, double edge, double end)
     return (shape){4, {x, x + width, x + width, x}, {edge, edge + up, end, end}, 0, 0};
 }
 
-static stage_plan draw(const stage *s, const tank *t, bool plugged)
+static rig_plan draw(const rig *s, const tank *t, bool plugged)
 {
     double wall = WALL * t->slot, height = t->floor + t->depth + 2 * t->slot;
-    return (stage_plan){
+    return (rig_plan){
         .width = t->width + wall + OUTSIDE * t->slot,
         .height = height,
         .open_right = true,
@@ -52,77 +52,77 @@ static stage_plan draw(const stage *s, const tank *t, bool plugged)
         .waters = 1,
         .water = {skv_shape_box(0, t->floor, t->width, t->floor + t->depth)},
         .depth = t->depth,
-        .gravity_y = -skv_stage_gravity(s),
+        .gravity_y = -skv_rig_gravity(s),
         /* The slot is the smallest thing here: more particles than elsewhere, for ten and more
          * spacings in it. */
         .share = 2.5,
     };
 }
 
-static void build(stage *s, tank *t)
+static void build(rig *s, tank *t)
 {
-    skv_stage_require(s, t->depth >= (SILL + 3) * t->slot && t->width >= 4 * t->slot,
-                      "orifice.slot: it must not exceed a quarter of the width and two ninths of "
-                      "the depth");
-    stage_plan plan = draw(s, t, true);
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, SLOT, 1);
-    skv_stage_wait(s, WAIT);
+    skv_rig_require(s, t->depth >= (SILL + 3) * t->slot && t->width >= 4 * t->slot,
+                    "orifice.slot: it must not exceed a quarter of the width and two ninths of "
+                    "the depth");
+    rig_plan plan = draw(s, t, true);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, SLOT, 1);
+    skv_rig_wait(s, WAIT);
     plan = draw(s, t, false);
-    skv_stage_rebuild(s, &plan);
+    skv_rig_rebuild(s, &plan);
     for (int i = 0; i < GAUGES; i++) {
         double x = t->width * (0.1 + 0.5 * i / (GAUGES - 1));
         t->gauges[i] =
-            skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, t->floor, x, t->floor + 1.2 * t->depth, 0);
+            skv_rig_add(s, SKV_INSTRUMENT_LEVEL, x, t->floor, x, t->floor + 1.2 * t->depth, 0);
     }
 }
 
 /* The gate, and around it half a slot height of the jet. */
-static void add_jet_instruments(stage *s, tank *t, double watch)
+static void add_jet_instruments(rig *s, tank *t, double watch)
 {
     double x = t->width + 1.2 * t->slot, low = t->low - 2 * t->slot, high = t->high + t->slot;
-    t->gate = skv_stage_add(s, SKV_INSTRUMENT_GATE, x, low, x, high, watch);
+    t->gate = skv_rig_add(s, SKV_INSTRUMENT_GATE, x, low, x, high, watch);
     t->section =
-        skv_stage_add(s, SKV_INSTRUMENT_REGION, x - t->slot / 4, low, x + t->slot / 4, high, watch);
-    skv_stage_sample(s);
+        skv_rig_add(s, SKV_INSTRUMENT_REGION, x - t->slot / 4, low, x + t->slot / 4, high, watch);
+    skv_rig_sample(s);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    tank t = {.width = skv_stage_length(s, WIDTH),
-              .depth = skv_stage_length(s, DEPTH),
-              .slot = skv_stage_length(s, SLOT)};
-    double gravity = skv_stage_gravity(s);
+    tank t = {.width = skv_rig_length(s, WIDTH),
+              .depth = skv_rig_length(s, DEPTH),
+              .slot = skv_rig_length(s, SLOT)};
+    double gravity = skv_rig_gravity(s);
     t.floor = DROP * t.slot;
     t.low = t.floor + SILL * t.slot;
     t.high = t.low + t.slot;
-    double pace = skv_stage_pace(s), watch = WATCH * pace, surface = 0, level = 0, first = 0;
+    double pace = skv_rig_pace(s), watch = WATCH * pace, surface = 0, level = 0, first = 0;
     s->total = WAIT + START * pace + watch;
     build(s, &t);
-    skv_stage_wait(s, START * pace);
+    skv_rig_wait(s, START * pace);
     add_jet_instruments(s, &t, watch);
     found->condition[C_GRAVITY] = gravity;
     int frames = (int)(watch * 60);
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_DOTS);
     for (int i = 0; i < frames; i++) {
-        skv_stage_watch(s, 1 / 60.0);
+        skv_rig_watch(s, 1 / 60.0);
         double speed = (double)NAN;
-        skv_stage_history(s, t.section, 7, NULL, &speed, 1);
+        skv_rig_history(s, t.section, 7, NULL, &speed, 1);
         skv_plot_point(&found->plot, (i + 1) / 60.0, speed);
-        level = skv_stage_mean_level(s, t.gauges, GAUGES);
+        level = skv_rig_mean_level(s, t.gauges, GAUGES);
         first = i == 0 ? level : first;
         surface += level / frames;
-        double jet = skv_stage_read(s, t.section, 3);
+        double jet = skv_rig_read(s, t.section, 3);
         found->condition[C_FALL_START] = first - jet;
         found->condition[C_FALL_END] = level - jet;
         found->condition[C_TIME] = (i + 1) / 60.0;
         found->foreseen = true;
     }
-    double jet = skv_stage_read(s, t.section, 3);
-    found->measured[0] = skv_stage_read(s, t.section, 7);
+    double jet = skv_rig_read(s, t.section, 3);
+    found->measured[0] = skv_rig_read(s, t.section, 7);
     /* The coefficient is the flow over what the whole slot would pass at sqrt(2 g head). */
     double head = surface - (t.low + t.high) / 2;
-    found->measured[1] = skv_stage_read(s, t.gate, 0) / (t.slot * sqrt(2 * gravity * head));
+    found->measured[1] = skv_rig_read(s, t.gate, 0) / (t.slot * sqrt(2 * gravity * head));
     found->condition[C_FALL] = surface - jet;
     found->condition[C_TIME] = watch;
 }

@@ -18,41 +18,41 @@ enum { C_END, C_FAST };
 enum { PERIODS = 2 };
 static const double periods[PERIODS][2] = {{6, 9}, {20, 23}};
 
-static skv_instrument build(stage *s)
+static skv_instrument build(rig *s)
 {
-    double width = skv_stage_length(s, WIDTH), depth = skv_stage_length(s, DEPTH);
-    s->total = SECONDS * skv_stage_pace(s);
-    stage_plan plan = {.width = width,
-                       .height = 1.4 * depth,
-                       .waters = 1,
-                       .water = {skv_shape_box(0, 0, width, depth)},
-                       .depth = depth,
-                       .gravity_y = -skv_stage_gravity(s)};
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, DEPTH, 1);
-    return skv_stage_add(s, SKV_INSTRUMENT_ENERGY, 0, 0, 0, 0, 0);
+    double width = skv_rig_length(s, WIDTH), depth = skv_rig_length(s, DEPTH);
+    s->total = SECONDS * skv_rig_pace(s);
+    rig_plan plan = {.width = width,
+                     .height = 1.4 * depth,
+                     .waters = 1,
+                     .water = {skv_shape_box(0, 0, width, depth)},
+                     .depth = depth,
+                     .gravity_y = -skv_rig_gravity(s)};
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, DEPTH, 1);
+    return skv_rig_add(s, SKV_INSTRUMENT_ENERGY, 0, 0, 0, 0, 0);
 }
 
-static void draw(const stage *s, const void *energy, findings *found)
+static void draw(const rig *s, const void *energy, findings *found)
 {
     skv_plot_begin(&found->plot, "rms speed", SKV_CURVE_LINE);
-    skv_stage_trace(s, *(const skv_instrument *)energy, 2, FRAMES_A_POINT);
+    skv_rig_trace(s, *(const skv_instrument *)energy, 2, FRAMES_A_POINT);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    double pace = skv_stage_pace(s), fast = SETTLED * skv_stage_speed(s);
+    double pace = skv_rig_pace(s), fast = SETTLED * skv_rig_speed(s);
     skv_instrument energy = build(s);
     found->condition[C_END] = s->total;
     found->condition[C_FAST] = fast;
     found->foreseen = true;
-    skv_stage_show(s, draw, &energy);
+    skv_rig_show(s, draw, &energy);
     double settled = 0, sums[PERIODS] = {0};
     int samples[PERIODS] = {0};
     int frames = (int)(s->total * 60 + 0.5);
     for (int f = 1; f <= frames; f++) {
-        skv_stage_watch(s, 1 / 60.0);
-        double t = f / 60.0, speed = skv_stage_read(s, energy, 2);
+        skv_rig_watch(s, 1 / 60.0);
+        double t = f / 60.0, speed = skv_rig_read(s, energy, 2);
         settled = speed >= fast ? t : settled;
         for (int i = 0; i < PERIODS; i++) {
             if (t >= periods[i][0] * pace && t < periods[i][1] * pace) {
@@ -61,7 +61,7 @@ static void measure(stage *s, findings *found)
             }
         }
     }
-    skv_stage_draw(s);
+    skv_rig_draw(s);
     found->measured[0] = settled;
     for (int i = 0; i < PERIODS; i++)
         found->measured[1 + i] = sqrt(sums[i] / samples[i]);

@@ -33,29 +33,29 @@ typedef struct pair {
     int count;
 } pair;
 
-static void build(stage *s, pair *p)
+static void build(rig *s, pair *p)
 {
-    double large = skv_stage_length(s, RADIUS), small = large / ROOT2;
-    double stretch = sqrt(skv_stage_value(s, ASPECT)), gap = large;
+    double large = skv_rig_length(s, RADIUS), small = large / ROOT2;
+    double stretch = sqrt(skv_rig_value(s, ASPECT)), gap = large;
     p->between = 3.5 * large;
     p->drops[0] = (drop){.x = 2 * large, .y = 2 * large, .radius = large};
     p->drops[1] = (drop){.x = p->between + gap / 2 + small, .y = 2 * large, .radius = small};
     s->total = LONGEST;
-    stage_plan plan = {.width = p->drops[1].x + small + large,
-                       .height = 4 * large,
-                       .waters = DROPS,
-                       .depth = 2 * large};
+    rig_plan plan = {.width = p->drops[1].x + small + large,
+                     .height = 4 * large,
+                     .waters = DROPS,
+                     .depth = 2 * large};
     for (int i = 0; i < DROPS; i++) {
         const drop *d = &p->drops[i];
         plan.water[i] = skv_shape_ellipse(d->x, d->y, d->radius * stretch, d->radius / stretch);
     }
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, RADIUS, 1 / ROOT2);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, RADIUS, 1 / ROOT2);
     for (int i = 0; i < DROPS; i++) {
         drop *d = &p->drops[i];
         double half = 0.4 * d->radius;
-        d->core = skv_stage_add(s, SKV_INSTRUMENT_REGION, d->x - half, d->y - half, d->x + half,
-                                d->y + half, LONGEST);
+        d->core = skv_rig_add(s, SKV_INSTRUMENT_REGION, d->x - half, d->y - half, d->x + half,
+                              d->y + half, LONGEST);
     }
 }
 
@@ -78,7 +78,7 @@ static double swing_of(const skv_particles *p, double between, bool right)
     return (xx - yy) / (xx + yy);
 }
 
-static void read_swings(const stage *s, pair *p)
+static void read_swings(const rig *s, pair *p)
 {
     skv_particles particles = skv_world_particles(s->world);
     int now = p->count++;
@@ -90,7 +90,7 @@ static void read_swings(const stage *s, pair *p)
     }
 }
 
-static void draw(const stage *s, const void *set_up, findings *found)
+static void draw(const rig *s, const void *set_up, findings *found)
 {
     (void)s;
     static const char *const labels[DROPS] = {PLOT_LABEL("larger drop"),
@@ -103,14 +103,14 @@ static void draw(const stage *s, const void *set_up, findings *found)
     }
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
     pair p = {.count = 0};
     build(s, &p);
-    skv_stage_show(s, draw, &p);
-    while (skv_stage_ok(s) && p.count < MOST && p.drops[0].rises <= HALF_SWINGS) {
+    skv_rig_show(s, draw, &p);
+    while (skv_rig_ok(s) && p.count < MOST && p.drops[0].rises <= HALF_SWINGS) {
         read_swings(s, &p);
-        skv_stage_watch(s, 1 / 60.0);
+        skv_rig_watch(s, 1 / 60.0);
     }
     double omega[DROPS];
     for (int i = 0; i < DROPS; i++) {
@@ -118,11 +118,11 @@ static void measure(stage *s, findings *found)
         oscillation o = skv_oscillation_read(p.times, d->swing, p.count, 0, HALF_SWINGS);
         omega[i] = 2 * PI / o.period;
     }
-    skv_stage_draw(s);
-    double radius = p.drops[0].radius, density = skv_stage_density(s);
+    skv_rig_draw(s);
+    double radius = p.drops[0].radius, density = skv_rig_density(s);
     found->measured[0] = density * radius * radius * radius * omega[0] * omega[0] / 6;
     found->measured[1] = omega[1] / omega[0];
-    found->condition[C_PRESSURE] = skv_stage_read(s, p.drops[0].core, 6);
+    found->condition[C_PRESSURE] = skv_rig_read(s, p.drops[0].core, 6);
     found->condition[C_RADIUS] = radius;
     found->condition[C_DENSITY] = density;
     found->condition[C_START] = p.drops[0].swing[0];

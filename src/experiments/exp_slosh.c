@@ -28,12 +28,12 @@ typedef struct tank {
     skv_instrument all, gauges[GAUGES];
 } tank;
 
-static void build(stage *s, tank *t)
+static void build(rig *s, tank *t)
 {
     double rise = t->slope * t->width / 2, length = sqrt(1 + t->slope * t->slope);
-    skv_stage_require(s, rise < 0.75 * t->depth,
-                      "slosh.angle: the floor would fall dry; make it flatter or deeper");
-    stage_plan plan = {
+    skv_rig_require(s, rise < 0.75 * t->depth,
+                    "slosh.angle: the floor would fall dry; make it flatter or deeper");
+    rig_plan plan = {
         .width = t->width,
         .height = t->depth + 3 * rise,
         .waters = 1,
@@ -41,35 +41,35 @@ static void build(stage *s, tank *t)
         .depth = t->depth + rise,
         .gravity_x = t->gravity * t->slope / length,
         .gravity_y = -t->gravity / length};
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, DEPTH, 1);
-    skv_stage_wait(s, WAIT);
-    if (skv_stage_ok(s))
-        skv_stage_keep(s, skv_world_set_gravity(s->world, 0, (float)-t->gravity, s->error));
-    t->all = skv_stage_add(s, SKV_INSTRUMENT_REGION, 0, 0, t->width, plan.height, 0);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, DEPTH, 1);
+    skv_rig_wait(s, WAIT);
+    if (skv_rig_ok(s))
+        skv_rig_keep(s, skv_world_set_gravity(s->world, 0, (float)-t->gravity, s->error));
+    t->all = skv_rig_add(s, SKV_INSTRUMENT_REGION, 0, 0, t->width, plan.height, 0);
     for (int i = 0; i < GAUGES; i++) {
         double x = t->width * (i + 1) / (GAUGES + 1);
-        t->gauges[i] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, plan.height, 0);
+        t->gauges[i] = skv_rig_add(s, SKV_INSTRUMENT_LEVEL, x, 0, x, plan.height, 0);
     }
-    skv_stage_sample(s);
+    skv_rig_sample(s);
 }
 
-static void draw(const stage *s, const void *set_up, findings *found)
+static void draw(const rig *s, const void *set_up, findings *found)
 {
     const tank *t = set_up;
     double times[MAX_SAMPLES], centre[MAX_SAMPLES];
-    int count = skv_stage_history(s, t->all, 2, times, centre, MAX_SAMPLES);
+    int count = skv_rig_history(s, t->all, 2, times, centre, MAX_SAMPLES);
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
     for (int i = 0; i < count; i++)
         skv_plot_point(&found->plot, times[i] - times[0], centre[i] - t->width / 2);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    tank t = {skv_stage_length(s, WIDTH),
-              skv_stage_length(s, DEPTH),
-              skv_stage_gravity(s),
-              skv_stage_value(s, ANGLE),
+    tank t = {skv_rig_length(s, WIDTH),
+              skv_rig_length(s, DEPTH),
+              skv_rig_gravity(s),
+              skv_rig_value(s, ANGLE),
               0,
               {0}};
     if (t.slope == 0)
@@ -79,18 +79,18 @@ static void measure(stage *s, findings *found)
     build(s, &t);
     /* The water rests on a straight slope as yet, and the gauges stand evenly about the middle:
      * their mean is the depth once it is level. */
-    double depth = skv_stage_mean_level(s, t.gauges, GAUGES);
+    double depth = skv_rig_mean_level(s, t.gauges, GAUGES);
     found->condition[C_WIDTH] = t.width;
     found->condition[C_DEPTH] = depth;
     found->condition[C_GRAVITY] = t.gravity;
     found->condition[C_SLOPE] = t.slope;
     found->condition[C_TIME] = watch;
     found->foreseen = true;
-    skv_stage_show(s, draw, &t);
-    skv_stage_watch(s, watch);
-    skv_stage_draw(s);
+    skv_rig_show(s, draw, &t);
+    skv_rig_watch(s, watch);
+    skv_rig_draw(s);
     double times[MAX_SAMPLES], centre[MAX_SAMPLES];
-    int count = skv_stage_history(s, t.all, 2, times, centre, MAX_SAMPLES);
+    int count = skv_rig_history(s, t.all, 2, times, centre, MAX_SAMPLES);
     oscillation o = skv_oscillation_read(times, centre, count, t.width / 2, HALF_SWINGS);
     found->measured[0] = o.period;
     found->measured[1] = o.amplitude1;

@@ -23,16 +23,16 @@ typedef struct tube {
     skv_instrument content[2], gauges[2][GAUGES];
 } tube;
 
-static void build(stage *s, tube *t)
+static void build(rig *s, tube *t)
 {
     double arm = t->arm, low = t->level - t->head / 2, high = t->level + t->head / 2;
     t->width = t->gap + arm;
     t->height = high + t->head;
-    skv_stage_require(s, t->gap >= 1.5 * arm && low >= 1.5 * arm,
-                      "u-tube: the gap and the lower level need to be 1.5 arm widths or more");
+    skv_rig_require(s, t->gap >= 1.5 * arm && low >= 1.5 * arm,
+                    "u-tube: the gap and the lower level need to be 1.5 arm widths or more");
     /* Gravity at a right angle to the line between the two surfaces' middles. */
     double length = sqrt(t->head * t->head + t->gap * t->gap);
-    stage_plan plan = {
+    rig_plan plan = {
         .width = t->width,
         .height = t->height,
         .solids = 1,
@@ -44,47 +44,47 @@ static void build(stage *s, tube *t)
         .gravity_x = -t->gravity * t->head / length,
         .gravity_y = -t->gravity * t->gap / length,
     };
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, ARM, 1);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, ARM, 1);
 }
 
-static void add_instruments(stage *s, tube *t)
+static void add_instruments(rig *s, tube *t)
 {
     for (int side = 0; side < 2; side++) {
         double x = side ? t->width - t->arm : 0;
         t->content[side] =
-            skv_stage_add(s, SKV_INSTRUMENT_REGION, x, t->arm, x + t->arm, t->height, 0);
+            skv_rig_add(s, SKV_INSTRUMENT_REGION, x, t->arm, x + t->arm, t->height, 0);
         for (int i = 0; i < GAUGES; i++) {
             double at = x + t->arm * (i + 1) / (GAUGES + 1);
             t->gauges[side][i] =
-                skv_stage_add(s, SKV_INSTRUMENT_LEVEL, at, t->arm / 2, at, t->height, t->end);
+                skv_rig_add(s, SKV_INSTRUMENT_LEVEL, at, t->arm / 2, at, t->height, t->end);
         }
     }
 }
 
 /* Left level minus right level, from the arms' contents. */
-static int read_swing(const stage *s, const tube *t, double *times, double *swing)
+static int read_swing(const rig *s, const tube *t, double *times, double *swing)
 {
     double right[MAX_SAMPLES];
-    int count = skv_stage_history(s, t->content[0], 1, times, swing, MAX_SAMPLES);
-    skv_stage_history(s, t->content[1], 1, NULL, right, MAX_SAMPLES);
+    int count = skv_rig_history(s, t->content[0], 1, times, swing, MAX_SAMPLES);
+    skv_rig_history(s, t->content[1], 1, NULL, right, MAX_SAMPLES);
     for (int i = 0; i < count; i++)
         swing[i] = (swing[i] - right[i]) / t->arm;
     return count;
 }
 
 /* The gauges stand evenly across an arm, so an oblique surface's mean is that of the arm. */
-static double arm_level(const stage *s, const tube *t, int side)
+static double arm_level(const rig *s, const tube *t, int side)
 {
-    return skv_stage_mean_level(s, t->gauges[side], GAUGES);
+    return skv_rig_mean_level(s, t->gauges[side], GAUGES);
 }
 
-static double mean_level(const stage *s, const tube *t)
+static double mean_level(const rig *s, const tube *t)
 {
     return (arm_level(s, t, 0) + arm_level(s, t, 1)) / 2;
 }
 
-static void draw(const stage *s, const void *set_up, findings *found)
+static void draw(const rig *s, const void *set_up, findings *found)
 {
     double times[MAX_SAMPLES], swing[MAX_SAMPLES];
     int count = read_swing(s, set_up, times, swing);
@@ -93,35 +93,35 @@ static void draw(const stage *s, const void *set_up, findings *found)
         skv_plot_point(&found->plot, times[i] - times[0], swing[i]);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    tube t = {.arm = skv_stage_length(s, ARM),
-              .gap = skv_stage_length(s, GAP),
-              .level = skv_stage_length(s, LEVEL),
-              .head = skv_stage_length(s, HEAD),
-              .gravity = skv_stage_gravity(s)};
+    tube t = {.arm = skv_rig_length(s, ARM),
+              .gap = skv_rig_length(s, GAP),
+              .level = skv_rig_length(s, LEVEL),
+              .head = skv_rig_length(s, HEAD),
+              .gravity = skv_rig_gravity(s)};
     t.end = skv_theory_u_tube_period(t.gravity, skv_theory_inertial_length(t.arm, t.gap, t.level));
     /* Long enough in any case: by the centre line's length. */
     double watch =
         fmin(PERIODS * skv_theory_u_tube_period(t.gravity, 2 * t.level + t.gap), 60) + t.end;
     s->total = WAIT + watch;
     build(s, &t);
-    skv_stage_wait(s, WAIT);
+    skv_rig_wait(s, WAIT);
     add_instruments(s, &t);
     found->condition[C_ARM] = t.arm;
     found->condition[C_GAP] = t.gap;
     /* While it swings theory is drawn for the level between the two that are held apart. */
-    skv_stage_sample(s);
+    skv_rig_sample(s);
     found->condition[C_LEVEL] = mean_level(s, &t);
     found->condition[C_GRAVITY] = t.gravity;
     found->condition[C_HEAD] = t.head;
     found->condition[C_TIME] = watch;
     found->foreseen = true;
-    skv_stage_show(s, draw, &t);
-    if (skv_stage_ok(s))
-        skv_stage_keep(s, skv_world_set_gravity(s->world, 0, (float)-t.gravity, s->error));
-    skv_stage_watch(s, watch);
-    skv_stage_draw(s);
+    skv_rig_show(s, draw, &t);
+    if (skv_rig_ok(s))
+        skv_rig_keep(s, skv_world_set_gravity(s->world, 0, (float)-t.gravity, s->error));
+    skv_rig_watch(s, watch);
+    skv_rig_draw(s);
     double times[MAX_SAMPLES], swing[MAX_SAMPLES];
     int count = read_swing(s, &t, times, swing);
     oscillation o = skv_oscillation_read(times, swing, count, 0, HALF_SWINGS);

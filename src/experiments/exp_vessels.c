@@ -32,12 +32,12 @@ static void choose_levels(vessels *v)
         v->filled[i] = v->level + v->head * (share[i] - sum / width);
 }
 
-static stage_plan plan_of(const stage *s, vessels *v)
+static rig_plan plan_of(const rig *s, vessels *v)
 {
-    stage_plan plan = {.height = v->height,
-                       .waters = VESSELS,
-                       .depth = v->level + v->head / 2,
-                       .gravity_y = -skv_stage_gravity(s)};
+    rig_plan plan = {.height = v->height,
+                     .waters = VESSELS,
+                     .depth = v->level + v->head / 2,
+                     .gravity_y = -skv_rig_gravity(s)};
     double x = 0;
     for (int i = 0; i < VESSELS; i++) {
         v->x0[i] = x;
@@ -53,34 +53,34 @@ static stage_plan plan_of(const stage *s, vessels *v)
     return plan;
 }
 
-static void build(stage *s, vessels *v)
+static void build(rig *s, vessels *v)
 {
-    skv_stage_require(s, v->head <= v->level,
-                      "vessels.head: it must not be larger than vessels.level");
+    skv_rig_require(s, v->head <= v->level,
+                    "vessels.head: it must not be larger than vessels.level");
     choose_levels(v);
     v->height = v->level + v->head + 0.3 * v->level;
-    stage_plan plan = plan_of(s, v);
-    skv_stage_build(s, &plan);
-    skv_stage_check_passage(s, LEVEL, DUCT);
+    rig_plan plan = plan_of(s, v);
+    skv_rig_build(s, &plan);
+    skv_rig_check_passage(s, LEVEL, DUCT);
     for (int i = 0; i < VESSELS; i++) {
         for (int k = 0; k < GAUGES; k++) {
             double x = v->x0[i] + (v->x1[i] - v->x0[i]) * (k + 1) / (GAUGES + 1);
-            v->gauges[i][k] = skv_stage_add(s, SKV_INSTRUMENT_LEVEL, x, DUCT * v->level / 2, x,
-                                            v->height, END * skv_stage_pace(s));
+            v->gauges[i][k] = skv_rig_add(s, SKV_INSTRUMENT_LEVEL, x, DUCT * v->level / 2, x,
+                                          v->height, END * skv_rig_pace(s));
         }
     }
 }
 
 /* The level that the water put in amounts to. */
-static double filled_level(const stage *s, const vessels *v)
+static double filled_level(const rig *s, const vessels *v)
 {
     double ducts = (VESSELS - 1) * WALL * DUCT * v->level * v->level, width = 0;
     for (int i = 0; i < VESSELS; i++)
         width += v->x1[i] - v->x0[i];
-    return (skv_stage_area(s) - ducts) / width;
+    return (skv_rig_area(s) - ducts) / width;
 }
 
-static void draw(const stage *s, const void *set_up, findings *found)
+static void draw(const rig *s, const void *set_up, findings *found)
 {
     static const char *const labels[VESSELS] = {PLOT_LABEL("left"), PLOT_LABEL("middle"),
                                                 PLOT_LABEL("right")};
@@ -89,25 +89,25 @@ static void draw(const stage *s, const void *set_up, findings *found)
     const vessels *v = set_up;
     for (int i = 0; i < VESSELS; i++) {
         skv_plot_begin(&found->plot, labels[i], styles[i]);
-        skv_stage_trace(s, v->gauges[i][1], 2, i == 0 ? 1 : 20);
+        skv_rig_trace(s, v->gauges[i][1], 2, i == 0 ? 1 : 20);
     }
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    vessels v = {.level = skv_stage_length(s, LEVEL), .head = skv_stage_length(s, HEAD)};
-    s->total = RUN * skv_stage_pace(s);
+    vessels v = {.level = skv_rig_length(s, LEVEL), .head = skv_rig_length(s, HEAD)};
+    s->total = RUN * skv_rig_pace(s);
     build(s, &v);
     found->condition[C_LEVEL] = filled_level(s, &v);
     found->condition[C_RUN] = s->total;
     found->foreseen = true;
-    skv_stage_show(s, draw, &v);
-    skv_stage_watch(s, s->total);
-    skv_stage_draw(s);
+    skv_rig_show(s, draw, &v);
+    skv_rig_watch(s, s->total);
+    skv_rig_draw(s);
     double highest = -HUGE_VAL, lowest = HUGE_VAL;
     for (int i = 0; i < VESSELS; i++) {
-        highest = fmax(highest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
-        lowest = fmin(lowest, skv_stage_mean_level(s, v.gauges[i], GAUGES));
+        highest = fmax(highest, skv_rig_mean_level(s, v.gauges[i], GAUGES));
+        lowest = fmin(lowest, skv_rig_mean_level(s, v.gauges[i], GAUGES));
     }
     found->measured[0] = highest - lowest;
 }

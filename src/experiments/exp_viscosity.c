@@ -43,15 +43,15 @@ static double amplitude(const skv_world *world, double k)
     return sum / norm;
 }
 
-static void start_whirl(stage *s, double k, double speed)
+static void start_whirl(rig *s, double k, double speed)
 {
-    int count = skv_stage_ok(s) ? skv_world_particle_count(s->world) : 0;
-    for (int i = 0; i < count && skv_stage_ok(s); i++) {
+    int count = skv_rig_ok(s) ? skv_world_particle_count(s->world) : 0;
+    for (int i = 0; i < count && skv_rig_ok(s); i++) {
         skv_particles p = skv_world_particles(s->world);
         double x = (double)p.x[i], y = (double)p.y[i];
         float vx = (float)(speed * whirl_x(k, x, y)) - p.vx[i];
         float vy = (float)(speed * whirl_y(k, x, y)) - p.vy[i];
-        skv_stage_keep(s, skv_world_add_velocity(s->world, i, 1, vx, vy, s->error));
+        skv_rig_keep(s, skv_world_add_velocity(s->world, i, 1, vx, vy, s->error));
     }
 }
 
@@ -76,23 +76,23 @@ static double slope_of(const line *l)
 }
 
 /* Lets the whirl die out in a fluid; returns its kinematic viscosity. */
-static double decay(stage *s, double viscosity, skv_plot *plot)
+static double decay(rig *s, double viscosity, skv_plot *plot)
 {
-    double side = skv_stage_length(s, SIZE), k = PI / side;
-    skv_stage_set(s, "fluid.viscosity", viscosity);
-    skv_stage_set(s, "fluid.wall_friction", 0);
-    stage_plan plan = {.width = side,
-                       .height = side,
-                       .waters = 1,
-                       .water = {skv_shape_box(0, 0, side, side)},
-                       .depth = side / 2};
-    skv_stage_build(s, &plan);
-    skv_stage_wait(s, SETTLE);
-    start_whirl(s, k, skv_stage_value(s, SPEED));
+    double side = skv_rig_length(s, SIZE), k = PI / side;
+    skv_rig_set(s, "fluid.viscosity", viscosity);
+    skv_rig_set(s, "fluid.wall_friction", 0);
+    rig_plan plan = {.width = side,
+                     .height = side,
+                     .waters = 1,
+                     .water = {skv_shape_box(0, 0, side, side)},
+                     .depth = side / 2};
+    skv_rig_build(s, &plan);
+    skv_rig_wait(s, SETTLE);
+    start_whirl(s, k, skv_rig_value(s, SPEED));
     line l = {0};
     double first = 0;
-    for (int f = 0; f < SECONDS * 60 && skv_stage_ok(s); f++) {
-        skv_stage_wait(s, 1.0 / 60);
+    for (int f = 0; f < SECONDS * 60 && skv_rig_ok(s); f++) {
+        skv_rig_wait(s, 1.0 / 60);
         double t = f / 60.0, now = amplitude(s->world, k);
         first = f == 0 ? now : first;
         if (!(now > TO * first))
@@ -105,12 +105,12 @@ static double decay(stage *s, double viscosity, skv_plot *plot)
     return -slope_of(&l) / (2 * k * k);
 }
 
-static void measure(stage *s, findings *found)
+static void measure(rig *s, findings *found)
 {
-    double nominal = skv_stage_value(s, NOMINAL);
+    double nominal = skv_rig_value(s, NOMINAL);
     s->total = 2 * (SETTLE + SECONDS);
     found->condition[0] = nominal;
-    found->condition[1] = skv_stage_length(s, SIZE);
+    found->condition[1] = skv_rig_length(s, SIZE);
     found->foreseen = true;
     skv_plot_begin(&found->plot, "without viscosity", SKV_CURVE_LINE);
     found->measured[1] = decay(s, 0, &found->plot);

@@ -21,18 +21,18 @@ skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *op
 {
     *found = (findings){
         .plot = {.title = e->info.title, .x_label = e->info.x_label, .y_label = e->info.y_label}};
-    stage set_up;
-    skv_stage_open(&set_up, e, options, found, error);
+    rig set_up;
+    skv_rig_open(&set_up, e, options, found, error);
     e->measure(&set_up, found);
-    if (skv_stage_ok(&set_up)) {
+    if (skv_rig_ok(&set_up)) {
         found->particles = skv_world_particle_count(set_up.world);
         found->substeps = skv_world_substeps_per_frame(set_up.world);
         found->spacing = set_up.spacing;
         found->seconds = set_up.done;
-        found->pace = skv_stage_pace(&set_up);
-        found->speed = skv_stage_speed(&set_up);
+        found->pace = skv_rig_pace(&set_up);
+        found->speed = skv_rig_speed(&set_up);
     }
-    return skv_stage_close(&set_up);
+    return skv_rig_close(&set_up);
 }
 
 skv_result skv_experiment_scene(int number, skv_write *write, void *user, skv_error *error)
@@ -42,15 +42,15 @@ skv_result skv_experiment_scene(int number, skv_write *write, void *user, skv_er
     if (!e)
         return skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);
     findings found = {0};
-    stage_plan plan;
-    stage set_up;
-    skv_stage_open(&set_up, e, NULL, &found, error);
+    rig_plan plan;
+    rig set_up;
+    skv_rig_open(&set_up, e, NULL, &found, error);
     set_up.sketch = &plan;
     e->measure(&set_up, &found);
-    if (skv_stage_ok(&set_up) || set_up.result == SKV_STOPPED)
-        set_up.result = skv_stage_write(&set_up, write, user, error);
+    if (skv_rig_ok(&set_up) || set_up.result == SKV_STOPPED)
+        set_up.result = skv_rig_write(&set_up, write, user, error);
     skv_findings_free(&found);
-    return skv_stage_close(&set_up);
+    return skv_rig_close(&set_up);
 }
 
 void skv_findings_free(findings *found)

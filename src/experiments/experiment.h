@@ -9,7 +9,7 @@
 
 #include "experiments/list.h"
 #include "experiments/plot.h"
-#include "experiments/stage.h"
+#include "experiments/rig.h"
 
 enum { MAX_QUANTITIES = 8, MAX_CONDITIONS = 16, MAX_POINTS = 16 };
 
@@ -17,8 +17,8 @@ enum { MAX_QUANTITIES = 8, MAX_CONDITIONS = 16, MAX_POINTS = 16 };
 typedef enum allowance {
     AS_WRITTEN,
     IN_SPACINGS, /* of the particles, m */
-    BY_PACE,     /* a time at scale 1 under 9.81 m/s^2; see skv_stage_pace */
-    BY_SPEED,    /* a speed there; see skv_stage_speed */
+    BY_PACE,     /* a time at scale 1 under 9.81 m/s^2; see skv_rig_pace */
+    BY_SPEED,    /* a speed there; see skv_rig_speed */
 } allowance;
 
 /* One measured quantity. */
@@ -37,7 +37,7 @@ struct findings {
     skv_plot plot;
     int particles, substeps;
     double spacing, seconds;
-    double pace, speed; /* of the stage */
+    double pace, speed; /* of the rig */
 };
 
 typedef struct expectation {
@@ -52,7 +52,7 @@ struct experiment {
     skv_field parameters[MAX_OWN + 1];
     int count;
     quantity quantities[MAX_QUANTITIES];
-    void (*measure)(stage *stage, findings *found);
+    void (*measure)(rig *rig, findings *found);
     /* Says what theory predicts, and adds its curves to the plot. */
     void (*expect)(const double *condition, expectation *expected, skv_plot *plot);
 };
@@ -64,7 +64,7 @@ SKV_EXPERIMENTS(DECLARE)
 /* The i-th, null past the last. */
 const experiment *skv_experiment_at(int i);
 
-/* Runs measure() on a fresh stage. `found` needs skv_findings_free afterwards, also on failure. */
+/* Runs measure() on a fresh rig. `found` needs skv_findings_free afterwards, also on failure. */
 skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *options,
                                   findings *found, skv_error *error);
 void skv_findings_free(findings *found);

@@ -51,7 +51,7 @@ static double area_of(const shape *s)
     return fabs(sum) / 2;
 }
 
-double skv_plan_area(const stage_plan *plan)
+double skv_plan_area(const rig_plan *plan)
 {
     double area = 0;
     for (int i = 0; i < plan->waters; i++)
@@ -94,7 +94,7 @@ static void say_shapes(text *t, const char *list, const shape *shapes, int count
     say(t, "]");
 }
 
-static void say_scene(text *t, const stage_plan *plan, double pixel)
+static void say_scene(text *t, const rig_plan *plan, double pixel)
 {
     say(t, "\"depth\": %.9g, ", plan->depth);
     say(t, "\"world\": {\"width\": %.9g, \"height\": %.9g, \"pixel\": %.9g, ", plan->width,
@@ -110,7 +110,7 @@ static void say_scene(text *t, const stage_plan *plan, double pixel)
 /* ---- Loading --------------------------------------------------------------------------------- */
 
 /* Refuses at once what would be refused after the walls of a huge picture have been drawn. */
-static skv_result check_size(const stage_plan *plan, const char *name, double spacing,
+static skv_result check_size(const rig_plan *plan, const char *name, double spacing,
                              skv_error *error)
 {
     double longest = fmax(plan->width, plan->height);
@@ -129,7 +129,7 @@ static skv_result check_size(const stage_plan *plan, const char *name, double sp
     return SKV_OK;
 }
 
-static double pixel_of(const stage_plan *plan, double spacing)
+static double pixel_of(const rig_plan *plan, double spacing)
 {
     double longest = fmax(plan->width, plan->height);
     double shortest = fmin(plan->width, plan->height);
@@ -137,7 +137,7 @@ static double pixel_of(const stage_plan *plan, double spacing)
     return fmin(pixel, shortest / (SKV_TERRAIN_MIN_PIXELS + 1));
 }
 
-skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spacing,
+skv_result skv_plan_scene(const rig_plan *plan, const char *name, double spacing,
                           const skv_setting *settings, int setting_count, skv_scene **scene,
                           skv_error *error)
 {
@@ -159,7 +159,7 @@ skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spaci
     return result;
 }
 
-skv_result skv_plan_write(const stage_plan *plan, const skv_experiment *of, double particles,
+skv_result skv_plan_write(const rig_plan *plan, const skv_experiment *of, double particles,
                           const skv_setting *settings, int setting_count, skv_write *write,
                           void *user, skv_error *error)
 {

@@ -17,8 +17,8 @@ shape skv_shape_box(double x0, double y0, double x1, double y1);
 /* A polygon of 64 corners with the area of the ellipse with half axes a and b. */
 shape skv_shape_ellipse(double x, double y, double a, double b);
 
-/* What a stage is to look like. */
-typedef struct stage_plan {
+/* What a rig is to look like. */
+typedef struct rig_plan {
     double width, height; /* of the closed world, m */
     int solids, waters;
     shape solid[MAX_SHAPES], water[MAX_SHAPES];
@@ -26,21 +26,21 @@ typedef struct stage_plan {
     double depth; /* deepest water to expect, m */
     double gravity_x, gravity_y;
     double share; /* of the wanted number of particles; 0: 1 */
-} stage_plan;
+} rig_plan;
 
 /* Loads the plan as a scene called `name`. The settings say what the fluid is, and `particles` or
  * `fluid.spacing`, which is about `spacing` metres and tells how fine the walls are to be drawn. */
-skv_result skv_plan_scene(const stage_plan *plan, const char *name, double spacing,
+skv_result skv_plan_scene(const rig_plan *plan, const char *name, double spacing,
                           const skv_setting *settings, int setting_count, skv_scene **scene,
                           skv_error *error);
 
 /* Writes the plan of an experiment as a scene to play with: with `particles` of them, where
  * measuring is forgotten and still water may sleep. */
-skv_result skv_plan_write(const stage_plan *plan, const skv_experiment *of, double particles,
+skv_result skv_plan_write(const rig_plan *plan, const skv_experiment *of, double particles,
                           const skv_setting *settings, int setting_count, skv_write *write,
                           void *user, skv_error *error);
 
 /* The area of the plan's water, m^2; what lies in a solid counts, too. */
-double skv_plan_area(const stage_plan *plan);
+double skv_plan_area(const rig_plan *plan);
 
 #endif

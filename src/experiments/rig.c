@@ -3,7 +3,7 @@
  * Invariant: once something has failed, the world does not change any more and the message is that
  * of the first failure.
  */
-#include "experiments/stage.h"
+#include "experiments/rig.h"
 
 #include "base/memory.h"
 #include "experiments/experiment.h"
@@ -24,14 +24,14 @@ typedef struct foresight {
 
 /* ---- Results --------------------------------------------------------------------------------- */
 
-void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options, findings *found,
-                    skv_error *error)
+void skv_rig_open(rig *s, const experiment *e, const skv_lab_options *options, findings *found,
+                  skv_error *error)
 {
-    *s = (stage){.experiment = e, .options = options, .found = found, .error = error};
+    *s = (rig){.experiment = e, .options = options, .found = found, .error = error};
     s->result = skv_settings_make(&s->settings, e, options, error);
 }
 
-skv_result skv_stage_close(stage *s)
+skv_result skv_rig_close(rig *s)
 {
     if (s->foresight)
         skv_plot_free(&s->foresight->theory);
@@ -44,59 +44,58 @@ skv_result skv_stage_close(stage *s)
     return s->result;
 }
 
-bool skv_stage_ok(const stage *s)
+bool skv_rig_ok(const rig *s)
 {
     return s->result == SKV_OK;
 }
 
-void skv_stage_keep(stage *s, skv_result result)
+void skv_rig_keep(rig *s, skv_result result)
 {
-    if (skv_stage_ok(s))
+    if (skv_rig_ok(s))
         s->result = result;
 }
 
-void skv_stage_require(stage *s, bool condition, const char *message)
+void skv_rig_require(rig *s, bool condition, const char *message)
 {
-    if (skv_stage_ok(s) && !condition)
+    if (skv_rig_ok(s) && !condition)
         s->result = skv_fail(s->error, SKV_ERROR_VALUE, "%s", message);
 }
 
 /* ---- Settings -------------------------------------------------------------------------------- */
 
-double skv_stage_value(const stage *s, int own)
+double skv_rig_value(const rig *s, int own)
 {
     return s->settings.own[own];
 }
 
-double skv_stage_length(const stage *s, int own)
+double skv_rig_length(const rig *s, int own)
 {
     return s->settings.own[own] * s->settings.common[PARAM_SCALE];
 }
 
-double skv_stage_gravity(const stage *s)
+double skv_rig_gravity(const rig *s)
 {
     return s->settings.common[PARAM_GRAVITY];
 }
 
-double skv_stage_pace(const stage *s)
+double skv_rig_pace(const rig *s)
 {
     /* What failed may have no settings, and counts frames all the same. */
-    return skv_stage_ok(s) ? sqrt(s->settings.common[PARAM_SCALE] * 9.81 / skv_stage_gravity(s))
-                           : 1;
+    return skv_rig_ok(s) ? sqrt(s->settings.common[PARAM_SCALE] * 9.81 / skv_rig_gravity(s)) : 1;
 }
 
-double skv_stage_speed(const stage *s)
+double skv_rig_speed(const rig *s)
 {
-    return s->settings.common[PARAM_SCALE] / skv_stage_pace(s);
+    return s->settings.common[PARAM_SCALE] / skv_rig_pace(s);
 }
 
-void skv_stage_set(stage *s, const char *path, double value)
+void skv_rig_set(rig *s, const char *path, double value)
 {
     int i = 0;
     while (i < s->override_count && strcmp(s->overrides[i].path, path) != 0)
         i++;
     if (i == MAX_OVERRIDES) {
-        skv_stage_require(s, false, "an experiment overrides too much of the fluid");
+        skv_rig_require(s, false, "an experiment overrides too much of the fluid");
         return;
     }
     s->override_count = i == s->override_count ? i + 1 : s->override_count;
@@ -107,7 +106,7 @@ void skv_stage_set(stage *s, const char *path, double value)
 /* ---- Worlds ---------------------------------------------------------------------------------- */
 
 /* The scene of a plan: with this spacing; 0: with the wanted number of particles. */
-static skv_scene *load(stage *s, const stage_plan *plan, double spacing)
+static skv_scene *load(rig *s, const rig_plan *plan, double spacing)
 {
     if (s->sketch)
         *s->sketch = *plan;
@@ -125,37 +124,37 @@ static skv_scene *load(stage *s, const stage_plan *plan, double spacing)
         spacing = sqrt(skv_plan_area(plan) / wanted);
     }
     skv_scene *scene = NULL;
-    skv_stage_keep(
+    skv_rig_keep(
         s, skv_plan_scene(plan, s->experiment->info.name, spacing, list, count, &scene, s->error));
     return scene;
 }
 
-static skv_world *make_world(stage *s, const skv_scene *scene)
+static skv_world *make_world(rig *s, const skv_scene *scene)
 {
-    if (!skv_stage_ok(s))
+    if (!skv_rig_ok(s))
         return NULL;
     skv_world_def def = skv_scene_world_def(scene);
     skv_world *world = NULL;
     def.threads = s->options ? s->options->threads : 0;
-    skv_stage_keep(s, skv_world_create(&def, &world, s->error));
-    if (!skv_stage_ok(s))
+    skv_rig_keep(s, skv_world_create(&def, &world, s->error));
+    if (!skv_rig_ok(s))
         skv_terrain_destroy(def.terrain);
     return world;
 }
 
-static void take_over(stage *s, skv_world *world)
+static void take_over(rig *s, skv_world *world)
 {
     skv_world_destroy(s->world);
     s->world = world;
     s->spacing = (double)skv_world_spacing(world);
     s->h = (double)skv_world_smoothing_radius(world);
     if (!s->lab)
-        skv_stage_keep(s, skv_lab_create(&s->lab, s->error));
+        skv_rig_keep(s, skv_lab_create(&s->lab, s->error));
 }
 
-skv_result skv_stage_write(const stage *s, skv_write *write, void *user, skv_error *error)
+skv_result skv_rig_write(const rig *s, skv_write *write, void *user, skv_error *error)
 {
-    const stage_plan *plan = s->sketch;
+    const rig_plan *plan = s->sketch;
     skv_setting list[MAX_OVERRIDES];
     int count = 0;
     /* The number of particles says how far apart they are, also after a rebuild. */
@@ -167,43 +166,42 @@ skv_result skv_stage_write(const stage *s, skv_write *write, void *user, skv_err
                           error);
 }
 
-void skv_stage_build(stage *s, const stage_plan *plan)
+void skv_rig_build(rig *s, const rig_plan *plan)
 {
-    if (!skv_stage_ok(s))
+    if (!skv_rig_ok(s))
         return;
     skv_scene *scene = load(s, plan, s->settings.spacing);
     skv_world *world = scene ? make_world(s, scene) : NULL;
     if (world) {
-        skv_stage_keep(s, skv_scene_fill(scene, world, s->error));
+        skv_rig_keep(s, skv_scene_fill(scene, world, s->error));
         take_over(s, world);
     }
     skv_scene_destroy(scene);
 }
 
-void skv_stage_rebuild(stage *s, const stage_plan *plan)
+void skv_rig_rebuild(rig *s, const rig_plan *plan)
 {
-    if (!skv_stage_ok(s))
+    if (!skv_rig_ok(s))
         return;
-    skv_stage_set(s, "fluid.spacing", s->spacing);
+    skv_rig_set(s, "fluid.spacing", s->spacing);
     skv_scene *scene = load(s, plan, s->spacing);
     skv_world *world = scene ? make_world(s, scene) : NULL;
     skv_scene_destroy(scene);
     if (!world)
         return;
     skv_particles p = skv_world_particles(s->world);
-    for (int i = 0; i < p.count && skv_stage_ok(s); i++)
-        skv_stage_keep(s,
-                       skv_world_add_particle(world, p.x[i], p.y[i], p.vx[i], p.vy[i], s->error));
+    for (int i = 0; i < p.count && skv_rig_ok(s); i++)
+        skv_rig_keep(s, skv_world_add_particle(world, p.x[i], p.y[i], p.vx[i], p.vy[i], s->error));
     take_over(s, world);
 }
 
-void skv_stage_check_passage(stage *s, int own, double share)
+void skv_rig_check_passage(rig *s, int own, double share)
 {
-    double needed = SIDE_BY_SIDE * s->spacing, width = share * skv_stage_length(s, own);
-    if (!skv_stage_ok(s) || width >= needed)
+    double needed = SIDE_BY_SIDE * s->spacing, width = share * skv_rig_length(s, own);
+    if (!skv_rig_ok(s) || width >= needed)
         return;
     const char *path = s->experiment->parameters[own].path;
-    double value = skv_stage_value(s, own), fits = width / s->spacing;
+    double value = skv_rig_value(s, own), fits = width / s->spacing;
     if (s->settings.spacing > 0) {
         s->result = skv_fail(s->error, SKV_ERROR_VALUE,
                              "%s: %g m leave room for %.1f particles side by side, and %d are "
@@ -219,12 +217,12 @@ void skv_stage_check_passage(stage *s, int own, double share)
                  path, value, fits, SIDE_BY_SIDE, 100 * ceil(1.02 * more / 100), path);
 }
 
-double skv_stage_density(const stage *s)
+double skv_rig_density(const rig *s)
 {
     return s->world ? (double)skv_world_fluid(s->world)->density : (double)NAN;
 }
 
-double skv_stage_area(const stage *s)
+double skv_rig_area(const rig *s)
 {
     return s->world ? skv_world_particle_count(s->world) * s->spacing * s->spacing : (double)NAN;
 }
@@ -236,8 +234,8 @@ static int frames_in(double seconds)
 
 /* ---- Instruments ----------------------------------------------------------------------------- */
 
-skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
-                             double y1, double window)
+skv_instrument skv_rig_add(rig *s, skv_instrument_kind kind, double x0, double y0, double x1,
+                           double y1, double window)
 {
     skv_instrument id = 0;
     skv_instrument_def def = skv_default_instrument_def(kind);
@@ -248,40 +246,40 @@ skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, doub
     def.window = window;
     int frames = frames_in(s->total);
     def.capacity = frames < HISTORY ? HISTORY : frames;
-    if (skv_stage_ok(s))
-        skv_stage_keep(s, skv_lab_add(s->lab, &def, &id, s->error));
+    if (skv_rig_ok(s))
+        skv_rig_keep(s, skv_lab_add(s->lab, &def, &id, s->error));
     return id;
 }
 
-double skv_stage_read(const stage *s, skv_instrument id, int channel)
+double skv_rig_read(const rig *s, skv_instrument id, int channel)
 {
-    return skv_stage_ok(s) ? skv_lab_reading(s->lab, id, channel) : (double)NAN;
+    return skv_rig_ok(s) ? skv_lab_reading(s->lab, id, channel) : (double)NAN;
 }
 
-double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int count)
+double skv_rig_mean_level(const rig *s, const skv_instrument *gauges, int count)
 {
     double sum = 0;
     for (int i = 0; i < count; i++)
-        sum += skv_stage_read(s, gauges[i], 2) / count;
+        sum += skv_rig_read(s, gauges[i], 2) / count;
     return sum;
 }
 
-int skv_stage_history(const stage *s, skv_instrument id, int channel, double *times, double *values,
-                      int capacity)
+int skv_rig_history(const rig *s, skv_instrument id, int channel, double *times, double *values,
+                    int capacity)
 {
-    return skv_stage_ok(s) ? skv_lab_history(s->lab, id, channel, times, values, capacity) : 0;
+    return skv_rig_ok(s) ? skv_lab_history(s->lab, id, channel, times, values, capacity) : 0;
 }
 
-void skv_stage_trace(const stage *s, skv_instrument id, int channel, int every)
+void skv_rig_trace(const rig *s, skv_instrument id, int channel, int every)
 {
     skv_plot *plot = &s->found->plot;
-    int count = skv_stage_history(s, id, channel, NULL, NULL, 0);
+    int count = skv_rig_history(s, id, channel, NULL, NULL, 0);
     double *times = skv_calloc(2 * (size_t)count + 1, sizeof *times);
     if (!times) {
         plot->failed = true;
         return;
     }
-    skv_stage_history(s, id, channel, times, times + count, count);
+    skv_rig_history(s, id, channel, times, times + count, count);
     for (int i = 0; i < count; i += every)
         skv_plot_point(plot, times[i], times[count + i]);
     skv_free(times);
@@ -289,16 +287,16 @@ void skv_stage_trace(const stage *s, skv_instrument id, int channel, int every)
 
 /* ---- Time ------------------------------------------------------------------------------------ */
 
-static void step(stage *s)
+static void step(rig *s)
 {
-    skv_stage_keep(s, skv_world_step(s->world, FRAME, s->error));
-    if (skv_stage_ok(s))
+    skv_rig_keep(s, skv_world_step(s->world, FRAME, s->error));
+    if (skv_rig_ok(s))
         s->done += (double)FRAME;
 }
 
 /* The theory of the conditions as they are now. It is asked for again only when they change, for
  * some have to solve an equation first. Null if it is not known yet, or memory is out. */
-static const skv_plot *foresee(stage *s)
+static const skv_plot *foresee(rig *s)
 {
     if (s->found->foreseen && !s->foresight)
         s->foresight = skv_calloc(1, sizeof *s->foresight);
@@ -319,11 +317,11 @@ static const skv_plot *foresee(stage *s)
 }
 
 /* Calls the observer with the curves so far, and theory behind them. */
-static void show(stage *s)
+static void show(rig *s)
 {
-    if (!skv_stage_ok(s) || !s->options || !s->options->observe)
+    if (!skv_rig_ok(s) || !s->options || !s->options->observe)
         return;
-    skv_stage_draw(s);
+    skv_rig_draw(s);
     const skv_plot *const plots[] = {&s->found->plot, foresee(s)};
     skv_curve curves[2 * MAX_CURVES];
     int count = 0;
@@ -336,13 +334,13 @@ static void show(stage *s)
         s->result = skv_fail(s->error, SKV_STOPPED, "%s: it was stopped", s->experiment->info.name);
 }
 
-void skv_stage_show(stage *s, draw_curves *draw, const void *set_up)
+void skv_rig_show(rig *s, draw_curves *draw, const void *set_up)
 {
     s->draw = draw;
     s->set_up = set_up;
 }
 
-void skv_stage_draw(stage *s)
+void skv_rig_draw(rig *s)
 {
     if (!s->draw)
         return;
@@ -351,38 +349,38 @@ void skv_stage_draw(stage *s)
 }
 
 /* Whether nothing but the plan is asked for, and it is complete after so much waiting. */
-static bool is_sketched(stage *s, bool complete)
+static bool is_sketched(rig *s, bool complete)
 {
-    if (s->sketch && complete && skv_stage_ok(s))
+    if (s->sketch && complete && skv_rig_ok(s))
         s->result = SKV_STOPPED;
     return s->sketch;
 }
 
-void skv_stage_wait(stage *s, double seconds)
+void skv_rig_wait(rig *s, double seconds)
 {
     if (is_sketched(s, s->done > 0)) {
         s->done += seconds;
         return;
     }
-    for (int i = frames_in(seconds); i > 0 && skv_stage_ok(s); i--) {
+    for (int i = frames_in(seconds); i > 0 && skv_rig_ok(s); i--) {
         step(s);
         show(s);
     }
 }
 
-void skv_stage_sample(stage *s)
+void skv_rig_sample(rig *s)
 {
-    if (skv_stage_ok(s))
-        skv_stage_keep(s, skv_lab_sample(s->lab, s->world, s->error));
+    if (skv_rig_ok(s))
+        skv_rig_keep(s, skv_lab_sample(s->lab, s->world, s->error));
 }
 
-void skv_stage_watch(stage *s, double seconds)
+void skv_rig_watch(rig *s, double seconds)
 {
     if (is_sketched(s, true))
         return;
-    for (int i = frames_in(seconds); i > 0 && skv_stage_ok(s); i--) {
+    for (int i = frames_in(seconds); i > 0 && skv_rig_ok(s); i--) {
         step(s);
-        skv_stage_sample(s);
+        skv_rig_sample(s);
         show(s);
     }
 }

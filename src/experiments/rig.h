@@ -1,11 +1,11 @@
-/* The stage of an experiment: its world, built as a scene of solids and water, its lab, and the
+/* The rig of an experiment: its world, built as a scene of solids and water, its lab, and the
  * clock that tells how far it is.
  *
- * The stage keeps the first failure. After it every call returns without effect and readings are
+ * The rig keeps the first failure. After it every call returns without effect and readings are
  * NaN, so an experiment is written down as if nothing could go wrong.
  */
-#ifndef SKV_EXPERIMENTS_STAGE_H
-#define SKV_EXPERIMENTS_STAGE_H
+#ifndef SKV_EXPERIMENTS_RIG_H
+#define SKV_EXPERIMENTS_RIG_H
 
 #include "experiments/parameters.h"
 #include "experiments/plan.h"
@@ -20,13 +20,13 @@ typedef struct override {
     char value[32];
 } override;
 
-typedef struct stage stage;
+typedef struct rig rig;
 
 /* Draws what an experiment has measured up to now into its plot, from `set_up`, the experiment's
  * own notes, and writes down the conditions that go with it. */
-typedef void draw_curves(const stage *s, const void *set_up, findings *found);
+typedef void draw_curves(const rig *s, const void *set_up, findings *found);
 
-struct stage {
+struct rig {
     const experiment *experiment;
     const skv_lab_options *options; /* may be null */
     settings settings;
@@ -43,73 +43,73 @@ struct stage {
     struct foresight *foresight; /* for the observer; null before it is needed */
     /* Where the last plan goes if only that is asked for: no frame is stepped, and it ends with
      * SKV_STOPPED where measuring begins, at the second wait at the latest. Else null. */
-    stage_plan *sketch;
+    rig_plan *sketch;
     skv_result result;
     skv_error *error;
 };
 
 /* Starts with an experiment's settings and no world. */
-void skv_stage_open(stage *s, const experiment *e, const skv_lab_options *options, findings *found,
-                    skv_error *error);
+void skv_rig_open(rig *s, const experiment *e, const skv_lab_options *options, findings *found,
+                  skv_error *error);
 /* Writes the plan in `sketch` as a scene to play with. */
-skv_result skv_stage_write(const stage *s, skv_write *write, void *user, skv_error *error);
+skv_result skv_rig_write(const rig *s, skv_write *write, void *user, skv_error *error);
 /* Frees everything; returns the first failure, or SKV_OK. */
-skv_result skv_stage_close(stage *s);
+skv_result skv_rig_close(rig *s);
 
-bool skv_stage_ok(const stage *s);
-/* Keeps the result of something that the experiment did by itself, with the stage's error. */
-void skv_stage_keep(stage *s, skv_result result);
+bool skv_rig_ok(const rig *s);
+/* Keeps the result of something that the experiment did by itself, with the rig's error. */
+void skv_rig_keep(rig *s, skv_result result);
 /* Fails with a message unless a condition holds that concerns several parameters. */
-void skv_stage_require(stage *s, bool condition, const char *message);
+void skv_rig_require(rig *s, bool condition, const char *message);
 
 /* A parameter of the experiment, by its place in the table: its value, and as a length, which the
  * scale multiplies. */
-double skv_stage_value(const stage *s, int own);
-double skv_stage_length(const stage *s, int own);
-double skv_stage_gravity(const stage *s);
+double skv_rig_value(const rig *s, int own);
+double skv_rig_length(const rig *s, int own);
+double skv_rig_gravity(const rig *s);
 /* How many times as long everything takes as at scale 1 under 9.81 m/s^2, for times grow with the
  * root of a length over gravity, and how many times as fast everything moves (W. Froude's law). */
-double skv_stage_pace(const stage *s);
-double skv_stage_speed(const stage *s);
-/* Overrides what the settings say of the fluid: "fluid.viscosity". Before skv_stage_build. */
-void skv_stage_set(stage *s, const char *path, double value);
+double skv_rig_pace(const rig *s);
+double skv_rig_speed(const rig *s);
+/* Overrides what the settings say of the fluid: "fluid.viscosity". Before skv_rig_build. */
+void skv_rig_set(rig *s, const char *path, double value);
 
 /* Builds the world of a plan and fills it; a world that was there is taken away. */
-void skv_stage_build(stage *s, const stage_plan *plan);
+void skv_rig_build(rig *s, const rig_plan *plan);
 /* Builds the world of a plan, but puts the particles of the world that was there into it, with
  * their velocities: how a gate is opened. */
-void skv_stage_rebuild(stage *s, const stage_plan *plan);
+void skv_rig_rebuild(rig *s, const rig_plan *plan);
 /* Fails unless a passage that is `share` times as wide as a parameter's length holds at least six
  * particles side by side. */
-void skv_stage_check_passage(stage *s, int own, double share);
+void skv_rig_check_passage(rig *s, int own, double share);
 
 /* Of the world that stands: density in kg/m^2, and the area that its particles were given, m^2. */
-double skv_stage_density(const stage *s);
-double skv_stage_area(const stage *s);
+double skv_rig_density(const rig *s);
+double skv_rig_area(const rig *s);
 
 /* Adds an instrument between two points. */
-skv_instrument skv_stage_add(stage *s, skv_instrument_kind kind, double x0, double y0, double x1,
-                             double y1, double window);
-double skv_stage_read(const stage *s, skv_instrument id, int channel);
+skv_instrument skv_rig_add(rig *s, skv_instrument_kind kind, double x0, double y0, double x1,
+                           double y1, double window);
+double skv_rig_read(const rig *s, skv_instrument id, int channel);
 /* The mean of what several level gauges read. */
-double skv_stage_mean_level(const stage *s, const skv_instrument *gauges, int count);
+double skv_rig_mean_level(const rig *s, const skv_instrument *gauges, int count);
 /* As skv_lab_history. */
-int skv_stage_history(const stage *s, skv_instrument id, int channel, double *times, double *values,
-                      int capacity);
+int skv_rig_history(const rig *s, skv_instrument id, int channel, double *times, double *values,
+                    int capacity);
 
 /* Adds the history of a channel to the plot's last curve, every so many-th sample. */
-void skv_stage_trace(const stage *s, skv_instrument id, int channel, int every);
+void skv_rig_trace(const rig *s, skv_instrument id, int channel, int every);
 
 /* Names the function that draws the curves: whoever observes the experiment sees them grow. */
-void skv_stage_show(stage *s, draw_curves *draw, const void *set_up);
+void skv_rig_show(rig *s, draw_curves *draw, const void *set_up);
 /* Draws them for good, at the end. */
-void skv_stage_draw(stage *s);
+void skv_rig_draw(rig *s);
 
 /* Lets `seconds` pass in frames of 1/60 s: without reading the instruments, and reading them after
  * every frame. */
-void skv_stage_wait(stage *s, double seconds);
-void skv_stage_watch(stage *s, double seconds);
+void skv_rig_wait(rig *s, double seconds);
+void skv_rig_watch(rig *s, double seconds);
 /* Reads the instruments now. */
-void skv_stage_sample(stage *s);
+void skv_rig_sample(rig *s);
 
 #endif
