@@ -421,7 +421,7 @@ static void play_view_class_init(PlayViewClass *class)
 static void play_view_init(PlayView *view)
 {
     skv_error error;
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     def.wake = wake;
     def.user = view;
     if (skv_session_create(&def, &view->session, &error) != SKV_OK)

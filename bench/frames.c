@@ -58,7 +58,7 @@ static void add_row(bench_report *report, const char *name, int particles, int t
 /* The pool, open and awake. */
 static skv_result open_pool(int particles, int threads, skv_session **session, skv_error *error)
 {
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     def.threads = threads;
     skv_result result = skv_session_create(&def, session, error);
     if (result != SKV_OK)

@@ -13,7 +13,7 @@
 #ifndef SKVALP_FINGERS_H
 #define SKVALP_FINGERS_H
 
-#include "skvalp/session.h"
+#include "skvalp/stage.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -34,11 +34,11 @@ typedef struct skv_fingers {
 
 /** What is to be done now: in this order. */
 typedef struct skv_gesture {
-    skv_pointer_event events[2]; /**< for skv_session_pointer */
+    skv_pointer_event events[2]; /**< for skv_stage_pointer */
     int event_count;
     double dx, dy;         /**< by which skv_camera_pan moves the picture */
     double factor, px, py; /**< by which skv_camera_zoom zooms it; 1: not */
-    bool undo;             /**< skv_session_undo, or that of the pair */
+    bool undo;             /**< skv_stage_undo */
     double wait; /**< s after which skv_fingers_wait is due if no event comes before; 0: never */
 } skv_gesture;
 

@@ -23,9 +23,9 @@ typedef enum skv_orientation {
 /** What was read, in the plane of the screen: x to its right, y up. The two parts together are all
  * that the sensor feels. */
 typedef struct skv_tilt_reading {
-    double gravity_x, gravity_y; /**< as skv_session_set_gravity takes it, in units of the earth's:
+    double gravity_x, gravity_y; /**< as skv_stage_set_gravity takes it, in units of the earth's:
                                     smoothed over 50 ms, at most 2 long */
-    double push_x, push_y;       /**< as skv_session_push takes it, m/s, of the time since the last
+    double push_x, push_y;       /**< as skv_stage_push takes it, m/s, of the time since the last
                                     reading: what the smoothing leaves out, from 0.15 of the earth's
                                     gravity on; 0 for a device that is not shaken */
 } skv_tilt_reading;

@@ -8,11 +8,11 @@
 #include "skvalp/session.h"
 
 typedef enum skv_message_kind {
-    SKV_MESSAGE_OPEN, /* request */
-    SKV_MESSAGE_SAVE, /* request */
-    SKV_MESSAGE_EDIT, /* request: a command */
-    SKV_MESSAGE_SHARE,
-    SKV_MESSAGE_LOOK, /* at what has changed */
+    SKV_MESSAGE_OPEN,  /* request */
+    SKV_MESSAGE_SAVE,  /* request */
+    SKV_MESSAGE_EDIT,  /* request: a command */
+    SKV_MESSAGE_SHARE, /* number: for a second world */
+    SKV_MESSAGE_LOOK,  /* at what has changed */
     SKV_MESSAGE_STEP,
     SKV_MESSAGE_SPEED, /* x */
     SKV_MESSAGE_SEEK,  /* frame */

@@ -82,26 +82,26 @@ void skv_worker_save(skv_worker *worker, const skv_request *request)
     skv_worker_report(worker, SKV_OUTCOME_SAVE, &error);
 }
 
-static bool keep_shared(const char *bytes, size_t size, void *user)
+static bool keep_shared(const char *bytes, size_t size, void *place)
 {
-    skv_worker *worker = user;
     skv_shared *shared = skv_calloc(sizeof *shared + size, 1);
     if (!shared)
         return false;
     shared->size = size;
     memcpy(shared->bytes, bytes, size);
-    skv_free(atomic_exchange(&worker->shared, shared));
+    skv_free(atomic_exchange((_Atomic(skv_shared *) *)place, shared));
     return true;
 }
 
-void skv_worker_share(skv_worker *worker)
+void skv_worker_share(skv_worker *worker, bool offered)
 {
     skv_error error = {0};
-    if (worker->player && skv_player_share(worker->player, keep_shared, worker, &error) == SKV_OK)
-        worker->player->shared = worker->player->now;
-    else if (!worker->player)
+    if (!worker->player)
         skv_fail(&error, SKV_ERROR_VALUE, "nothing is open");
-    skv_worker_report(worker, SKV_OUTCOME_SHARE, &error);
+    else if (skv_player_share(worker->player, keep_shared, &worker->shared[offered], &error) ==
+             SKV_OK)
+        worker->player->shared = worker->player->now;
+    skv_worker_report(worker, offered ? SKV_OUTCOME_COMPARE : SKV_OUTCOME_SHARE, &error);
 }
 
 /* ---- Opening --------------------------------------------------------------------------------- */

@@ -19,12 +19,11 @@
 #define FASTEST_PUSH         10.0 /* m/s */
 #define WIDEST_BRUSH         100.0
 
-enum { SESSION_COOKIE = 0x53455353 };
+enum { STAGE_COOKIE = 0x53544147 };
 
-skv_session_def skv_default_session_def(void)
+skv_stage_def skv_default_stage_def(void)
 {
-    return (skv_session_def){
-        .own_thread = true, .history = (size_t)64 << 20, .cookie = SESSION_COOKIE};
+    return (skv_stage_def){.own_thread = true, .history = (size_t)64 << 20, .cookie = STAGE_COOKIE};
 }
 
 /* ---- Lifetime -------------------------------------------------------------------------------- */
@@ -40,13 +39,13 @@ static void run(void *argument)
     }
 }
 
-skv_result skv_session_create(const skv_session_def *def, skv_session **out, skv_error *error)
+skv_result skv_session_create(const skv_stage_def *def, skv_session **out, skv_error *error)
 {
     SKV_ASSERT_OR(out, SKV_ERROR_VALUE);
     *out = NULL;
-    skv_session_def plain = skv_default_session_def();
+    skv_stage_def plain = skv_default_stage_def();
     def = def ? def : &plain;
-    SKV_ASSERT_INITIALISED(def, SESSION_COOKIE);
+    SKV_ASSERT_INITIALISED(def, STAGE_COOKIE);
     skv_session *session = skv_calloc(1, sizeof *session);
     if (!session)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
@@ -154,9 +153,8 @@ static void post_vector(skv_session *session, skv_message_kind kind, double x, d
     skv_session_post(session, &message);
 }
 
-/* What could not even be asked for is reported, too. */
-static void fail(skv_session *session, skv_outcome_kind kind, skv_result code, const char *cause,
-                 const char *name)
+void skv_session_fail(skv_session *session, skv_outcome_kind kind, skv_result code,
+                      const char *cause, const char *name)
 {
     session->failed = true;
     session->failure = (skv_outcome){.kind = kind};
@@ -173,7 +171,7 @@ static void post_request(skv_session *session, skv_message_kind kind, skv_outcom
     if (message.request && skv_session_post(session, &message))
         return;
     skv_free(message.request);
-    fail(session, report, SKV_ERROR_MEMORY, "out of memory", from->name);
+    skv_session_fail(session, report, SKV_ERROR_MEMORY, "out of memory", from->name);
 }
 
 /* ---- Opening and saving ---------------------------------------------------------------------- */
@@ -215,16 +213,30 @@ void skv_session_share(skv_session *session)
     post_kind(session, SKV_MESSAGE_SHARE);
 }
 
+bool skv_session_offer(skv_session *session)
+{
+    return skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SHARE, .number = 1});
+}
+
 /* Taken out meanwhile, so that the worker cannot free it; there may be newer bytes by then. */
+static bool read_shared(_Atomic(skv_shared *) *place, skv_write *write, void *user)
+{
+    skv_shared *shared = atomic_exchange(place, NULL), *newer = NULL;
+    bool written = shared && write(shared->bytes, shared->size, user);
+    if (shared && !atomic_compare_exchange_strong(place, &newer, shared))
+        skv_free(shared);
+    return written;
+}
+
 bool skv_session_read_shared(skv_session *session, skv_write *write, void *user)
 {
     SKV_ASSERT_OR(session && write, false);
-    skv_worker *worker = &session->worker;
-    skv_shared *shared = atomic_exchange(&worker->shared, NULL), *newer = NULL;
-    bool written = shared && write(shared->bytes, shared->size, user);
-    if (shared && !atomic_compare_exchange_strong(&worker->shared, &newer, shared))
-        skv_free(shared);
-    return written;
+    return read_shared(&session->worker.shared[0], write, user);
+}
+
+bool skv_session_read_offered(skv_session *session, skv_write *write, void *user)
+{
+    return read_shared(&session->worker.shared[1], write, user);
 }
 
 bool skv_session_next_outcome(skv_session *session, skv_outcome *report)
@@ -261,6 +273,14 @@ skv_camera skv_session_camera(const skv_session *session)
     return same ? skv_camera_at(c->width, c->height, width, height, c->centre_x, c->centre_y,
                                 c->zoom)
                 : skv_camera_fit(c->width, c->height, width, height);
+}
+
+/* There is another camera. */
+static void move(skv_session *session)
+{
+    session->moved = true;
+    if (session->worker.def.wake)
+        session->worker.def.wake(session->worker.def.user);
 }
 
 static void post_pointer(skv_session *session, const skv_pointer_event *event, skv_phase phase)
@@ -303,6 +323,7 @@ void skv_session_set_view(skv_session *session, int width, int height)
     session->camera.width = width;
     session->camera.height = height;
     replace_pointers(session);
+    move(session);
 }
 
 void skv_session_set_camera(skv_session *session, const skv_camera *camera)
@@ -313,6 +334,7 @@ void skv_session_set_camera(skv_session *session, const skv_camera *camera)
     skv_gallery_release(&session->worker.gallery, picture);
     session->camera = *camera;
     replace_pointers(session);
+    move(session);
 }
 
 /* ---- Time ------------------------------------------------------------------------------------ */
@@ -447,8 +469,8 @@ void skv_session_set(skv_session *session, const char *path, const char *text)
         memcpy(command.set.text, text, strlen(text) + 1);
         skv_session_edit(session, &command);
     } else {
-        fail(session, SKV_OUTCOME_EDIT, SKV_ERROR_VALUE, "no parameter has so long a name or value",
-             path);
+        skv_session_fail(session, SKV_OUTCOME_EDIT, SKV_ERROR_VALUE,
+                         "no parameter has so long a name or value", path);
     }
 }
 

@@ -291,7 +291,7 @@ static void handle(skv_worker *worker, const skv_message *message)
         do_edit(worker, message->request->data);
         break;
     case SKV_MESSAGE_SHARE:
-        skv_worker_share(worker);
+        skv_worker_share(worker, message->number != 0);
         break;
     case SKV_MESSAGE_LOOK:
         break;
@@ -422,7 +422,7 @@ void skv_worker_pump(skv_worker *worker)
     }
 }
 
-void skv_worker_start(skv_worker *worker, const skv_session_def *def)
+void skv_worker_start(skv_worker *worker, const skv_stage_def *def)
 {
     worker->def = *def;
     if (!worker->def.clock)
@@ -441,7 +441,8 @@ void skv_worker_close(skv_worker *worker)
         drop(worker, message);
     skv_player_destroy(worker->player);
     skv_opened_leave(worker->opened);
-    skv_free(atomic_load(&worker->shared));
+    for (int i = 0; i < 2; i++)
+        skv_free(atomic_load(&worker->shared[i]));
     skv_probes_destroy(&worker->probes);
     skv_gallery_destroy(&worker->gallery);
 }

@@ -21,18 +21,19 @@ typedef struct skv_shared {
 
 typedef struct skv_worker {
     skv_mailbox mailbox; /* between the threads */
-    skv_session_def def;
+    skv_stage_def def;
     skv_pool *pool;
 
     /* Between the threads. */
     skv_gallery gallery;
-    atomic_llong elapsed;         /* ns that have passed and were not taken yet */
-    atomic_uint posted;           /* rises with everything that may concern the worker */
-    atomic_uint settled;          /* up to which of these all is done and can be seen */
-    atomic_int drawing;           /* us that the last picture took to draw */
-    atomic_uint played;           /* frames of those granted */
-    skv_threads *threads;         /* where both wait for the counters above */
-    _Atomic(skv_shared *) shared; /* who takes it out owns it; null: none, or taken out */
+    atomic_llong elapsed; /* ns that have passed and were not taken yet */
+    atomic_uint posted;   /* rises with everything that may concern the worker */
+    atomic_uint settled;  /* up to which of these all is done and can be seen */
+    atomic_int drawing;   /* us that the last picture took to draw */
+    atomic_uint played;   /* frames of those granted */
+    skv_threads *threads; /* where both wait for the counters above */
+    /* For a link, for a second world. Who takes one out owns it; null: none, or taken out. */
+    _Atomic(skv_shared *) shared[2];
     skv_outcome reports[SKV_REPORTS];
     atomic_uint reported, reports_taken;
 
@@ -62,7 +63,7 @@ typedef struct skv_worker {
 } skv_worker;
 
 /* Nothing open, nothing asked for; pool and threads are the session's affair. */
-void skv_worker_start(skv_worker *worker, const skv_session_def *def);
+void skv_worker_start(skv_worker *worker, const skv_stage_def *def);
 /* Frees what is open and what was not looked at. */
 void skv_worker_close(skv_worker *worker);
 
@@ -73,7 +74,7 @@ void skv_worker_pump(skv_worker *worker);
  * themselves. */
 void skv_worker_open(skv_worker *worker, const skv_request *request);
 void skv_worker_save(skv_worker *worker, const skv_request *request);
-void skv_worker_share(skv_worker *worker);
+void skv_worker_share(skv_worker *worker, bool offered);
 
 /* scenery.c: tells the face, with the next picture. */
 void skv_worker_report(skv_worker *worker, skv_outcome_kind kind, const skv_error *error);

@@ -35,7 +35,7 @@ static double still(void)
 static game begin(const char *scene, int particles)
 {
     game g = {.dice = 1};
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     skv_scene_options options = skv_default_scene_options();
     options.particles = particles;
     def.threads = 1;

@@ -53,7 +53,7 @@ int session_teardown(void **state)
 skv_session *session_open_pool(int particles, bool own_thread)
 {
     skv_session *session = NULL;
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     skv_scene_options options = skv_default_scene_options();
     options.particles = particles;
     def.threads = 1;

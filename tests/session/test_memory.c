@@ -150,7 +150,7 @@ static uint64_t play(void)
 {
     skv_session *session = NULL;
     skv_scene_options options = skv_default_scene_options();
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     /* Coarse walls are made in no time. */
     const skv_setting coarse = {"world.pixel", "0.02"};
     options.particles = 100;

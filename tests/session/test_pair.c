@@ -167,7 +167,7 @@ static double hundredths(void)
 static skv_session *make_slow(void)
 {
     skv_session *session;
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     def.threads = 1;
     def.own_thread = false;
     def.clock = hundredths;

@@ -24,7 +24,7 @@ static void test_starts_empty(void **state)
 {
     (void)state;
     for (int threaded = 0; threaded < 2; threaded++) {
-        skv_session_def def = skv_default_session_def();
+        skv_stage_def def = skv_default_stage_def();
         def.own_thread = threaded;
         def.threads = 1;
         skv_session *session;
@@ -217,7 +217,7 @@ static void test_slow_drawing_does_not_slow_time(void **unused)
     (void)unused;
     for (int own_thread = 0; own_thread < 2; own_thread++) {
         skv_session *session;
-        skv_session_def def = skv_default_session_def();
+        skv_stage_def def = skv_default_stage_def();
         def.threads = 1;
         def.own_thread = own_thread;
         def.clock = hundredths;
@@ -354,7 +354,7 @@ static void count_news(void *user)
 static void test_rest_costs_nothing(void **state)
 {
     (void)state;
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     skv_session *session;
     skv_scene_options options = skv_default_scene_options();
     options.particles = 200;

@@ -40,7 +40,7 @@ static double longest;
 static skv_session *make(bool wide)
 {
     skv_session *session;
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     def.threads = wide ? 0 : 2;
     assert_int_equal(skv_session_create(&def, &session, NULL), SKV_OK);
     skv_session_set_view(session, 1600, 900);

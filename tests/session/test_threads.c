@@ -36,9 +36,9 @@ static void open_scene(skv_session *session, const char *name)
     assert_int_equal(report.error.code, SKV_OK);
 }
 
-static skv_session_def three_threads(bool own_thread)
+static skv_stage_def three_threads(bool own_thread)
 {
-    skv_session_def def = skv_default_session_def();
+    skv_stage_def def = skv_default_stage_def();
     def.threads = 3;
     def.own_thread = own_thread;
     return def;
@@ -49,7 +49,7 @@ static void test_scenes_follow_each_other_on_the_same_threads(void **state)
     (void)state;
     skv_session *session;
     skv_error error = {0};
-    skv_session_def def = three_threads(true);
+    skv_stage_def def = three_threads(true);
     granted = 3;
     assert_int_equal(skv_session_create(&def, &session, &error), SKV_OK);
     assert_int_equal(granted, 0);
@@ -65,7 +65,7 @@ static void test_too_few_threads_are_told(void **state)
     (void)state;
     skv_session *session;
     skv_error error = {0};
-    skv_session_def def = three_threads(false);
+    skv_stage_def def = three_threads(false);
     granted = 1;
     assert_int_equal(skv_session_create(&def, &session, &error), SKV_ERROR_LIMIT);
     assert_null(session);
@@ -77,7 +77,7 @@ static void test_a_session_without_its_thread(void **state)
 {
     (void)state;
     skv_session *session;
-    skv_session_def def = three_threads(true);
+    skv_stage_def def = three_threads(true);
     granted = 2;
     assert_int_equal(skv_session_create(&def, &session, NULL), SKV_OK);
     open_scene(session, "pool");

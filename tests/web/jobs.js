@@ -131,7 +131,7 @@ export function makeJobs(library, count, { print, read }) {
 
     /** Plays with a scene through a session, as a face does, and saves that as a replay. */
     function game(name, path) {
-        const def = c.skv_default_session_def();
+        const def = c.skv_default_stage_def();
         def.threads = count;
         def.own_thread = false;
         def.clock = instance.exports.skv_wasm_clock();

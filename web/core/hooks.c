@@ -11,7 +11,7 @@
 typedef double read_clock(void);
 typedef void wake_face(void *user);
 
-/* As skv_session_def.clock and .wake, skv_write, skv_lab_observer. */
+/* As skv_stage_def.clock and .wake, skv_write, skv_lab_observer. */
 HOST(clock) double host_clock(void);
 HOST(wake) void host_wake(void *user);
 HOST(write) bool host_write(const char *text, size_t length, void *user);

@@ -51,7 +51,7 @@ async function partsOf(folder) {
  * @param {number} [options.workers]
  * @param {() => Worker} [options.makeWorker] one over pool.worker.js
  * @param {Map<string, Uint8Array>} [options.files]
- * @param {(user: number) => void} [options.wake] as skv_session_def.wake
+ * @param {(user: number) => void} [options.wake] as skv_stage_def.wake
  * @param {string} [options.name] of the module
  * @param {boolean} [options.lean] whether the caller brings the codecs once they are wanted (Instance)
  */

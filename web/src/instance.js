@@ -21,7 +21,7 @@ const stackSize = 256 * 1024;
  * @property {(path: string) => Uint8Array | null | undefined} [readFile] a file that scenes name
  * @property {(path: string, bytes: Uint8Array) => boolean} [writeFile]
  * @property {() => number} [clock] seconds, from any origin
- * @property {(user: number) => void} [wake] as skv_session_def.wake
+ * @property {(user: number) => void} [wake] as skv_stage_def.wake
  * @property {typeof import('./codecs.js')} [codecs] what links and pictures take, if it is there at once
  */
 

@@ -31,7 +31,7 @@ export class World {
     constructor(library: Library, threads: number) {
         const { c, instance } = library;
         this.#library = library;
-        this.session = using(library, c.skv_default_session_def(), (def) => {
+        this.session = using(library, c.skv_default_stage_def(), (def) => {
             def.threads = threads;
             def.own_thread = false;
             def.history = history;

@@ -1,0 +1,53 @@
+/* A stage's insides, shared by time.c, acting.c and stage.c. */
+#ifndef SKV_SESSION_STAGE_H
+#define SKV_SESSION_STAGE_H
+
+#include "session/face.h"
+#include "session/led.h"
+#include "session/pace.h"
+#include "skvalp/fingers.h"
+
+struct skv_stage {
+    skv_stage_def def;
+    skv_session *worlds[2]; /* `count` of them */
+    int count;
+    const skv_picture *shown[2]; /* held */
+    bool apart;                  /* hands and gravity are for one side only */
+    /* What a second world is told, too. */
+    int tool, dye;
+    double brush, speed;
+    uint32_t next_probe;
+    int64_t goal; /* the moment sought last, until it is reached; -1: none */
+    skv_fingers fingers[2];
+
+    /* On the way to a second world. */
+    int offers;          /* that were asked of the first, and not reported yet */
+    skv_request *wanted; /* options for what the last one holds; null: none is wanted any more */
+    skv_session *next;   /* in which that is opened; null: none */
+
+    /* Two worlds in step. */
+    skv_pace pace;
+    bool introduced; /* the second has the instruments of the first */
+};
+
+/* The number of a side that is there. */
+static inline int skv_stage_at(const skv_stage *stage, int side)
+{
+    return side == 1 && stage->count == 2;
+}
+
+/* Leaves a message for both worlds. */
+static inline void skv_stage_ask(skv_stage *stage, const skv_message *message)
+{
+    for (int i = 0; i < stage->count; i++)
+        skv_session_post(stage->worlds[i], message);
+}
+
+/* acting.c: shows the same part of the other side's world. */
+void skv_stage_follow(skv_stage *stage, int side);
+
+/* time.c: two worlds go on together from now on; the first goes on alone. */
+void skv_stage_join(skv_stage *stage);
+void skv_stage_part(skv_stage *stage);
+
+#endif

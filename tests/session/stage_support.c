@@ -1,0 +1,117 @@
+/* Stages for tests, by a clock that stands still, so that nothing depends on the machine. */
+#include "stage_support.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support/fixture.h"
+
+double stage_still(void)
+{
+    return 0;
+}
+
+skv_stage *stage_make(bool own_thread, double (*clock)(void))
+{
+    skv_stage *stage;
+    skv_stage_def def = skv_default_stage_def();
+    def.threads = 1;
+    def.own_thread = own_thread;
+    def.clock = clock;
+    assert_int_equal(skv_stage_create(&def, &stage, NULL), SKV_OK);
+    skv_stage_set_view(stage, 0, 1600, 900);
+    return stage;
+}
+
+skv_stage *stage_open_pool(int particles, bool own_thread)
+{
+    skv_stage *stage = stage_make(own_thread, stage_still);
+    skv_outcome outcome;
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = particles;
+    skv_stage_open(stage, "pool", &options);
+    skv_stage_wait(stage);
+    assert_true(skv_stage_next_outcome(stage, &outcome));
+    assert_string_equal(outcome.error.text, "");
+    return stage;
+}
+
+const skv_picture *stage_look(skv_stage *stage, int side)
+{
+    skv_stage_wait(stage);
+    skv_stage_look(stage);
+    return skv_stage_picture(stage, side);
+}
+
+uint64_t stage_hash(skv_stage *stage, int side)
+{
+    return fixture_hash(&stage_look(stage, side)->frame.particles);
+}
+
+int64_t stage_moment(skv_stage *stage)
+{
+    int64_t at = stage_look(stage, 0)->moment;
+    assert_int_equal(skv_stage_picture(stage, 1)->moment, at);
+    return at;
+}
+
+void stage_pass(skv_stage *stage, double seconds)
+{
+    skv_stage_advance(stage, seconds, 0);
+    skv_stage_wait(stage);
+}
+
+void stage_pass_frames(skv_stage *stage, int frames)
+{
+    for (int i = 0; i < frames; i++)
+        stage_pass(stage, 1.0 / 60);
+}
+
+skv_outcome stage_compared(skv_stage *stage)
+{
+    skv_outcome outcome;
+    do
+        skv_stage_wait(stage);
+    while (!skv_stage_next_outcome(stage, &outcome));
+    assert_int_equal(outcome.kind, SKV_OUTCOME_COMPARE);
+    if (skv_stage_sides(stage) == 2)
+        skv_stage_set_view(stage, 1, 1600, 900);
+    return outcome;
+}
+
+void stage_ask_compare(skv_stage *stage, int particles, const char *path, const char *value)
+{
+    skv_setting setting = {path, value};
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = particles;
+    options.settings = &setting;
+    options.setting_count = path ? 1 : 0;
+    skv_stage_compare(stage, &options);
+    skv_stage_wait(stage);
+}
+
+void stage_compare(skv_stage *stage, int particles, const char *path, const char *value)
+{
+    stage_ask_compare(stage, particles, path, value);
+    assert_string_equal(stage_compared(stage).error.text, "");
+    assert_int_equal(skv_stage_sides(stage), 2);
+}
+
+void stage_point(skv_stage *stage, int side, skv_phase phase, double px, double py, double time)
+{
+    skv_stage_pointer(stage, side,
+                      &(skv_pointer_event){.phase = phase, .px = px, .py = py, .time = time});
+    skv_stage_wait(stage);
+}
+
+void stage_draw_wall(skv_stage *stage, int side, double px)
+{
+    skv_stage_set_tool(stage, 1);
+    stage_point(stage, side, SKV_PHASE_DOWN, px, 300, 0);
+    stage_point(stage, side, SKV_PHASE_MOVE, px + 100, 350, 0.1);
+    stage_point(stage, side, SKV_PHASE_UP, px + 100, 350, 0.2);
+}
