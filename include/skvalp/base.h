@@ -78,7 +78,7 @@ SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *forma
     SKV_PRINTF(3, 4);
 
 /** Receives text piece by piece; returns false to stop, which the writing function reports as
- * SKV_ERROR_FILE. */
+ * SKV_ERROR_FILE. It must not change or destroy what is being written. */
 typedef bool skv_write(const char *text, size_t length, void *user);
 
 /** Formats like snprintf in the C locale, whatever the program's locale is: at most `room` bytes
@@ -102,7 +102,7 @@ SKV_API const char *skv_nearest_name(const char *text, const char *const *names,
 /** Memory hooks. `allocate` returns memory aligned to `alignment` (a power of two, at most 4096)
  * or null; `release` takes what allocate returned, never null. Both may be called from the thread
  * that calls a create, add, edit or destroy function, never from a worker thread and never from
- * skv_world_step once the world is warm. */
+ * skv_world_step once the world is warm. They must not call the library. */
 typedef struct skv_allocator {
     void *(*allocate)(size_t bytes, size_t alignment, void *user);
     void (*release)(void *memory, void *user);
@@ -118,7 +118,8 @@ SKV_API void skv_set_allocator(const skv_allocator *allocator);
  * of these calls have returned. Those that begin while the team gathers, at most 0.1 ms, share the
  * step's work; later ones find the team complete and return at once. So fewer threads than `count`,
  * or one after the other, work too, and give the same bits. Members wait for each other within a
- * step: give them threads that nothing else keeps busy. */
+ * step: give them threads that nothing else keeps busy. `run` must not call any function of the
+ * world that steps. */
 typedef struct skv_task_system {
     int threads; /**< how many members to ask for, 1..SKV_MAX_THREADS */
     void (*run)(void *user, int count, void (*member)(void *team), void *team);
@@ -148,7 +149,8 @@ typedef enum skv_instruction_set {
  * function that was misused returns without effect (null, zero or SKV_ERROR_VALUE). */
 typedef void skv_assert_handler(const char *condition, const char *file, int line, void *user);
 
-/** Replaces the assert handler; null restores the default, which calls abort(). Not thread-safe. */
+/** Replaces the assert handler; null restores the default, which writes file, line and condition to
+ * the standard error and calls abort(). Not thread-safe. */
 SKV_API void skv_set_assert_handler(skv_assert_handler *handler, void *user);
 
 #ifdef __cplusplus

@@ -60,7 +60,8 @@ SKV_API int skv_world_index(const skv_world *world, skv_particle_id id);
 SKV_API skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, float vy,
                                           skv_error *error);
 
-/** Tells whether a point (m) belongs to the fluid that is to be added. */
+/** Tells whether a point (m) belongs to the fluid that is to be added. It may read the world that
+ * is filled, but for saving and copying it. */
 typedef bool skv_inside(float x, float y, void *user);
 
 /** A fill: the rest lattice (hexagonal, one particle per spacing^2) inside a box. Initialise with

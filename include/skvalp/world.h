@@ -132,11 +132,24 @@ SKV_API const skv_fluid_def *skv_world_fluid(const skv_world *world);
 SKV_API void skv_world_gravity(const skv_world *world, float *gx, float *gy);
 SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
 
+/* Callbacks: what a host's function may do to the world that calls it. Another world it may treat
+ * as it likes. What it must not do is its mistake (skv_set_assert_handler), and does nothing:
+ *
+ *   skv_before_substep     anything but step, settle, save, copy, restore or destroy the world, or
+ *                          set its terrain
+ *   skv_inside             read it: what takes a constant world, but for save and copy
+ *   skv_logger             the same
+ *   skv_task_system.run    nothing, for half of the particles may have moved; this alone is not
+ *                          noticed where it only reads
+ *   skv_allocator          nothing, with any object of the library
+ */
+
 /** Called before each substep, by the thread that called skv_world_step: the place for forces of
  * the host's own, as velocities that it adds. `dt` is the substep's length, s. It is called for a
- * world that sleeps, too. It may read the world, set velocities, hands and gravity, add and remove
- * particles; views have to be asked for anew once the revision changes. It must not step, destroy
- * or restore the world. Substeps of a length given by gravity stay as they are until the step ends.
+ * world that sleeps, too. It may change particles, hands, forces, emitters, drains and parameters;
+ * views have to be asked for anew once the revision changes. A step that is half done has no state
+ * that another could go on from: it must not step, settle, save, copy, restore or destroy the world
+ * or set its terrain. Substeps of a length given by gravity stay as they are until the step ends.
  */
 typedef void skv_before_substep(skv_world *world, float dt, void *user);
 
@@ -146,7 +159,8 @@ typedef void skv_before_substep(skv_world *world, float dt, void *user);
 SKV_API void skv_world_set_before_substep(skv_world *world, skv_before_substep *callback,
                                           void *user);
 
-/** Receives one line of text, without a line feed, that the library would print if it printed. */
+/** Receives one line of text, without a line feed, that the library would print if it printed. It
+ * may read the world that calls it, but for saving and copying it. */
 typedef void skv_logger(const char *text, void *user);
 
 /** Sets where a world says what is no failure but worth knowing: that it had to grow, or that it is

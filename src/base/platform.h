@@ -17,8 +17,9 @@
 void *skv_platform_allocate(size_t bytes);
 void skv_platform_release(void *memory);
 
-/* Ends the program: a caller's mistake that no assert handler wanted to know of. */
-_Noreturn void skv_platform_abort(void);
+/* Writes a text of `length` bytes to the standard error, where there is one, and ends the program:
+ * a caller's mistake that no assert handler wanted to know of. */
+_Noreturn void skv_platform_abort(const char *text, size_t length);
 
 /* Seconds from an arbitrary origin, monotonic; always 0 where there is no clock. */
 double skv_clock(void);

@@ -42,7 +42,7 @@ skv_result skv_world_find_taken(const skv_world *world, const skv_region *box, i
     return result;
 }
 
-static void say_if_overfull(const skv_world *world, int added)
+static void say_if_overfull(skv_world *world, int added)
 {
     double s = (double)world->fluid.spacing, free = skv_terrain_free_area(world->terrain);
     double now = world->state.count * s * s / free,
@@ -132,7 +132,8 @@ static skv_placed add_where_free(skv_world *world, const skv_particle *particles
 skv_result skv_world_add_particles(skv_world *world, const skv_particle *particles, int count,
                                    skv_particle_id *ids, skv_placed *placed, skv_error *error)
 {
-    SKV_ASSERT_OR(world && count >= 0 && (particles || count == 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && count >= 0 && (particles || count == 0),
+                  SKV_ERROR_VALUE);
     for (int i = 0; i < count; i++)
         if (!is_sane(particles[i].x, particles[i].y, particles[i].vx, particles[i].vy))
             return skv_fail(error, SKV_ERROR_VALUE,
@@ -156,7 +157,7 @@ skv_result skv_world_add_particles(skv_world *world, const skv_particle *particl
 skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, float vy,
                                   skv_error *error)
 {
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
     if (!is_sane(x, y, vx, vy))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "particle: position or velocity is not finite or beyond 100 m, 1000 m/s");

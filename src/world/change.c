@@ -43,7 +43,7 @@ void skv_world_adapt_substeps(skv_world *world)
 
 skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error)
 {
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
     if (!skv_within((double)gx, -1000, 1000) || !skv_within((double)gy, -1000, 1000))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "gravity: (%g, %g) is out of range; allowed is -1000..1000 m/s^2",
@@ -59,7 +59,7 @@ skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error
 skv_result skv_world_set_forces(skv_world *world, const skv_force *forces, int count,
                                 skv_error *error)
 {
-    SKV_ASSERT_OR(world && (forces || count == 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && (forces || count == 0), SKV_ERROR_VALUE);
     skv_result result = skv_check_forces(forces, count, error);
     if (result != SKV_OK)
         return result;
@@ -86,7 +86,7 @@ static bool is_same(const skv_emitter *a, const skv_emitter *b)
 skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters, int count,
                                   skv_error *error)
 {
-    SKV_ASSERT_OR(world && (emitters || count == 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && (emitters || count == 0), SKV_ERROR_VALUE);
     skv_result result = skv_check_emitters(emitters, count, error);
     if (result != SKV_OK)
         return result;
@@ -117,7 +117,7 @@ const skv_emitter *skv_world_emitters(const skv_world *world, int *count)
 skv_result skv_world_set_drains(skv_world *world, const skv_drain *drains, int count,
                                 skv_error *error)
 {
-    SKV_ASSERT_OR(world && (drains || count == 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && (drains || count == 0), SKV_ERROR_VALUE);
     skv_result result = skv_check_drains(drains, count, error);
     if (result != SKV_OK)
         return result;

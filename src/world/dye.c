@@ -31,7 +31,7 @@ skv_result skv_check_dye(int dye, skv_error *error)
 skv_result skv_world_set_dyes(skv_world *world, int first, int count, const uint8_t *dyes,
                               skv_error *error)
 {
-    SKV_ASSERT_OR(world && (dyes || count <= 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && (dyes || count <= 0), SKV_ERROR_VALUE);
     if (first < 0 || count < 0 || first > world->state.count - count)
         return skv_fail(error, SKV_ERROR_VALUE, "dye: particles %d.. do not exist; there are %d",
                         first, world->state.count);
@@ -48,7 +48,7 @@ skv_result skv_world_set_dyes(skv_world *world, int first, int count, const uint
 skv_result skv_world_dye_area(skv_world *world, const skv_area *area, int dye, int *dyed,
                               skv_error *error)
 {
-    SKV_ASSERT_OR(world && area, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && area, SKV_ERROR_VALUE);
     skv_result result = skv_check_dye(dye, error);
     if (result != SKV_OK)
         return result;

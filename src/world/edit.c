@@ -104,6 +104,16 @@ static int tend_particles(skv_world *world, const skv_terrain *before, const edi
     return buried;
 }
 
+static skv_result update_walls(skv_world *world, const skv_terrain *terrain,
+                               const skv_squares *changed, skv_error *error)
+{
+    world->busy = SKV_AT_WORK;
+    skv_result result =
+        skv_wall_map_update(world->walls, world->terrain, terrain, changed, world->pool, error);
+    world->busy = SKV_IDLE;
+    return result;
+}
+
 static bool is_same_size(const skv_terrain *a, const skv_terrain *b)
 {
     return a->width == b->width && a->height == b->height && a->pixel_size == b->pixel_size;
@@ -112,7 +122,7 @@ static bool is_same_size(const skv_terrain *a, const skv_terrain *b)
 skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain, int *removed,
                                  skv_error *error)
 {
-    SKV_ASSERT_OR(world && terrain && !world->stepping, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_step(world) && terrain, SKV_ERROR_VALUE);
     skv_terrain *before = world->terrain;
     if (!is_same_size(before, terrain))
         return skv_fail(error, SKV_ERROR_VALUE,
@@ -125,7 +135,7 @@ skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain, int *re
     if (result == SKV_OK)
         result = skv_world_begin_removal(world, world->state.count, error);
     if (result == SKV_OK)
-        result = skv_wall_map_update(world->walls, before, terrain, &e.changed, world->pool, error);
+        result = update_walls(world, terrain, &e.changed, error);
     if (result == SKV_OK) {
         world->terrain = terrain;
         world->boundary.terrain = terrain;

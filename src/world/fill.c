@@ -151,8 +151,10 @@ int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_fill_def
     SKV_ASSERT_OR(terrain && def && def->cookie == FILL_COOKIE, 0);
     if (!is_sane(def) || !skv_within((double)spacing, 1e-4, 100))
         return 0;
-    walk w = make_walk(terrain, spacing, def, INT32_MAX);
+    skv_terrain *kept = skv_terrain_share(terrain); /* `inside` may give the world another */
+    walk w = make_walk(kept, spacing, def, INT32_MAX);
     take_walk(&w);
+    skv_terrain_destroy(kept);
     return w.placed.added;
 }
 
@@ -173,7 +175,7 @@ static skv_result settle(skv_world *world, const walk *w, skv_error *error)
 skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed *placed,
                           skv_error *error)
 {
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
     SKV_ASSERT_INITIALISED(def, FILL_COOKIE);
     if (!is_sane(def))
         return skv_fail(error, SKV_ERROR_VALUE, "fill: the box is not finite or beyond 100 m");
@@ -193,7 +195,10 @@ skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed 
         w.others = &others;
     }
     if (result == SKV_OK) {
+        skv_busy before = world->busy;
+        world->busy = SKV_READ;
         take_walk(&w);
+        world->busy = before;
         w.placed.first = w.placed.added ? world->next_id : SKV_NO_PARTICLE;
         result = settle(world, &w, error);
     }

@@ -35,7 +35,7 @@ static skv_result check(const skv_hand *hands, int count, skv_error *error)
 
 skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count, skv_error *error)
 {
-    SKV_ASSERT_OR(world && (hands || count == 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && (hands || count == 0), SKV_ERROR_VALUE);
     skv_result result = check(hands, count, error);
     if (result != SKV_OK)
         return result;

@@ -1,5 +1,6 @@
 /* What a world knows of its host: a pointer, a callback before each substep, and a log.
- * Invariant: none of it is part of the world's state; a world without them steps alike. */
+ * Invariant: none of it is part of the world's state; a world without them steps alike. While a
+ * callback runs, the world refuses what would change it under the feet of who called. */
 #include "base/assert.h"
 #include "world/world_internal.h"
 
@@ -31,7 +32,17 @@ void skv_world_set_log(skv_world *world, skv_logger *log, void *user)
     world->log_user = user;
 }
 
-void skv_world_say(const skv_world *world, const char *format, ...)
+bool skv_may_step(const skv_world *world)
+{
+    return world && world->busy == SKV_IDLE;
+}
+
+bool skv_may_change(const skv_world *world)
+{
+    return world && world->busy <= SKV_IN_SUBSTEPS;
+}
+
+void skv_world_say(skv_world *world, const char *format, ...)
 {
     if (!world->log)
         return;
@@ -40,5 +51,8 @@ void skv_world_say(const skv_world *world, const char *format, ...)
     va_start(arguments, format);
     skv_format_list(text, sizeof text, format, arguments);
     va_end(arguments);
+    skv_busy before = world->busy;
+    world->busy = SKV_READ;
     world->log(text, world->log_user);
+    world->busy = before;
 }

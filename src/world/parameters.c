@@ -197,8 +197,9 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
 
 skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
 {
-    SKV_ASSERT_OR(def->cookie == WORLD_COOKIE && def->fluid.cookie == FLUID_COOKIE,
-                  SKV_ERROR_VALUE);
+    const skv_fluid_def *fluid = &def->fluid;
+    SKV_ASSERT_INITIALISED(def, WORLD_COOKIE);
+    SKV_ASSERT_INITIALISED(fluid, FLUID_COOKIE);
     for (int i = 0; i < SKV_P_COUNT; i++) {
         const skv_field *field = &fields[i];
         if (places[i].offset == NO_MEMBER || field->type == SKV_FIELD_BOOLEAN)
@@ -234,7 +235,7 @@ skv_result skv_world_def_set(skv_world_def *def, const char *path, const char *t
                              skv_error *error)
 {
     SKV_ASSERT_OR(def && path && text, SKV_ERROR_VALUE);
-    SKV_ASSERT_OR(def->cookie == WORLD_COOKIE, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(def, WORLD_COOKIE);
     int parameter;
     double number;
     skv_result result = find(path, &parameter, error);
@@ -251,7 +252,7 @@ skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *t
                              skv_error *error)
 {
     SKV_ASSERT_OR(def && path && text && size > 0, SKV_ERROR_VALUE);
-    SKV_ASSERT_OR(def->cookie == WORLD_COOKIE, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(def, WORLD_COOKIE);
     int parameter;
     skv_result result = find(path, &parameter, error);
     if (result != SKV_OK)
@@ -283,7 +284,7 @@ skv_world_def skv_world_describe(const skv_world *world)
 
 skv_result skv_world_set(skv_world *world, const char *path, const char *text, skv_error *error)
 {
-    SKV_ASSERT_OR(world && path && text, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && path && text, SKV_ERROR_VALUE);
     int parameter;
     skv_result result = find(path, &parameter, error);
     if (result != SKV_OK)

@@ -92,7 +92,7 @@ void skv_world_end_removal(skv_world *world, int count)
 skv_result skv_world_remove(skv_world *world, const skv_particle_id *ids, int count, int *removed,
                             skv_error *error)
 {
-    SKV_ASSERT_OR(world && count >= 0 && (ids || count == 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && count >= 0 && (ids || count == 0), SKV_ERROR_VALUE);
     skv_result result = skv_world_begin_removal(world, count, error);
     if (result != SKV_OK)
         return result;
@@ -113,7 +113,7 @@ skv_result skv_world_remove(skv_world *world, const skv_particle_id *ids, int co
 skv_result skv_world_remove_area(skv_world *world, const skv_area *area, int *removed,
                                  skv_error *error)
 {
-    SKV_ASSERT_OR(world && area, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && area, SKV_ERROR_VALUE);
     skv_result result = skv_world_begin_removal(world, world->state.count, error);
     if (result != SKV_OK)
         return result;

@@ -86,7 +86,7 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
 
 skv_result skv_world_restore(skv_world *world, const void *data, size_t size, skv_error *error)
 {
-    SKV_ASSERT_OR(world && data && !world->stepping, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_step(world) && data, SKV_ERROR_VALUE);
     skv_snapshot snapshot;
     skv_result result = skv_snapshot_read(data, size, &snapshot, error);
     if (result == SKV_OK)
@@ -155,7 +155,7 @@ skv_result skv_world_copy(const skv_world *world, int threads, skv_world **copy,
 {
     SKV_ASSERT_OR(copy, SKV_ERROR_VALUE);
     *copy = NULL;
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
     size_t size = skv_world_snapshot_size(world, false);
     uint8_t *bytes = skv_calloc(size, 1);
     if (!bytes)

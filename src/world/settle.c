@@ -215,7 +215,7 @@ static void finish(const settling *s)
 
 skv_result skv_world_settle(skv_world *world, skv_error *error)
 {
-    SKV_ASSERT_OR(world && !world->stepping, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
     skv_state *p = &world->state;
     size_t count = (size_t)p->count;
     if (count == 0)
@@ -240,7 +240,9 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
         memcpy(s.vy, p->vy, count * sizeof(float));
         memset(p->vx, 0, count * sizeof(float));
         memset(p->vy, 0, count * sizeof(float));
+        world->busy = SKV_AT_WORK;
         result = relax_all(&s, error);
+        world->busy = SKV_IDLE;
         finish(&s);
     }
     skv_free(numbers);

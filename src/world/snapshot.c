@@ -145,7 +145,7 @@ size_t skv_world_snapshot_size(const skv_world *world, bool with_terrain)
 skv_result skv_world_save(const skv_world *world, bool with_terrain, void *data, size_t size,
                           skv_error *error)
 {
-    SKV_ASSERT_OR(world && data && !world->stepping, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_step(world) && data, SKV_ERROR_VALUE);
     size_t needed = skv_world_snapshot_size(world, with_terrain);
     if (size < needed)
         return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: %zu bytes are too few; it takes %zu",

@@ -92,6 +92,15 @@ static bool has_flow(const skv_acting *acting)
     return flows;
 }
 
+static void call_host(skv_world *world)
+{
+    if (!world->before_substep)
+        return;
+    world->busy = SKV_IN_SUBSTEPS;
+    world->before_substep(world, world->constants_dt, world->before_substep_user);
+    world->busy = SKV_AT_WORK;
+}
+
 /* Takes `count` substeps, with what happens between them; writes how many are done. Many at once,
  * unless somebody may come or go between them. */
 static skv_result advance(skv_world *world, int count, int *done, skv_error *error)
@@ -103,8 +112,7 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
     for (; *done < count; *done += at_once) {
-        if (world->before_substep)
-            world->before_substep(world, world->constants_dt, world->before_substep_user);
+        call_host(world);
         skv_result result = SKV_OK;
         if (flows)
             result = skv_world_let_flow(world, world->constants_dt, error);
@@ -124,7 +132,7 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
 
 skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
 {
-    SKV_ASSERT_OR(world && !world->stepping, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
     if (!skv_within((double)dt, (double)LEAST_STEP, (double)LONGEST_STEP))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
@@ -140,14 +148,14 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
         world->constants_stiffness = stiffness;
         world->constants_stale = false;
     }
-    world->stepping = true;
+    world->busy = SKV_AT_WORK;
     skv_events_begin(&world->events);
     int done = 0;
     skv_result result = advance(world, count, &done, error);
     if (result != SKV_OK)
         world->due = done == 0 ? owed : world->due + count - done;
     skv_events_end(&world->events);
-    world->stepping = false;
+    world->busy = SKV_IDLE;
     skv_load_follow(world, began);
     return result;
 }

@@ -19,7 +19,7 @@ static bool is_sane(float vx, float vy)
 skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx, float vy,
                                   skv_error *error)
 {
-    SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
     if (!is_sane(vx, vy))
         return skv_fail(error, SKV_ERROR_VALUE, "velocity: not finite or beyond 1000 m/s");
     skv_result result = check_range(world, first, count, error);
@@ -36,7 +36,7 @@ skv_result skv_world_add_velocity(skv_world *world, int first, int count, float 
 skv_result skv_world_set_velocities(skv_world *world, int first, int count, const float *vx,
                                     const float *vy, skv_error *error)
 {
-    SKV_ASSERT_OR(world && ((vx && vy) || count <= 0), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(skv_may_change(world) && ((vx && vy) || count <= 0), SKV_ERROR_VALUE);
     skv_result result = check_range(world, first, count, error);
     if (result != SKV_OK)
         return result;

@@ -13,7 +13,8 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
     skv_result result = skv_state_reserve(&world->state, count, error);
     if (result == SKV_OK && world->state.capacity > before) {
         skv_world_regroup(world);
-        if (before && !world->stepping) /* what emitters need is not for the host to know */
+        if (before &&
+            world->busy != SKV_AT_WORK) /* what emitters need is not for the host to know */
             skv_world_say(world,
                           "the room for %d particles had to grow to %d; a larger capacity in the "
                           "definition spares that",
@@ -153,7 +154,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
 
 void skv_world_destroy(skv_world *world)
 {
-    SKV_ASSERT(!world || !world->stepping);
+    SKV_ASSERT(!world || skv_may_step(world));
     if (!world)
         return;
     if (!world->shares_pool)

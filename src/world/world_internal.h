@@ -19,6 +19,14 @@
 #include "world/state.h"
 #include "world/tiling.h"
 
+/* What is at work on a world, and so what a host's callback may do to it: the less, the later. */
+typedef enum skv_busy {
+    SKV_IDLE,        /* nothing is; no callback */
+    SKV_IN_SUBSTEPS, /* skv_before_substep: change particles and what acts on them */
+    SKV_READ,        /* skv_inside and skv_logger: read */
+    SKV_AT_WORK      /* a solver or a new terrain, perhaps on a host's threads: nothing */
+} skv_busy;
+
 /* What decides the future is in a snapshot, too: see snapshot.c. */
 struct skv_world {
     skv_fluid_def fluid;
@@ -55,7 +63,7 @@ struct skv_world {
     int64_t steps;
 
     skv_events events;
-    bool stepping; /* the host's callback is at work */
+    skv_busy busy;
     skv_before_substep *before_substep;
     void *before_substep_user;
     skv_logger *log;
@@ -118,6 +126,10 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
 void skv_world_regroup(skv_world *world);
 
 /* host.c: tells the host's log, if there is one, one line. */
-void skv_world_say(const skv_world *world, const char *format, ...) SKV_PRINTF(2, 3);
+void skv_world_say(skv_world *world, const char *format, ...) SKV_PRINTF(2, 3);
+/* Conditions of every public function that changes a world: there is one, and no callback of its is
+ * at work, or only one that may change it. */
+bool skv_may_step(const skv_world *world);
+bool skv_may_change(const skv_world *world);
 
 #endif

@@ -22,8 +22,15 @@ void skv_platform_release(void *memory)
     free(memory);
 }
 
-void skv_platform_abort(void)
+void skv_platform_abort(const char *text, size_t length)
 {
+    while (length > 0) {
+        ssize_t written = write(STDERR_FILENO, text, length);
+        if (written <= 0)
+            break;
+        text += written;
+        length -= (size_t)written;
+    }
     abort();
 }
 

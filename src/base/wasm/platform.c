@@ -119,8 +119,10 @@ void skv_wasm_release(void *memory)
     skv_platform_release(memory);
 }
 
-void skv_platform_abort(void)
+void skv_platform_abort(const char *text, size_t length)
 {
+    (void)text;
+    (void)length;
     __builtin_trap();
 }
 

@@ -32,8 +32,10 @@ void skv_platform_release(void *memory)
     _aligned_free(memory);
 }
 
-void skv_platform_abort(void)
+void skv_platform_abort(const char *text, size_t length)
 {
+    DWORD written;
+    WriteFile(GetStdHandle(STD_ERROR_HANDLE), text, (DWORD)length, &written, NULL);
     abort();
 }
 
