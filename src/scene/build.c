@@ -12,6 +12,7 @@
 #include "scene/scene_data.h"
 #include "scene/shapes.h"
 #include "scene/taps.h"
+#include "terrain/wall_map.h"
 #include "world/parameters.h"
 
 #define THINNEST_WALL 1.2 /* pixels */
@@ -129,11 +130,11 @@ static skv_result fail_picture(const builder *c, skv_result code, const char *me
 }
 
 /* The same for what the picture as a whole is not fit for. */
-static skv_result fail_unfit(const builder *c, const char *message)
+static skv_result fail_unfit(const builder *c, skv_result code, const char *message)
 {
     skv_error named;
-    skv_fail(&named, SKV_ERROR_VALUE, "%s: %s", c->picture_label, message);
-    return fail_picture(c, SKV_ERROR_VALUE, named.text);
+    skv_fail(&named, code, "%s: %s", c->picture_label, message);
+    return fail_picture(c, code, named.text);
 }
 
 /* Takes size, coverage and paint over from a picture. */
@@ -264,7 +265,8 @@ static skv_result build_walls(builder *c)
         return result;
     if (!has_air(scene)) {
         if (c->pictured && scene->solid_count == 0)
-            return fail_unfit(c, "no pixel is free; paint air dark and fluid blue");
+            return fail_unfit(c, SKV_ERROR_VALUE,
+                              "no pixel is free; paint air dark and fluid blue");
         return skv_draft_fail(c->draft, values->list[SKV_LIST_SOLID].shapes[0].origin, "solid",
                               c->error, SKV_ERROR_VALUE, "fills the whole world; leave some air");
     }
@@ -337,11 +339,13 @@ static skv_result fail_no_fit(const builder *c)
 {
     const skv_water *water = &c->scene->water;
     if (water->paint != NULL && water->shape_count == 0)
-        return fail_unfit(c, "the blue (fluid) pixels have no room for a particle; paint more blue "
-                             "or make the passages wider");
+        return fail_unfit(c, SKV_ERROR_VALUE,
+                          "the blue (fluid) pixels have no room for a particle; paint more blue "
+                          "or make the passages wider");
     if (c->pictured && water->shape_count == 0)
-        return fail_unfit(c, "the dark (air) pixels have no room for a particle; make the passages "
-                             "wider");
+        return fail_unfit(c, SKV_ERROR_VALUE,
+                          "the dark (air) pixels have no room for a particle; make the passages "
+                          "wider");
     skv_origin origin = c->draft->values.list[SKV_LIST_WATER].shapes[0].origin;
     return skv_draft_fail(c->draft, origin, "water", c->error, SKV_ERROR_VALUE,
                           "has no room for a particle; it lies in solid or is too small");
@@ -351,12 +355,18 @@ static skv_result fail_no_fit(const builder *c)
 static skv_result count_particles(builder *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
-    scene->particles = skv_water_count(&scene->water, terrain, scene->def.fluid.spacing);
+    const skv_water *water = &scene->water;
+    scene->particles =
+        skv_water_count_to(water, terrain, scene->def.fluid.spacing, SKV_MAX_PARTICLES + 1);
     if (scene->particles <= SKV_MAX_PARTICLES)
         return scene->particles > 0 ? SKV_OK : fail_no_fit(c);
-    char message[120];
-    skv_format(message, sizeof message, "makes %d particles; allowed are %d", scene->particles,
-               SKV_MAX_PARTICLES);
+    double area = ((double)water->x1 - (double)water->x0) * ((double)water->y1 - (double)water->y0);
+    char message[120], enough[32];
+    /* A particle takes a spacing's square; a little more for what begins at the box's sides. */
+    skv_format_number(ceil(1.01e5 * sqrt(area / SKV_MAX_PARTICLES)) * 1e-5, enough);
+    skv_format(message, sizeof message,
+               "makes more than %d particles, which are allowed; with %s m it does not",
+               SKV_MAX_PARTICLES, enough);
     return fail(c, SKV_F_FLUID_SPACING, SKV_ERROR_LIMIT, message);
 }
 
@@ -384,14 +394,12 @@ static void count_range(const builder *c, const skv_terrain *terrain, int *fewes
     skv_water water = c->scene->water;
     water.thinning = 0.0;
     float finest = (float)spacing->minimum;
-    *fewest = skv_water_count(&water, terrain, (float)spacing->maximum);
+    *fewest = skv_water_count_to(&water, terrain, (float)spacing->maximum, SKV_MAX_PARTICLES);
     *most = 0;
     for (float probe = 32.0f * finest; probe >= finest && *most < SKV_MAX_PARTICLES; probe *= 0.5f)
-        *most = skv_water_count(&water, terrain, probe);
+        *most = skv_water_count_to(&water, terrain, probe, SKV_MAX_PARTICLES);
     if (*fewest < 1)
         *fewest = 1;
-    if (*most > SKV_MAX_PARTICLES)
-        *most = SKV_MAX_PARTICLES;
 }
 
 /* The number of particles is wanted: the spacing follows. */
@@ -429,6 +437,18 @@ static skv_result build_particles(builder *c, const skv_terrain *terrain)
         return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE,
                     "follows from fluid.spacing; give only one of them");
     return spacing > number ? count_particles(c, terrain) : choose_spacing(c, terrain);
+}
+
+/* Whether a world can have these walls beside so fine a fluid, while little has been made. */
+static skv_result check_walls(const builder *c, const skv_terrain *terrain)
+{
+    const skv_fluid_def *fluid = &c->scene->def.fluid;
+    skv_error cause;
+    skv_result result = skv_wall_map_check(terrain, fluid->spacing * fluid->radius_ratio, &cause);
+    if (result == SKV_OK)
+        return SKV_OK;
+    return c->pictured ? fail_unfit(c, result, cause.text)
+                       : skv_fail(c->error, result, "%s: %s", c->draft->label, cause.text);
 }
 
 /* The deepest fluid to expect. Gravity that is not vertical may pile it up anywhere, and emitters
@@ -493,6 +513,8 @@ static skv_result build(builder *c, const skv_image *picture)
     result = build_water(c, terrain);
     if (result == SKV_OK)
         result = build_particles(c, terrain);
+    if (result == SKV_OK)
+        result = check_walls(c, terrain);
     c->scene->settle = c->value[SKV_F_SETTLE].number != 0.0;
     if (result == SKV_OK)
         result = build_taps(c);

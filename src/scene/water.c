@@ -112,11 +112,17 @@ skv_fill_def skv_water_fill_def(skv_water *water)
     return def;
 }
 
-int skv_water_count(const skv_water *water, const skv_terrain *terrain, float spacing)
+int skv_water_count_to(const skv_water *water, const skv_terrain *terrain, float spacing, int most)
 {
     skv_water copy = *water; /* the callback's user pointer is not constant */
     skv_fill_def def = skv_water_fill_def(&copy);
+    def.limit = most;
     return skv_fill_count(terrain, spacing, &def);
+}
+
+static int count_all(const skv_water *water, const skv_terrain *terrain, float spacing)
+{
+    return skv_water_count_to(water, terrain, spacing, -1);
 }
 
 /* Finds a spacing at or above `least` that holds at least `wanted`, starting from `spacing`, which
@@ -131,7 +137,7 @@ static bool shrink_until_enough(const skv_water *water, const skv_terrain *terra
         *spacing *= (float)(factor < 0.98 ? factor : 0.98);
         if (*spacing < least)
             *spacing = least;
-        *count = skv_water_count(water, terrain, *spacing);
+        *count = count_all(water, terrain, *spacing);
     }
     return true;
 }
@@ -145,7 +151,7 @@ static void bisect(const skv_water *water, const skv_terrain *terrain, int wante
         float middle = 0.5f * (low + high);
         if (middle <= low || middle >= high)
             return;
-        int there = skv_water_count(water, terrain, middle);
+        int there = count_all(water, terrain, middle);
         if (there < wanted) {
             high = middle;
             continue;
@@ -166,7 +172,7 @@ static void thin_surface_by(skv_water *water, const skv_terrain *terrain, int wa
     water->surface_step = step;
     for (int i = 0; i < 20 && *count != wanted; i++) {
         water->thinning = 0.5 * (enough + high);
-        int there = skv_water_count(water, terrain, spacing);
+        int there = count_all(water, terrain, spacing);
         if (there >= wanted) {
             enough = water->thinning;
             *count = there;
@@ -201,13 +207,13 @@ skv_result skv_water_choose_spacing(skv_water *water, const skv_terrain *terrain
     float high = (float)sqrt(area / wanted) * 1.1f;
     high = high > most ? most : high < least ? least : high;
     *spacing = high;
-    *count = skv_water_count(water, terrain, high);
+    *count = count_all(water, terrain, high);
     while (*count > wanted) {
         if (high >= most)
             return SKV_ERROR_VALUE;
         high = high * 1.2f > most ? most : high * 1.2f;
         *spacing = high;
-        *count = skv_water_count(water, terrain, high);
+        *count = count_all(water, terrain, high);
     }
     if (shrink_until_enough(water, terrain, wanted, least, spacing, count)) {
         bisect(water, terrain, wanted, *spacing, high, spacing, count);

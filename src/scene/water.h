@@ -37,7 +37,7 @@ skv_result skv_water_choose_spacing(skv_water *water, const skv_terrain *terrain
 /* The fill that asks this water, which must outlive it. */
 skv_fill_def skv_water_fill_def(skv_water *water);
 
-/* skv_fill_count over the water. */
-int skv_water_count(const skv_water *water, const skv_terrain *terrain, float spacing);
+/* skv_fill_count over the water, which ends at `most`. */
+int skv_water_count_to(const skv_water *water, const skv_terrain *terrain, float spacing, int most);
 
 #endif

@@ -207,10 +207,20 @@ static void build_blocks(const skv_wall_builder *b)
     }
 }
 
+static skv_result fail_many(double h, skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_LIMIT,
+                    "its walls are too fine for a fluid with a radius of %.3g mm: they take more "
+                    "than %d blocks; choose fewer particles or a wider spacing, or shorter walls",
+                    1000 * h, SKV_WALL_MOST_BLOCKS);
+}
+
 skv_result skv_wall_reserve_blocks(skv_wall_map *map, size_t room, skv_error *error)
 {
     if (room <= map->room && map->blocks)
         return SKV_OK;
+    if (room > SKV_WALL_MOST_BLOCKS)
+        return fail_many(map->radius, error);
     skv_wall_block *blocks = skv_calloc(room, sizeof *blocks);
     skv_wall_block *images = map->images ? skv_calloc(room, sizeof *images) : NULL;
     int32_t *spare = skv_calloc(room, sizeof *spare);
@@ -237,10 +247,34 @@ skv_result skv_wall_reserve_blocks(skv_wall_map *map, size_t room, skv_error *er
     return SKV_OK;
 }
 
-/* Blocks along a side of so many pixels. */
-static double blocks_along(int pixels, double cell)
+/* Writes how many blocks a map has along its sides. */
+static skv_result count_along(const skv_wall_builder *b, double h, int *columns, int *rows,
+                              skv_error *error)
 {
-    return ceil((ceil(pixels / cell) + 2 * MARGIN) / BLOCK);
+    const skv_terrain *terrain = b->terrain;
+    double along_x = ceil((ceil(terrain->width / b->cell) + 2 * MARGIN) / BLOCK);
+    double along_y = ceil((ceil(terrain->height / b->cell) + 2 * MARGIN) / BLOCK);
+    if (along_x * along_y > INT32_MAX)
+        return skv_fail(error, SKV_ERROR_LIMIT,
+                        "wall map: a radius of %g m is too small for a world of %g x %g m", h,
+                        (double)skv_terrain_width(terrain), (double)skv_terrain_height(terrain));
+    *columns = (int)along_x;
+    *rows = (int)along_y;
+    return SKV_OK;
+}
+
+skv_result skv_wall_map_check(const skv_terrain *terrain, float radius, skv_error *error)
+{
+    const skv_wall_builder b = skv_wall_builder_of(NULL, terrain, (double)radius);
+    int columns, rows, count = 0;
+    skv_result result = count_along(&b, (double)radius, &columns, &rows, error);
+    for (int y = 0; result == SKV_OK && y < rows; y++) {
+        for (int x = 0; x < columns; x++)
+            count += skv_wall_sort_block(&b, x, y) == 0;
+        if (count > SKV_WALL_MOST_BLOCKS)
+            result = fail_many((double)radius, error);
+    }
+    return result;
 }
 
 skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
@@ -255,34 +289,32 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
                         "wall map: radius %g m and spacing %g m; 0 < spacing <= radius is needed",
                         h, s);
     skv_wall_builder b = skv_wall_builder_of(NULL, terrain, h);
-    double columns = blocks_along(terrain->width, b.cell);
-    double rows = blocks_along(terrain->height, b.cell);
-    if (columns * rows > INT32_MAX)
-        return skv_fail(error, SKV_ERROR_LIMIT,
-                        "wall map: a radius of %g m is too small for a world of %g x %g m", h,
-                        (double)skv_terrain_width(terrain), (double)skv_terrain_height(terrain));
+    int columns, rows;
+    skv_result result = count_along(&b, h, &columns, &rows, error);
+    if (result != SKV_OK)
+        return result;
     skv_wall_map *made = skv_calloc(1, sizeof *made);
-    int32_t *index = skv_calloc((size_t)(columns * rows), sizeof *index);
+    int32_t *index = skv_calloc((size_t)columns * (size_t)rows, sizeof *index);
     if (!made || !index) {
         skv_free(made);
         skv_free(index);
         return skv_fail(error, SKV_ERROR_MEMORY,
-                        "walls: no memory for %.0f blocks; a wider spacing needs fewer",
-                        columns * rows);
+                        "walls: no memory for %d x %d blocks; a wider spacing needs fewer", columns,
+                        rows);
     }
     *made = (skv_wall_map){
         .radius = h,
         .pressure = pressure,
         .density = h / s * (h / s),
         .per_metre = (float)(SKV_WALL_REACH / h),
-        .columns = (int)columns,
-        .rows = (int)rows,
+        .columns = columns,
+        .rows = rows,
         .index = index,
     };
     b.map = made;
     skv_wall_kernel_make(pressure, made->density, &made->kernel);
     sort_blocks(&b);
-    skv_result result = skv_wall_reserve_blocks(made, made->count, error);
+    result = skv_wall_reserve_blocks(made, made->count, error);
     if (result != SKV_OK) {
         skv_wall_map_destroy(made);
         return result;

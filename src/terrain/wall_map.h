@@ -24,7 +24,9 @@ enum {
                                               that everything outside them is uniform */
     SKV_WALL_AIR = -1,
     SKV_WALL_SOLID = -2, /* blocks that are not stored */
-    SKV_WALL_FLAT_STEPS = 8
+    SKV_WALL_FLAT_STEPS = 8,
+    SKV_WALL_MOST_BLOCKS = 32768 /* that are stored: 14 kB each with its images, 450 MB, and up to
+                                    half a millisecond each to make */
 };
 
 /* Nearer to a thin wall than so many cells samples are not mixed; a table serves instead. */
@@ -71,6 +73,10 @@ typedef struct skv_image_sample {
     float r;        /* R less what images give in a uniform fluid: dimensionless */
     float f1x, f1y; /* F1 likewise */
 } skv_image_sample;
+
+/* Fails as making a map would if walls are so long, or h so small, that there were too many blocks;
+ * costs next to nothing. `terrain` is only read during the call. */
+skv_result skv_wall_map_check(const skv_terrain *terrain, float radius, skv_error *error);
 
 /* Builds the maps of a terrain for one h, s and kernel. `terrain` is only read during the call. */
 skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,

@@ -119,7 +119,8 @@ static skv_result list_blocks(update *u, skv_error *error)
     }
     if (needed <= map->room)
         return SKV_OK;
-    return skv_wall_reserve_blocks(map, needed + map->room / 2, error);
+    size_t more = needed + map->room / 2, most = SKV_WALL_MOST_BLOCKS;
+    return skv_wall_reserve_blocks(map, more > most && needed <= most ? most : more, error);
 }
 
 /* Lists the blocks whose images may change: those listed and all beside them. Images reach a radius

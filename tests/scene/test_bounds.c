@@ -1,0 +1,90 @@
+/* Small inputs that ask for much: they are refused in one line before any of it is made. What is
+ * counted is memory, which is the same on every machine. */
+#include "support.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "skvalp/world.h"
+
+static size_t largest; /* block asked for, bytes */
+
+static void *note_size(size_t bytes, size_t alignment, void *user)
+{
+    (void)user;
+    largest = bytes > largest ? bytes : largest;
+    return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+
+static void give_back(void *memory, void *user)
+{
+    (void)user;
+    free(memory);
+}
+
+static void check_refused(skv_result result, const skv_scene *scene, const skv_error *error,
+                          const char *text)
+{
+    assert_null(scene);
+    assert_string_equal(error->text, text);
+    assert_int_equal(result, SKV_ERROR_LIMIT);
+}
+
+/* A billion particles are not counted one by one: no more places are visited than are allowed. */
+static void test_too_fine_a_spacing(void **state)
+{
+    (void)state;
+    skv_scene *scene;
+    skv_error error = {0};
+    skv_result result =
+        load_text("{ \"fluid\": { \"spacing\": 0.0005 },\n  \"world\": { \"width\": 16, "
+                  "\"height\": 16, \"pixel\": 0.1 }, \"water\": [ { \"shape\": \"box\" } ] }",
+                  NULL, &scene, &error);
+    check_refused(result, scene, &error,
+                  "a.json:1: fluid.spacing: makes more than 2000000 particles, which are allowed; "
+                  "with 0.01143 m it does not");
+    result = load_text("{ \"fluid\": { \"spacing\": 0.01143 },\n  \"world\": { \"width\": 16, "
+                       "\"height\": 16, \"pixel\": 0.1 }, \"water\": [ { \"shape\": \"box\" } ] }",
+                       NULL, &scene, &error);
+    assert_int_equal(result, SKV_OK);
+    assert_in_range(skv_scene_particles(scene), SKV_MAX_PARTICLES / 2, SKV_MAX_PARTICLES);
+    skv_scene_destroy(scene);
+}
+
+static rgb checker(int x, int y, void *user)
+{
+    (void)user;
+    uint8_t grey = (x + y) % 2 ? 255 : 0;
+    return (rgb){grey, grey, grey};
+}
+
+/* Walls beside every particle: their maps would take a gigabyte. */
+static void test_too_fine_walls(void **state)
+{
+    (void)state;
+    skv_scene *scene;
+    skv_error error = {0};
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = 100000;
+    buffer picture = write_rgb(512, 512, checker, NULL);
+    skv_set_allocator(&(skv_allocator){note_size, give_back, NULL});
+    largest = 0;
+    skv_result result =
+        skv_scene_load_memory(picture.data, picture.size, "png", "c.png", &options, &scene, &error);
+    check_refused(result, scene, &error,
+                  "c.png: its walls are too fine for a fluid with a radius of 2.93 mm: they take "
+                  "more than 32768 blocks; choose fewer particles or a wider spacing, or shorter "
+                  "walls");
+    assert_true(largest < 16 << 20);
+    skv_set_allocator(NULL);
+    buffer_free(&picture);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_too_fine_a_spacing),
+        cmocka_unit_test(test_too_fine_walls),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
