@@ -87,7 +87,8 @@ static void on_changed(PlayBall *ball)
     ball->y = picture->tilt_y;
     double strength = sqrt(ball->x * ball->x + ball->y * ball->y);
     /* Translators: how strong gravity is, against the scene's own. */
-    char *text = g_strdup_printf(_("%.1f times as strong as the scene's"), strength);
+    char *text =
+        g_strdup_printf(_("%s times as strong as the scene's"), play_number(strength, 1).text);
     gtk_accessible_update_property(GTK_ACCESSIBLE(ball), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text,
                                    -1);
     g_free(text);

@@ -127,8 +127,9 @@ static char *list_results(const skv_report *report)
     const skv_lab_row *row;
     for (int i = 0; (row = skv_report_row(report, i)); i++)
         /* Translators: a quantity, its measured and its theoretical value, and their unit. */
-        g_string_append_printf(text, _("%s: measured %.4g, theory %.4g %s\n"),
-                               gettext(row->quantity), row->measured, row->theory, row->unit);
+        g_string_append_printf(text, _("%s: measured %s, theory %s %s\n"), gettext(row->quantity),
+                               play_number_short(row->measured, 4).text,
+                               play_number_short(row->theory, 4).text, row->unit);
     if (text->len > 0)
         g_string_truncate(text, text->len - 1);
     return g_string_free(text, FALSE);

@@ -23,7 +23,8 @@ G_DEFINE_FINAL_TYPE(PlayLegend, play_legend, GTK_TYPE_WIDGET)
 
 static char *title_of(const PlayLegend *legend)
 {
-    const char *unit = play_word_of_unit(legend->scale.unit, NULL);
+    skv_unit shown = play_unit_of(legend->scale.unit);
+    const char *unit = play_word(shown.name);
     const char *fixed = play_view_style(legend->view)->range > 0 ? _(" (fixed)") : "";
     if (*unit)
         return g_strdup_printf("%s, %s%s", play_word(legend->scale.label), unit, fixed);
@@ -63,15 +64,14 @@ static void snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     PlayLegend *legend = PLAY_LEGEND(widget);
     const skv_legend *scale = &legend->scale;
     double width = gtk_widget_get_width(widget), right = width - MARGIN;
-    char text[32], *title = title_of(legend);
-    double unit;
-    play_word_of_unit(scale->unit, &unit);
+    char *title = title_of(legend);
+    double unit = play_unit_of(scale->unit).size;
     write_text(widget, snapshot, MARGIN, 2, 0, title);
     append_bar(snapshot, scale, &GRAPHENE_RECT_INIT(MARGIN, 20, (float)(right - MARGIN), BAR));
     for (int i = 0; i <= 2; i++) {
-        g_snprintf(text, sizeof text, "%.4g",
-                   (scale->low + (scale->high - scale->low) * i / 2) / unit);
-        write_text(widget, snapshot, MARGIN + (right - MARGIN) * i / 2, 34, i / 2.0, text);
+        double value = (scale->low + (scale->high - scale->low) * i / 2) / unit;
+        write_text(widget, snapshot, MARGIN + (right - MARGIN) * i / 2, 34, i / 2.0,
+                   play_number_short(value, 4).text);
     }
     g_free(title);
 }

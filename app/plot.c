@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "words.h"
+
 #define MOST_CURVES  8
 #define MARGIN_LEFT  52.0
 #define MARGIN_BELOW 36.0
@@ -117,10 +119,14 @@ static int steps_of(const axis *a)
     return (int)CLAMP((a->high - a->low) / a->step + 0.5, 0, 100);
 }
 
+static skv_digits tick_text(const axis *a, double value)
+{
+    return play_number_short(fabs(value) < a->step / 2 ? 0 : value, 4);
+}
+
 static void draw_axes(PlayPlot *plot, cairo_t *cairo, const axis *x, const axis *y,
                       const GdkRGBA *color)
 {
-    char text[32];
     GdkRGBA faint = *color;
     faint.alpha = 0.18F;
     cairo_set_line_width(cairo, 1);
@@ -132,8 +138,7 @@ static void draw_axes(PlayPlot *plot, cairo_t *cairo, const axis *x, const axis 
         cairo_line_to(cairo, at, y->to);
         cairo_stroke(cairo);
         gdk_cairo_set_source_rgba(cairo, color);
-        g_snprintf(text, sizeof text, "%.4g", fabs(value) < x->step / 2 ? 0 : value);
-        write_text(plot, cairo, at, y->from + 10, 0.5, text);
+        write_text(plot, cairo, at, y->from + 10, 0.5, tick_text(x, value).text);
     }
     for (int i = 0; i <= steps_of(y); i++) {
         double value = y->low + i * y->step;
@@ -143,8 +148,7 @@ static void draw_axes(PlayPlot *plot, cairo_t *cairo, const axis *x, const axis 
         cairo_line_to(cairo, x->to, at);
         cairo_stroke(cairo);
         gdk_cairo_set_source_rgba(cairo, color);
-        g_snprintf(text, sizeof text, "%.4g", fabs(value) < y->step / 2 ? 0 : value);
-        write_text(plot, cairo, x->from - 6, at, 1, text);
+        write_text(plot, cairo, x->from - 6, at, 1, tick_text(y, value).text);
     }
     write_text(plot, cairo, (x->from + x->to) / 2, y->from + 26, 0.5, plot->x_label);
     write_text(plot, cairo, 4, 9, 0, plot->y_label);

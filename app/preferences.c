@@ -105,6 +105,11 @@ static void on_strength(GtkRange *range, PlaySensor *sensor)
     play_sensor_set_strength(sensor, gtk_range_get_value(range));
 }
 
+static char *strength_text(G_GNUC_UNUSED GtkScale *scale, double value, G_GNUC_UNUSED gpointer data)
+{
+    return g_strdup(play_number(value, 1).text);
+}
+
 static AdwPreferencesGroup *make_sensor(PlaySensor *sensor)
 {
     AdwPreferencesGroup *group = ADW_PREFERENCES_GROUP(adw_preferences_group_new());
@@ -124,6 +129,7 @@ static AdwPreferencesGroup *make_sensor(PlaySensor *sensor)
     gtk_scale_add_mark(GTK_SCALE(scale), 1, GTK_POS_BOTTOM, NULL);
     gtk_scale_set_draw_value(GTK_SCALE(scale), TRUE);
     gtk_scale_set_value_pos(GTK_SCALE(scale), GTK_POS_LEFT);
+    gtk_scale_set_format_value_func(GTK_SCALE(scale), strength_text, NULL, NULL);
     gtk_range_set_value(GTK_RANGE(scale), play_sensor_strength(sensor));
     gtk_widget_set_size_request(scale, 180, -1);
     g_signal_connect(scale, "value-changed", G_CALLBACK(on_strength), sensor);

@@ -35,10 +35,9 @@ static void set(property *row, const char *text)
 
 static void on_entry(GtkEntry *entry, property *row)
 {
-    char *text = g_strstrip(g_strdup(gtk_editable_get_text(GTK_EDITABLE(entry))));
-    g_strdelimit(text, ",", '.'); /* where decimals have a comma */
+    char text[64];
+    skv_number_read(gtk_editable_get_text(GTK_EDITABLE(entry)), play_numerals(), text, sizeof text);
     set(row, text);
-    g_free(text);
 }
 
 static void on_switch(GtkSwitch *control, G_GNUC_UNUSED GParamSpec *spec, property *row)
@@ -68,7 +67,8 @@ static void show_value(property *row, const char *text)
                 gtk_drop_down_set_selected(GTK_DROP_DOWN(row->control), i);
         g_strfreev(choices);
     } else {
-        gtk_editable_set_text(GTK_EDITABLE(row->control), text);
+        gtk_editable_set_text(GTK_EDITABLE(row->control),
+                              skv_number_shown(text, play_numerals()).text);
     }
     row->showing = false;
 }

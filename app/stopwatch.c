@@ -16,12 +16,14 @@ typedef struct stopwatch {
 
 static char *words_of(const skv_stopwatch_reading *reading)
 {
-    double time = (double)reading->frames / FRAMES_A_SECOND;
+    char *time = play_quantity((double)reading->frames / FRAMES_A_SECOND, 2, "s");
     if (reading->laps == 0)
-        return g_strdup_printf(_("%.2f s"), time);
-    /* Translators: a stopwatch's time, the number of laps, and how long the last one was. */
-    return g_strdup_printf(_("%.2f s (%d: %.2f s)"), time, reading->laps,
-                           (double)reading->lap / FRAMES_A_SECOND);
+        return time;
+    char *lap = play_quantity((double)reading->lap / FRAMES_A_SECOND, 2, "s");
+    char *text = g_strdup_printf("%s (%d: %s)", time, reading->laps, lap);
+    g_free(lap);
+    g_free(time);
+    return text;
 }
 
 /* What went another way than when it was pressed has not been pressed. */

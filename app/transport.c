@@ -82,13 +82,12 @@ static void show_bar(PlayTransport *transport, const skv_picture *picture)
     gtk_widget_set_sensitive(transport->bar, picture->end > 0);
     if (!transport->held)
         gtk_range_set_value(GTK_RANGE(transport->bar), -(double)behind / FRAMES_A_SECOND);
-    char *text = behind > 0
-                     /* Translators: seconds since the start, and how far back that is. */
-                     ? g_strdup_printf(_("%.1f s (−%.1f)"), picture->frame.time,
-                                       (double)behind / FRAMES_A_SECOND)
-                     : g_strdup_printf(_("%.1f s"), picture->frame.time);
+    char *time = play_quantity(picture->frame.time, 1, "s");
+    char *text = g_strdup_printf(behind > 0 ? "%s (%s)" : "%s", time,
+                                 play_number(-(double)behind / FRAMES_A_SECOND, 1).text);
     gtk_label_set_text(GTK_LABEL(transport->clock), text);
     g_free(text);
+    g_free(time);
 }
 
 /* The rest. */
@@ -108,9 +107,10 @@ static void show_play(PlayTransport *transport, const skv_picture *picture)
 
 static void show_pace(PlayTransport *transport, const skv_picture *picture)
 {
-    char *text = play_is_slow(picture) && transport->narrow
-                     ? g_strdup_printf("%.2g×", picture->pace * picture->speed)
-                     : play_words_of_pace(picture);
+    char *text =
+        play_is_slow(picture) && transport->narrow
+            ? g_strdup_printf("%s×", play_number_short(picture->pace * picture->speed, 2).text)
+            : play_words_of_pace(picture);
     gtk_label_set_text(GTK_LABEL(transport->pace_label), text);
     g_free(text);
     if (play_is_slow(picture))
@@ -119,13 +119,17 @@ static void show_pace(PlayTransport *transport, const skv_picture *picture)
         gtk_widget_remove_css_class(transport->pace_label, "slow");
     if (!gtk_widget_get_mapped(transport->costs))
         return;
+    char *step = play_quantity(picture->step_ms, 1, "ms");
+    char *drawing = play_quantity(picture->draw_ms, 1, "ms");
     text =
-        g_strdup_printf(_("Step: %.1f ms\nPicture: %.1f ms\n%.0f pictures a second\n"
-                          "%d substeps a frame\nSpeed asked for: %g×"),
-                        picture->step_ms, picture->draw_ms, play_view_frame_rate(transport->view),
-                        picture->substeps, picture->speed);
+        g_strdup_printf(_("Step: %s\nPicture: %s\n%s pictures a second\n"
+                          "%d substeps a frame\nSpeed asked for: %s×"),
+                        step, drawing, play_number(play_view_frame_rate(transport->view), 0).text,
+                        picture->substeps, play_number_short(picture->speed, 3).text);
     gtk_label_set_text(GTK_LABEL(transport->costs), text);
     g_free(text);
+    g_free(drawing);
+    g_free(step);
 }
 
 static void on_changed(PlayTransport *transport)

@@ -9,6 +9,8 @@
 /* Below this share of its speed a scene counts as slow. */
 #define KEEPS_UP 0.95
 
+static const skv_numerals *numerals;
+
 static bool bind_if_there(const char *folder, const char *below)
 {
     char *path = g_build_filename(folder, below, NULL);
@@ -32,6 +34,9 @@ void play_words_load(void)
     }
     bind_textdomain_codeset("skvalp", "UTF-8");
     textdomain("skvalp");
+    /* Numbers are those of the language that is spoken: of the translations that were found. */
+    const char *head = "", *spoken = strstr(gettext(head), "Language: ");
+    numerals = skv_numerals_of(spoken ? spoken + strlen("Language: ") : NULL);
 }
 
 const char *play_word(const char *text)
@@ -61,17 +66,6 @@ bool play_is_slow(const skv_picture *picture)
     return !picture->paused && !picture->at_rest && !picture->seeking && picture->pace < KEEPS_UP;
 }
 
-/* "12 960": groups of three digits, with thin spaces that keep together. */
-static char *count_text(int count)
-{
-    if (count >= 1000000)
-        return g_strdup_printf("%d\u202f%03d\u202f%03d", count / 1000000, count / 1000 % 1000,
-                               count % 1000);
-    if (count >= 10000)
-        return g_strdup_printf("%d\u202f%03d", count / 1000, count % 1000);
-    return g_strdup_printf("%d", count);
-}
-
 char *play_words_of_pace(const skv_picture *picture)
 {
     if (picture->seeking)
@@ -84,7 +78,24 @@ char *play_words_of_pace(const skv_picture *picture)
     if (pace == 1)
         return g_strdup(_("real time"));
     /* Translators: how fast the water goes, such as 0.4× of real time. */
-    return g_strdup_printf(_("%.2g× of real time"), pace);
+    return g_strdup_printf(_("%s× of real time"), play_number_short(pace, 2).text);
+}
+
+/* Numbers. */
+
+skv_digits play_number(double value, int decimals)
+{
+    return skv_number(value, decimals, numerals);
+}
+
+skv_digits play_number_short(double value, int digits)
+{
+    return skv_number_short(value, digits, numerals);
+}
+
+const skv_numerals *play_numerals(void)
+{
+    return numerals;
 }
 
 /* Units. */
@@ -101,38 +112,46 @@ bool play_words_si(void)
     return si_units;
 }
 
-const char *play_word_of_unit(const char *unit, double *size)
+skv_unit play_unit_of(const char *si)
 {
-    return play_word(skv_reading_unit(unit, !si_units, size));
+    return skv_unit_of(si, !si_units);
 }
 
 /* The unit comes after the number. */
-char *play_words_of_reading(double value, const char *unit)
+static char *join(const skv_digits *number, const char *unit)
 {
-    char text[64];
-    skv_format_reading(value, unit, !si_units, text, sizeof text);
-    char *space = strchr(text, ' ');
-    if (!space)
-        return g_strdup(text);
-    *space = '\0';
-    return g_strdup_printf("%s %s", text, play_word_of_unit(unit, NULL));
+    bool bare = !*unit || g_str_equal(number->text, "–");
+    return g_strconcat(number->text, bare ? "" : numerals->group, bare ? "" : play_word(unit),
+                       NULL);
 }
 
-char *play_words_of_quantity(const char *name, const char *unit, double *size)
+char *play_words_of_reading(double value, const char *si)
 {
-    const char *shown = play_word_of_unit(unit, size);
-    return *shown ? g_strdup_printf("%s (%s)", play_word(name), shown) : g_strdup(play_word(name));
+    skv_unit unit = play_unit_of(si);
+    skv_digits number = skv_number_in(value, unit, numerals);
+    return join(&number, unit.name);
+}
+
+char *play_quantity(double value, int decimals, const char *unit)
+{
+    skv_digits number = play_number(value, decimals);
+    return join(&number, unit);
+}
+
+char *play_words_of_quantity(const char *name, const char *si, double *size)
+{
+    skv_unit unit = play_unit_of(si);
+    *size = unit.size;
+    return *unit.name ? g_strdup_printf("%s (%s)", play_word(name), play_word(unit.name))
+                      : g_strdup(play_word(name));
 }
 
 char *play_words_of_amount(const skv_picture *picture)
 {
     int count = picture->frame.particles.count;
-    char *number = count_text(count);
-    /* Translators: the number is written with thin spaces, such as 12 960. */
-    char *text =
-        g_strdup_printf(ngettext("%s particle", "%s particles", (unsigned long)count), number);
-    g_free(number);
-    return text;
+    /* Translators: the number is written with spaces, such as 12 960. */
+    return g_strdup_printf(ngettext("%s particle", "%s particles", (unsigned long)count),
+                           play_number(count, 0).text);
 }
 
 char *play_words_of_picture(const skv_picture *picture)

@@ -4,6 +4,7 @@
 
 #include <glib.h>
 #include <glib/gi18n.h>
+#include <skvalp/numbers.h>
 #include <skvalp/session.h>
 
 /* Finds the translations: those installed beside the program, or those of its build folder. */
@@ -21,14 +22,22 @@ char *play_title_of_path(const char *path);
 void play_words_set_si(bool si);
 bool play_words_si(void);
 
-/* The unit, translated, in which a reading in `unit` is shown, as skv_reading_unit says it. */
-const char *play_word_of_unit(const char *unit, double *size);
+/* A number as people here read it, with so many decimals or significant digits. */
+skv_digits play_number(double value, int decimals);
+skv_digits play_number_short(double value, int digits);
+const skv_numerals *play_numerals(void);
 
-/* A reading in that unit, as skv_format_reading writes it: "24.5 cm vattenpelare". To be freed. */
-char *play_words_of_reading(double value, const char *unit);
+/* The unit of a reading in an SI unit. */
+skv_unit play_unit_of(const char *si);
 
-/* An axis of readings: "pressure (cm of water)". To be freed. */
-char *play_words_of_quantity(const char *name, const char *unit, double *size);
+/* A reading in that unit: "24,5 cm vatten". To be freed. */
+char *play_words_of_reading(double value, const char *si);
+
+/* A number with a unit as it is: "2,4 s". To be freed. */
+char *play_quantity(double value, int decimals, const char *unit);
+
+/* An axis of readings in `*size` of the SI unit: "pressure (cm of water)". To be freed. */
+char *play_words_of_quantity(const char *name, const char *si, double *size);
 
 /* How much water there is: "12 960 particles". To be freed. */
 char *play_words_of_amount(const skv_picture *picture);

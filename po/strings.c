@@ -92,11 +92,8 @@ static void print_instruments(void)
         const skv_channel *channel;
         print_text(name, "an instrument");
         for (int i = 0; (channel = skv_instrument_channel((skv_instrument_kind)kind, i)); i++) {
-            char reading[64];
-            skv_format_reading(1, channel->unit, true, reading, sizeof reading);
-            const char *unit = strchr(reading, ' ');
             print_text(channel->name, name);
-            print_text(unit ? unit + 1 : NULL, "a unit");
+            print_text(skv_unit_of(channel->unit, true).name, "a unit");
         }
     }
 }

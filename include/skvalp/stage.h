@@ -231,16 +231,6 @@ SKV_API skv_stage_state skv_stage_now(const skv_stage *stage);
  * particles, at rest". Cut to `size`. */
 SKV_API void skv_picture_describe(const skv_picture *picture, char *text, size_t size);
 
-/** The unit in which a reading is shown that is in `unit`, of a skv_channel: if `plain`, the one
- * that people know, "cm of water" for "Pa m"; else, and where they know no other, `unit` itself.
- * `*size` (null is allowed) is how much of `unit` one of it is. */
-SKV_API const char *skv_reading_unit(const char *unit, bool plain, double *size);
-
-/** A value as people read it, in that unit: of a pressure in Pa m "24.5 cm of water", of a speed
- * "1.20 m/s", of a length "31.4 cm". Cut to `size`. */
-SKV_API void skv_format_reading(double value, const char *unit, bool plain, char *text,
-                                size_t size);
-
 /* ---- Gravity and parameters ------------------------------------------------------------------ */
 
 /** Gravity: a vector in units of the scene's own strength (9.81 m/s^2 in a weightless scene), at

@@ -20,6 +20,11 @@ texts=$(grep -c '^msgid ' "$work/all.pot")
     exit 1
 }
 bad=0 languages=0
+# Numbers with decimals go into texts as play_number and numbers.ts write them.
+if grep -nE '^msgid.*%[-+ 0-9.]*l?[aefgAEFG]' "$work/all.pot"; then
+    echo "a text has printf write a number with decimals; give it %s and a number of skvalp/numbers.h"
+    bad=1
+fi
 for file in po/*.po; do
     languages=$((languages + 1))
     msgmerge --quiet --no-fuzzy-matching -o "$work/merged.po" "$file" "$work/all.pot"

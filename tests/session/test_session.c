@@ -472,39 +472,6 @@ static void test_saving(void **state)
     assert_int_equal(session_report(session, &report), SKV_ERROR_FILE);
 }
 
-static void test_readings(void **state)
-{
-    (void)state;
-    char text[64];
-    const struct {
-        double value;
-        const char *unit;
-        bool plain;
-        const char *wanted;
-    } cases[] = {
-        {2403.45, "Pa m", true, "24.5 cm of water"},
-        {2403.45, "Pa m", false, "2403 Pa m"},
-        {1.204, "m/s", true, "1.20 m/s"},
-        {-0.001, "m/s", true, "0.00 m/s"},
-        {0.314, "m", true, "31.4 cm"},
-        {(double)NAN, "m", true, "\u2013"},
-        {12, "1/s", true, "12 1/s"},
-        {0.5, "", true, "0.5"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        skv_format_reading(cases[i].value, cases[i].unit, cases[i].plain, text, sizeof text);
-        assert_string_equal(text, cases[i].wanted);
-        /* A plot's axis has the same unit, and the values in it. */
-        double size = 0;
-        const char *unit = skv_reading_unit(cases[i].unit, cases[i].plain, &size);
-        if (isfinite(cases[i].value)) {
-            assert_true(fabs(strtod(text, NULL) - cases[i].value / size) <= 0.5);
-            assert_string_equal(unit, strchr(text, ' ') ? strchr(text, ' ') + 1 : "");
-        }
-    }
-    assert_string_equal(skv_reading_unit("m", true, NULL), "cm");
-}
-
 #define BOTH(test)                                                                                 \
     cmocka_unit_test_setup_teardown(test, session_setup, session_teardown),                        \
         cmocka_unit_test_setup_teardown(test, session_setup_thread, session_teardown)
@@ -529,7 +496,6 @@ int main(void)
         BOTH(test_camera_shows_the_whole_world),
         BOTH(test_probes),
         BOTH(test_saving),
-        cmocka_unit_test(test_readings),
         cmocka_unit_test(test_rest_costs_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -52,7 +52,7 @@ function serve(folder) {
 
 /** Waits until the fluid of a page or frame has moved. */
 async function plays(frame, what) {
-    const moving = () => /playing/.test(document.body.innerText) && /\b(0\.[2-9]|[1-9]\d*\.\d) s\b/.test(document.body.innerText);
+    const moving = () => /playing/.test(document.body.innerText) && /\b(0\.[2-9]|[1-9]\d*\.\d)\ss\b/.test(document.body.innerText);
     await frame.waitForFunction(moving).catch(() => expect(false, `${what}: nothing moves`));
 }
 

@@ -173,7 +173,7 @@ const trials = {
         assert.equal(cells.length, 4 * threads.length);
         report.ns.forEach(({ law, particles, threads, least, median }, i) => {
             assert.deepEqual(cells[i].slice(1, 4), [law, String(particles), String(threads)]);
-            const [shownLeast, shownMedian] = cells[i].slice(4).map(Number);
+            const [shownLeast, shownMedian] = cells[i].slice(4).map((text) => Number(text.replace(/\s/g, '')));
             assert.ok(Math.abs(shownLeast / least - 1) < 0.01 && Math.abs(shownMedian / median - 1) < 0.01);
         });
         for (const { scene, particles, frames, least, median } of report.ns) {

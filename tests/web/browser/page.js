@@ -72,7 +72,7 @@ const trials = {
         const page = await begin(browser, desk, '?scene=pool');
         await page.keyboard.press('m');
         const chip = page.locator('.chip');
-        await chip.filter({ hasText: /Pressure.*\d+\.\d cm of water/ }).waitFor();
+        await chip.filter({ hasText: /Pressure.*\d+\.\d\scm of water/ }).waitFor();
         const before = (await stateOf(page)).worlds[0].probes[0].x0;
         await chip.focus();
         await page.evaluate(() => { // a held key, between two states
@@ -99,6 +99,21 @@ const trials = {
         await button(page, 'Remove').click();
         await chip.waitFor({ state: 'detached' });
         await page.locator('dialog').waitFor({ state: 'detached' });
+    },
+
+    async 'numbers are read and typed as Swedish has them'(browser) {
+        const page = await begin(browser, desk, '?scene=pool&lang=sv');
+        await page.keyboard.press('m');
+        await page.locator('.chip').filter({ hasText: /\d,\d\scm vatten/ }).waitFor();
+        assert.match(await page.locator('.clock').textContent(), /^\d+,\d\u00a0s/);
+        assert.match(await page.locator('.amount').textContent(), /^\d\u00a0\d{3} partiklar$/);
+        await page.keyboard.press('p');
+        const field = page.locator('[id="field-gravity.y"]');
+        await until(page, () => document.getElementById('field-gravity.y').value === '\u22129,81', 'a minus and a comma');
+        await field.fill(' \u22123,71');
+        await field.press('Enter');
+        await until(page, () => window.skvalp.state.value.worlds[0].parameters['gravity.y'] === '-3.71', 'it was read');
+        assert.equal(await field.inputValue(), '\u22123,71');
     },
 
     async 'a browser whose language is none has plots'(browser) {
@@ -330,7 +345,7 @@ const trials = {
         await button(page, 'Pause').click();
         await until(page, () => window.skvalp.state.value.paused, 'it stands still');
         await page.locator('.pace').click();
-        await page.getByText('scenes made for 3000 particles begin with 1500 on this device').waitFor();
+        await page.getByText(/scenes made for 3\s000 particles begin with 1\s500 on this device/).waitFor();
         assert.equal(await page.getByText('Slow motion').count(), 0);
         // As the simulation tells it where it cannot keep up: no state comes now that says otherwise.
         await page.evaluate(() => {
@@ -507,7 +522,7 @@ const trials = {
         await page.keyboard.up(']');
         await hold('w', 2);
         await hold('.', 6);
-        await page.locator('.stopwatch').filter({ hasText: '0.10 s' }).waitFor();
+        await page.locator('.stopwatch').filter({ hasText: /0\.10\ss/ }).waitFor();
         await hold('p', 3);
         await page.locator('.panel-properties').waitFor();
         await close(page);

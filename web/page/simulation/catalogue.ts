@@ -59,6 +59,8 @@ export function makeCatalogue(library: Library): Catalogue {
         palettes: choicesOf(library, constants.SKV_STYLE_PALETTE),
         details: choicesOf(library, constants.SKV_STYLE_DETAIL),
         dyes: texts(c.skv_dye_name),
+        numerals: table(library, 'skv_numerals', c.skv_numerals_at)
+            .map(({ language, decimal, group, minus }) => ({ language, decimal, group, minus })),
         instruments: texts(c.skv_instrument_kind_name).map((name, kind) => ({ kind, name })),
         parameters: parametersOf(library),
         sceneFields: fields(c.skv_scene_field),

@@ -219,8 +219,9 @@ export interface Probe {
     y0: number;
     x1: number;
     y1: number;
-    /** Values are in SI units; the text is in `unit`, each of which is `size` of the SI unit. */
-    channels: { name: string; text: string; value: number; unit: string; size: number; theory: boolean }[];
+    /** Values are in SI units; they are shown in `unit`, each of which is `size` of the SI unit, with so
+     * many decimals (-1: four significant digits). */
+    channels: { name: string; value: number; unit: string; size: number; decimals: number; theory: boolean }[];
     /** If it is watched: seconds, and for each channel its values. */
     times: Float64Array | null;
     values: Float64Array[] | null;
@@ -241,6 +242,8 @@ export interface Catalogue {
     palettes: Named[];
     details: Named[];
     dyes: string[];
+    /** How languages write numbers. */
+    numerals: { language: string; decimal: string; group: string; minus: string }[];
     instruments: { kind: number; name: string }[];
     /** What can be set while it runs, and what a scene or an experiment can be opened with. */
     parameters: Field[];

@@ -17,13 +17,19 @@ export class Reader {
     #parameters = new WeakMap<World, { bytes: Uint8Array; values: Record<string, string> }>();
     #channels = new Map<number, { name: string; unit: string; theory: boolean }[]>();
     #room: number;
-    /** Readings in SI units, or in those that people know. */
-    si = false;
+    #units = new Map<string, { unit: string; size: number; decimals: number }>();
+    #si = false;
 
     constructor(library: Library) {
         this.#library = library;
         this.#paths = parametersOf(library).map(({ path }) => path);
         this.#room = library.instance.allocate(textRoom);
+    }
+
+    /** Readings in SI units, or in those that people know. */
+    set si(si: boolean) {
+        this.#si = si;
+        this.#units.clear();
     }
 
     world(world: World, style: Located): WorldState {
@@ -76,10 +82,14 @@ export class Reader {
     }
 
     /** The unit in which a quantity is shown, and how much of the SI unit it is. */
-    #unit(unit: string) {
-        const { c, instance } = this.#library;
-        const shown = c.skv_reading_unit(unit, !this.si, this.#room)!;
-        return { unit: shown, size: instance.data().getFloat64(this.#room, true) };
+    #unit(si: string) {
+        let unit = this.#units.get(si);
+        if (!unit) {
+            unit = using(this.#library, this.#library.c.skv_unit_of(si, !this.#si),
+                ({ name, size, decimals }) => ({ unit: name, size, decimals }));
+            this.#units.set(si, unit);
+        }
+        return unit;
     }
 
     #readLegend(frame: skv_picture['frame'], style: Located): Legend | null {
@@ -108,13 +118,10 @@ export class Reader {
     }
 
     #readProbe(probe: skv_probe): Probe {
-        const { c, instance } = this.#library;
+        const { instance } = this.#library;
         const { id, def, samples, value } = probe;
-        const channels = this.#channelsOf(def.kind).map(({ name, unit, theory }, i) => {
-            c.skv_format_reading(value[i], unit, !this.si, this.#room, textRoom);
-            const text = instance.text(this.#room);
-            return { name, text, value: value[i], ...this.#unit(unit), theory };
-        });
+        const channels = this.#channelsOf(def.kind)
+            .map(({ name, unit, theory }, i) => ({ name, value: value[i], ...this.#unit(unit), theory }));
         const copy = (address: number) => new Float64Array(instance.copy(address, 8 * samples).buffer);
         return {
             id,

@@ -11,9 +11,18 @@ import { Simulator } from './simulation';
 /** Where the native programs are. */
 export const native = process.env.SKV_NATIVE ?? new URL('../../../build/release', import.meta.url).pathname;
 
-const folder = `${process.env.SKV_MODULES ?? new URL('../../../build/web', import.meta.url).pathname}/page`;
-const module = await WebAssembly.compile(readFileSync(`${folder}/skvalp.wasm`));
-const description = await import(/* @vite-ignore */ `${folder}/interface.js`);
+const folder = process.env.SKV_MODULES ?? new URL('../../../build/web', import.meta.url).pathname;
+const load = async (folder: string) => ({
+    module: await WebAssembly.compile(readFileSync(`${folder}/skvalp.wasm`)),
+    description: await import(/* @vite-ignore */ `${folder}/interface.js?whole`), // no alias (tools/modules.js)
+});
+const { module, description } = await load(`${folder}/page`);
+
+/** A library with every public function, not those alone that the page calls. */
+export async function loadWhole() {
+    const { module, description } = await load(folder);
+    return new Library(new Instance(module, {}), description);
+}
 
 /** A library, and what it has saved. Its sessions look at the clock before and after each step. */
 export function loadLibrary(clock?: () => number) {

@@ -3,6 +3,7 @@
 import { computed } from '@preact/signals';
 import { simulation, state } from './model';
 import { preferences } from './preferences';
+import { fixed } from './numbers';
 import { _, say } from './words';
 
 const RADIUS = 32; // of the rim, in CSS pixels
@@ -46,7 +47,7 @@ function onKey(event: KeyboardEvent): void {
 export function Ball() {
     if (!preferences.value.ball)
         return null;
-    const strength = say(_('%.1f times as strong as the scene\'s'), Math.hypot(x.value, y.value));
+    const strength = say(_('%s times as strong as the scene\'s'), fixed(Math.hypot(x.value, y.value), 1));
     const scale = RADIUS / STRONGEST;
     return (
         <div

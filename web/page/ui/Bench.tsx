@@ -6,7 +6,8 @@ import {
 import { Icon } from './Icon';
 import { catalogue } from './model';
 import { canShare, passOn } from './sharing';
-import { _, countText, general, say, word } from './words';
+import { fixed, quantity, short } from './numbers';
+import { _, say, word } from './words';
 
 function titleOf(scene: string): string {
     return word(catalogue.scenes.find(({ name }) => name === scene)?.title ?? scene);
@@ -32,10 +33,10 @@ function Table() {
                         <tr key={`${scene} ${law} ${particles} ${threads}`}>
                             <th scope="row">{titleOf(scene)}</th>
                             <td>{law}</td>
-                            <td>{countText(particles)}</td>
+                            <td>{fixed(particles, 0)}</td>
                             <td>{threads}</td>
-                            <td>{general(least, 3)}</td>
-                            <td>{general(median, 3)}</td>
+                            <td>{short(least, 3)}</td>
+                            <td>{short(median, 3)}</td>
                         </tr>
                     ))}
                 </tbody>
@@ -55,7 +56,7 @@ export default function Bench() {
             <p class="caption">
                 {[
                     say(_('Cores: %d'), device.cores),
-                    ...(device.memory ? [say(_('Memory: %g GB or more'), device.memory)] : []),
+                    ...(device.memory ? [say(_('Memory: %s or more'), quantity(device.memory, 0, 'GB'))] : []),
                 ].join(', ')}
             </p>
             <p class="row">
@@ -82,8 +83,8 @@ export default function Bench() {
             {seen && (
                 <p>
                     {say(
-                        _('The water that was open: %.0f pictures and %.0f of 60 frames a second; a frame takes %.1f ms, a picture %.1f ms.'),
-                        seen.pictures, seen.frames, seen.stepMs, seen.drawMs,
+                        _('The water that was open: %s pictures and %s of 60 frames a second; a frame takes %s, a picture %s.'),
+                        fixed(seen.pictures, 0), fixed(seen.frames, 0), quantity(seen.stepMs, 1, 'ms'), quantity(seen.drawMs, 1, 'ms'),
                     )}
                 </p>
             )}

@@ -2,7 +2,8 @@
 import type { Probe } from '../simulation/protocol';
 import { channelOf, kindOf } from './instruments';
 import { panel, showPanel, simulation, state, subject } from './model';
-import { _, readingText, word } from './words';
+import { readingText } from './numbers';
+import { _, word } from './words';
 
 /** 1 cm, with Shift 1 mm. */
 function onKey(event: KeyboardEvent, probe: Probe): void {
@@ -27,7 +28,7 @@ export function Chips() {
         <div class="chips" role="group" aria-label={_('Measurements')}>
             {first.probes.map((probe) => {
                 const beside = second?.probes.find((other) => other.id === probe.id);
-                const reading = readingText(channelOf(probe).text);
+                const reading = readingText(channelOf(probe));
                 const open = panel.value === 'probe' && subject.value === probe.id;
                 return (
                     <button
@@ -44,7 +45,7 @@ export function Chips() {
                         {word(kindOf(probe.kind).title)}
                         <strong class="numeric">
                             {beside
-                                ? `A: ${reading}  B: ${readingText(channelOf(beside).text)}`
+                                ? `A: ${reading}  B: ${readingText(channelOf(beside))}`
                                 : reading}
                         </strong>
                     </button>

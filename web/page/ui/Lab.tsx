@@ -8,7 +8,8 @@ import { Icon } from './Icon';
 import { predictions, runs, startExperiment, stopExperiment } from './labs';
 import { catalogue, showPanel, simulation, subject } from './model';
 import { Plot } from './Plot';
-import { _, general, word } from './words';
+import { short, withUnit } from './numbers';
+import { _, word } from './words';
 
 function Part({ title, text, children }: { title: string; text: string; children?: ComponentChildren }) {
     return (
@@ -39,8 +40,8 @@ function ResultRow({ quantity, unit, measured, theory, pass }: Row) {
     return (
         <tr>
             <th scope="row">{word(quantity)}</th>
-            <td>{`${general(measured, 4)} ${unit}`}</td>
-            <td>{known ? `${general(theory, 4)} ${unit}` : '–'}</td>
+            <td>{withUnit(short(measured, 4), unit)}</td>
+            <td>{known ? withUnit(short(theory, 4), unit) : '–'}</td>
             <td class={pass ? 'pass' : 'fail'}>{pass ? `✓ ${_('as theory')}` : `✗ ${_('not as theory')}`}</td>
         </tr>
     );

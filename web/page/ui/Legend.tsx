@@ -1,7 +1,8 @@
 // Legend: the scale with which a world is drawn. Invariant: where two worlds have the same, one shows.
 import type { Legend as Scale } from '../simulation/protocol';
 import { compared, part, simulation, state } from './model';
-import { _, general, word } from './words';
+import { short } from './numbers';
+import { _, word } from './words';
 
 const fixed = part((s) => s.style.range > 0, false);
 
@@ -27,7 +28,7 @@ function Legend({ scale, right, top }: { scale: Scale; right: number; top: numbe
             <span class="colours" style={{ background: `linear-gradient(to right, ${scale.colors.join(', ')})` }} />
             <span class="figures numeric">
                 {figures.map((figure) => (
-                    <span>{general(figure, 4)}</span>
+                    <span>{short(figure, 4)}</span>
                 ))}
             </span>
         </button>

@@ -2,7 +2,8 @@
 import type { State } from '../simulation/protocol';
 import { simulation, state } from './model';
 import { isSlow } from './spoken';
-import { countText, N_, _, say } from './words';
+import { fixed, quantity } from './numbers';
+import { N_, _, say } from './words';
 
 const speeds = [
     { speed: 2, title: N_('Twice as Fast') },
@@ -19,7 +20,7 @@ const SHARPEST = 2;
 function wordsOfChoices(now: State): string[] {
     const said = [];
     if (now.chosen !== null)
-        said.push(say(_('So that it goes in real time, scenes made for 3000 particles begin with %s on this device.'), countText(now.chosen)));
+        said.push(say(_('So that it goes in real time, scenes made for %s particles begin with %s on this device.'), fixed(3000, 0), fixed(now.chosen, 0)));
     if (now.ratio < Math.min(window.devicePixelRatio, SHARPEST))
         said.push(_('Drawing is slow here: pictures are coarser than the screen.'));
     // Comes and goes: last, so that what is above it stays.
@@ -33,8 +34,8 @@ export function Pace() {
     if (!now)
         return null;
     const costs = [
-        say(_('Step: %.1f ms'), now.stepMs),
-        say(_('Picture: %.1f ms'), now.drawMs),
+        say(_('Step: %s'), quantity(now.stepMs, 1, 'ms')),
+        say(_('Picture: %s'), quantity(now.drawMs, 1, 'ms')),
         say(_('%d substeps a frame'), now.worlds[0].substeps),
         say(_('Threads: %d'), now.threads),
     ];

@@ -4,7 +4,8 @@ import { useEffect, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Curve } from '../simulation/protocol';
-import { general, language } from './words';
+import { short } from './numbers';
+import { language } from './words';
 
 /** As in the app: told apart by people who see colours differently, too (Okabe and Ito). */
 const colours = ['#56b4e9', '#e69f00', '#00b98a', '#f0e442', '#cc79a7', '#d55e00'];
@@ -51,7 +52,7 @@ function optionsOf({ xLabel, yLabel, curves }: PlotProps, width: number): uPlot.
         font: '14px system-ui',
         labelFont: '14px system-ui',
         labelSize: 24,
-        values: (_plot: uPlot, values: number[]) => values.map((value) => general(value, 6)),
+        values: (_plot: uPlot, values: number[]) => values.map((value) => short(value, 6)),
     };
     return {
         width,

@@ -7,7 +7,8 @@ import { kindOf } from './instruments';
 import { Icon } from './Icon';
 import { showPanel, simulation, state, subject } from './model';
 import { Plot } from './Plot';
-import { _, quantityText, readingText, say, word } from './words';
+import { readingText } from './numbers';
+import { _, quantityText, say, word } from './words';
 
 function curveOf(probe: Probe, channel: number, label: string, style: Curve['style']): Curve {
     const { size } = probe.channels[channel];
@@ -60,14 +61,14 @@ export default function ProbeCard() {
     return (
         <>
             <h3>{`${id}  ${title}`}</h3>
-            <Plot xLabel={_('time (s)')} yLabel={yLabel} curves={curves} name={`${title}: ${readingText(main.text)}`} />
+            <Plot xLabel={_('time (s)')} yLabel={yLabel} curves={curves} name={`${title}: ${readingText(main)}`} />
             <dl class="readings numeric">
-                {probe.channels.map(({ name, text }, i) => (
-                    <div key={name}>
-                        <dt>{word(name)}</dt>
+                {probe.channels.map((channel, i) => (
+                    <div key={channel.name}>
+                        <dt>{word(channel.name)}</dt>
                         <dd>
-                            {readingText(text)}
-                            {beside && ` · B: ${readingText(beside.channels[i].text)}`}
+                            {readingText(channel)}
+                            {beside && ` · B: ${readingText(beside.channels[i])}`}
                         </dd>
                     </div>
                 ))}

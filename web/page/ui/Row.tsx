@@ -2,6 +2,7 @@
 // there is; what was typed and refused is forgotten.
 import type { Field } from '../simulation/protocol';
 import { Button } from './Button';
+import { shown, typed } from './numbers';
 import { _, titleOfPath, word } from './words';
 
 export interface RowProps {
@@ -41,10 +42,10 @@ function Control({ field, value, set, id }: RowProps & { id: string }) {
             type="text"
             inputMode="decimal"
             class="figure numeric"
-            value={value}
+            value={shown(value)}
             onChange={(event) => {
-                const text = event.currentTarget.value.trim().replace(',', '.');
-                event.currentTarget.value = value; // what is refused is forgotten
+                const text = typed(event.currentTarget.value.trim());
+                event.currentTarget.value = shown(value); // what is refused is forgotten
                 set(text);
             }}
         />

@@ -3,7 +3,8 @@ import { canTilt } from './device';
 import { catalogue } from './model';
 import { preferences, prefer } from './preferences';
 import type { Preferences } from './preferences';
-import { _, general, known, word } from './words';
+import { short } from './numbers';
+import { _, known, word } from './words';
 
 /** A language's name, in that language. */
 function nameOf(tag: string): string {
@@ -52,7 +53,7 @@ function Tilt() {
     const { tilt } = preferences.value;
     return (
         <label class="slider">
-            {`${_('Tilt Sensor')}: ${_('Strength')} ${general(tilt, 2)}`}
+            {`${_('Tilt Sensor')}: ${_('Strength')} ${short(tilt, 2)}`}
             <span class="caption">{_('Against the scene\'s own gravity')}</span>
             <input
                 type="range"
@@ -61,7 +62,7 @@ function Tilt() {
                 max={2}
                 step={0.1}
                 value={tilt}
-                aria-valuetext={general(tilt, 2)}
+                aria-valuetext={short(tilt, 2)}
                 onInput={(event) => prefer({ tilt: Number(event.currentTarget.value) })}
             />
         </label>

@@ -1,7 +1,8 @@
 // Size: the radius of the tool, and what it dyes with.
 import { LARGEST, SMALLEST, longerSide, setBrush } from './actions';
 import { catalogue, dye, part, simulation } from './model';
-import { _, say, word } from './words';
+import { quantity } from './numbers';
+import { _, word } from './words';
 
 const brush = part((s) => s.brush, 0);
 
@@ -13,14 +14,14 @@ export function Size() {
                 type="range"
                 class="wide"
                 aria-label={_('Size of the tool')}
-                aria-valuetext={say(_('%.1f cm'), 100 * brush.value)}
+                aria-valuetext={quantity(100 * brush.value, 1, 'cm')}
                 min={Math.log(SMALLEST)}
                 max={Math.log(LARGEST)}
                 step={0.05}
                 value={Math.log(share)}
                 onInput={(event) => setBrush(Math.exp(Number(event.currentTarget.value)) * longerSide())}
             />
-            <p class="numeric">{say(_('%.1f cm'), 100 * brush.value)}</p>
+            <p class="numeric">{quantity(100 * brush.value, 1, 'cm')}</p>
             <fieldset class="choices">
                 <legend>{_('Dye')}</legend>
                 {catalogue.dyes.map((name, index) => (

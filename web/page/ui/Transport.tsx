@@ -6,7 +6,8 @@ import { Button } from './Button';
 import { FRAMES, part, paused, simulation, state, togglePanel } from './model';
 import { pressStopwatch, reading, readingWords, used } from './stopwatch';
 import { isSlow, wordsOfPace } from './spoken';
-import { _, say } from './words';
+import { fixed, quantity } from './numbers';
+import { _ } from './words';
 
 const canUndo = part((s) => s.canUndo, false);
 const canRedo = part((s) => s.canRedo, false);
@@ -18,8 +19,7 @@ function Bar() {
     const first = Math.max(0, end - REACH);
     const behind = end - (now?.moment ?? 0);
     const seconds = now?.worlds[0].time ?? 0;
-    const clock =
-        behind > 0 ? say(_('%.1f s (−%.1f)'), seconds, behind / FRAMES) : say(_('%.1f s'), seconds);
+    const clock = quantity(seconds, 1, 's') + (behind > 0 ? ` (${fixed(-behind / FRAMES, 1)})` : '');
     return (
         <div class="bar">
             <input

@@ -4,7 +4,8 @@ import { computed } from '@preact/signals';
 import type { State, WorldState } from '../simulation/protocol';
 import { state } from './model';
 import { kindOf } from './instruments';
-import { _, countText, language, ngettext, say, word } from './words';
+import { fixed, quantity, short } from './numbers';
+import { _, language, ngettext, say, word } from './words';
 
 /** Below this share of its speed a scene counts as slow. */
 const KEEPS_UP = 0.95;
@@ -21,11 +22,11 @@ export function wordsOfPace(now: State): string {
     if (now.atRest)
         return _('at rest');
     const pace = now.speed * (isSlow(now) ? now.pace : 1);
-    return pace === 1 ? _('real time') : say(_('%.2g× of real time'), pace);
+    return pace === 1 ? _('real time') : say(_('%s× of real time'), short(pace, 2));
 }
 
 export function wordsOfAmount(world: WorldState): string {
-    return say(ngettext('%s particle', '%s particles', world.particles), countText(world.particles));
+    return say(ngettext('%s particle', '%s particles', world.particles), fixed(world.particles, 0));
 }
 
 /** How much two gauges of the level differ, in whole cm: of columns that are to be compared. */
@@ -41,8 +42,8 @@ function wordsOfLevels(world: WorldState): string {
     if (difference === 0)
         return _('both columns equally high');
     return difference > 0
-        ? say(_('left column %d cm higher'), difference)
-        : say(_('right column %d cm higher'), -difference);
+        ? say(_('left column %s higher'), quantity(difference, 0, 'cm'))
+        : say(_('right column %s higher'), quantity(-difference, 0, 'cm'));
 }
 
 /** What the live region says: it changes when something has happened, not with every picture. */

@@ -2,7 +2,7 @@
 // Invariant: what it shows depends on its presses and the moment alone, so it goes back in time, too.
 import { computed, effect, signal } from '@preact/signals';
 import { FRAMES, state } from './model';
-import { _, say } from './words';
+import { quantity } from './numbers';
 
 interface Press {
     moment: number;
@@ -59,7 +59,6 @@ export function pressStopwatch(lap: boolean): void {
 
 export const readingWords = computed(() => {
     const { frames, laps, lap } = reading.value;
-    return laps === 0
-        ? say(_('%.2f s'), frames / FRAMES)
-        : say(_('%.2f s (%d: %.2f s)'), frames / FRAMES, laps, lap / FRAMES);
+    const time = quantity(frames / FRAMES, 2, 's');
+    return laps === 0 ? time : `${time} (${laps}: ${quantity(lap / FRAMES, 2, 's')})`;
 });

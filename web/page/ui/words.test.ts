@@ -1,20 +1,70 @@
-// Words: formats, figures and translations as people read them.
-import { expect, test } from 'vitest';
+// Words: formats, numbers and translations as people read them.
+import { beforeAll, expect, test } from 'vitest';
 
+import { makeCatalogue } from '../simulation/catalogue';
+import { loadLibrary, loadWhole } from '../simulation/testing';
 import { readPo } from '../../tools/words.js';
-import { countText, general, ngettext, readingText, say, speak, titleOfPath, word } from './words';
+import { begin } from './model';
+import { fixed, quantity, readingText, short, shown, typed } from './numbers';
+import { known, language, ngettext, say, speak, titleOfPath, word } from './words';
+
+beforeAll(() => begin(null as never, makeCatalogue(loadLibrary().library)));
 
 test('formats are filled as printf does', () => {
-    expect(say('%.1f s (−%.1f)', 12.34, 0.26)).toBe('12.3 s (−0.3)');
-    expect(say('%.2g× of real time', 0.4321)).toBe('0.43× of real time');
-    expect(say('%s: %d, %g, 100 %%', 'a', 3, 0.5)).toBe('a: 3, 0.5, 100 %');
+    expect(say('%s (%s)', 12.3, '−0.3')).toBe('12.3 (−0.3)');
+    expect(say('%s: %d, 100 %%', 'a', 3)).toBe('a: 3, 100 %');
     expect(say('%s', '%s')).toBe('%s');
 });
 
-test('large counts are in groups', () => {
-    expect(countText(2960)).toBe('2960');
-    expect(countText(12960)).toBe('12\u202f960');
-    expect(countText(1234567)).toBe('1\u202f234\u202f567');
+test('numbers are written and read as the library does, in every language', async () => {
+    const library = await loadWhole(), { c } = library;
+    const text = (digits: { text: string; address: number }) => {
+        const { text: written } = digits;
+        library.release(digits);
+        return written;
+    };
+    const room = library.instance.allocate(64);
+    let random = 1;
+    for (const tag of known) {
+        await speak(tag);
+        expect(language.value).toBe(tag);
+        const numerals = c.skv_numerals_of(tag);
+        expect(library.view('skv_numerals', numerals).language).toBe(tag); // it has a row of its own
+        const values = [0, -0.004, -0.005, 0.25, 2.5, 999.95, 1200, -9.81, 1e-6, 1e15, NaN, Infinity];
+        for (let i = 0; i < 500; i++) {
+            random = (random * 16807) % 2147483647;
+            values.push((random - 1073741823) * 2 ** (-40 + (i % 50)));
+        }
+        for (const [i, value] of values.entries()) {
+            expect(fixed(value, i % 10)).toBe(text(c.skv_number(value, i % 10, numerals)));
+            const written = short(value, 1 + (i % 9));
+            expect(written).toBe(text(c.skv_number_short(value, 1 + (i % 9), numerals)));
+            const plain = String(value);
+            expect(shown(plain)).toBe(text(c.skv_number_shown(plain, numerals)));
+            for (const said of [written, plain, '1,200', '1,25', '1,2,3', 'honey', '12 honeys', '', '1e-3', ' 1 200 ']) {
+                c.skv_number_read(said, numerals, room, 64);
+                expect(typed(said)).toBe(library.instance.text(room));
+            }
+        }
+        for (const [si, plain] of [['Pa m', true], ['Pa m', false], ['m', true], ['', true], ['1/s', true]] as const) {
+            const unit = c.skv_unit_of(si, plain);
+            const { name, size, decimals } = unit;
+            const number = text(c.skv_number_in(2403.45, unit as never, numerals));
+            expect(readingText({ value: 2403.45, unit: name, size, decimals }))
+                .toBe(name ? `${number}\u00a0${word(name)}` : number);
+        }
+    }
+});
+
+test('numbers are as Swedish has them', async () => {
+    await speak('sv');
+    expect(quantity(19.3, 1, 'cm')).toBe('19,3\u00a0cm');
+    expect(quantity(NaN, 1, 'cm')).toBe('–');
+    expect(shown('-9.81')).toBe('−9,81');
+    expect(shown('1e-06')).toBe('0,000001');
+    expect(fixed(1200, 0)).toBe('1\u00a0200');
+    expect(typed('−9,81')).toBe('-9.81');
+    await speak('en');
 });
 
 test('parameters are named as the app names them', () => {
@@ -27,8 +77,7 @@ test('Swedish comes from po/, with its decimals and plurals', async () => {
     expect(word('Pause')).toBe('Pausa');
     expect(word('a text that nobody translates')).toBe('a text that nobody translates');
     expect(word('constructor')).toBe('constructor');
-    expect(readingText('2.5 cm of water')).toMatch(/^2,5 \S+/);
-    expect(general(0.123456, 3)).toBe('0,123');
+    expect(readingText({ value: 245, unit: 'cm of water', size: 98.1, decimals: 1 })).toMatch(/^2,5\u00a0\S+/);
     expect(say(ngettext('%s particle', '%s particles', 2), '2')).toBe('2 partiklar');
     await speak('en');
     expect(say(ngettext('%s particle', '%s particles', 1), '1')).toBe('1 particle');

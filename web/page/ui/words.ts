@@ -1,4 +1,4 @@
-// Words: what the page says, in the reader's language, and how figures are written. Invariant: every
+// Words: what the page says, in the reader's language. Invariant: every
 // text that people see went through _() or word(); the translations are the app's, from po/.
 import { signal } from '@preact/signals';
 import { languages } from 'virtual:words';
@@ -40,49 +40,16 @@ export function ngettext(one: string, many: string, count: number): string {
     return count === 1 ? forms[0] : forms[1];
 }
 
-/** The figure as it is written here: decimals have a comma in Swedish. */
-function localized(text: string): string {
-    return language.value === 'en' ? text : text.replace('.', decimal());
-}
-
-function decimal(): string {
-    const parts = new Intl.NumberFormat(language.value).formatToParts(1.5);
-    return parts.find((part) => part.type === 'decimal')?.value ?? '.';
-}
-
-/** As C's %.*g, for the figures that people read. */
-export function general(value: number, digits: number): string {
-    return Number.isFinite(value) ? localized(String(Number(value.toPrecision(digits)))) : '–';
-}
-
-/** The text with its printf formats filled: %s, %c, %d, %g, %.2f, %.2g, %%. */
+/** The text with its printf formats filled: %s, %c, %d, %%. */
 export function say(text: string, ...values: (string | number)[]): string {
     let next = 0;
-    return text.replace(/%(?:%|(?:\.(\d+))?([scdgf]))/g, (whole, digits, kind) => {
-        if (whole === '%%')
-            return '%';
-        const value = values[next++];
-        if (kind === 'f')
-            return localized(Number(value).toFixed(Number(digits ?? 6)));
-        return kind === 'g' ? general(Number(value), Number(digits ?? 6)) : String(value);
-    });
-}
-
-/** "12 960": groups of three digits, with thin spaces that keep together. */
-export function countText(count: number): string {
-    return count < 10000 ? String(count) : String(count).replace(/\B(?=(\d{3})+$)/g, '\u202f');
+    return text.replace(/%[%scd]/g, (format) => (format === '%%' ? '%' : String(values[next++])));
 }
 
 /** "Radius ratio" of fluid.radius_ratio, as the app names a parameter. */
 export function titleOfPath(path: string): string {
     const name = path.slice(path.lastIndexOf('.') + 1).replaceAll('_', ' ');
     return word(name.charAt(0).toUpperCase() + name.slice(1));
-}
-
-/** A reading of the library's ("2.5 cm of water"): its unit is translated. */
-export function readingText(text: string): string {
-    const space = text.indexOf(' ');
-    return space < 0 ? localized(text) : `${localized(text.slice(0, space))} ${word(text.slice(space + 1))}`;
 }
 
 /** "pressure (cm of water)". */
