@@ -231,14 +231,14 @@ static skv_result run_one(lab_run *run, skv_error *error)
     return result;
 }
 
-/* What a class works through, one experiment after the other: docs/experiments.md is this. */
+/* What a class works through, one experiment after the other; the pages of docs/lab have it, too.
+ */
 static void print_cards(const lab_run *run)
 {
     if (run->options->experiment_count == 0)
         puts("# Experiments\n\n"
              "One card for each experiment of the lab: read the question, write down what you "
-             "expect, run it\n(in the app, or with the command below the title), and compare. "
-             "What these figures were when the\nprogram was tested is in [the lab](lab.md).\n");
+             "expect, run it\n(in the app, or with the command below the title), and compare.\n");
     for (int i = 0; i < run->count; i++) {
         const skv_experiment *card = skv_experiment_info(run->chosen[i]);
         printf("%s## %s\n\n`skvalp lab %s`\n\n", i ? "\n" : "", card->title, card->name);

@@ -27,7 +27,7 @@ shift "$chosen"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-head='| experiment | quantity |' rule='|---|---|' columns=()
+head='| experiment | quantity | must reach |' rule='|---|---|---|' columns=()
 for scale in "${scales[@]}"; do
     for count in "${particles[@]}"; do
         head+=" $scale, $count |" rule+='---|'
@@ -36,20 +36,24 @@ for scale in "${scales[@]}"; do
         "$build/skvalp" lab --json --quiet --set scale="$scale" \
             --set particles="$count" "$@" \
             >"$work/json" || (($? == 1)) || die "the lab failed at scale $scale with $count particles"
-        sed -nE 's/.*"experiment": "([^"]*)", "quantity": "([^"]*)".*"measured": ([^,]*),.*"ratio": ([^,]*),.*"pass": ([a-z]*)(.*"measured_deviation": ([^,]*), "ratio_deviation": ([^}]*))?}.*/\1|\2|\3|\4|\5|\7|\8/p' \
+        sed -nE 's/.*"experiment": "([^"]*)", "quantity": "([^"]*)".*"measured": ([^,]*),.*"ratio": ([^,]*), "tolerance": ([^,]*), "pass": ([a-z]*)(.*"measured_deviation": ([^,]*), "ratio_deviation": ([^}]*))?}.*/\1|\2|\3|\4|\5|\6|\8|\9/p' \
             "$work/json" | awk -F'|' '{
+                bound = $4 == "null" ? sprintf("up to %.3g", $5) : "±" 100 * $5 " %"
                 value = $4 == "null" ? sprintf("%.2g", $3) : sprintf("%.3f", $4)
-                spread = $4 == "null" ? sprintf("%.1g", $6) : sprintf("%.3f", $7)
-                value = $6 + 0 == 0 ? value : value " ± " spread
-                print $1 "|" $2 "|" ($5 == "true" ? value : "**" value "**")
+                spread = $4 == "null" ? sprintf("%.1g", $7) : sprintf("%.3f", $8)
+                value = $7 + 0 == 0 ? value : value " ± " spread
+                print $1 "|" $2 "|" ($6 == "true" ? value : "**" value "**") "|" bound
             }' >"${columns[-1]}"
     done
 done
 {
     printf '%s\n%s\n' "$head" "$rule"
-    awk -F'|' '{ row[FNR] = FNR == NR ? "| " $1 " | " $2 " | " $3 " |" : row[FNR] " " $3 " |" }
+    # Bounds that follow from the size are those of scale 1 with most particles.
+    awk -F'|' -v named="$work/1-${particles[-1]}" '
+        { name[FNR] = "| " $1 " | " $2 " |"; values[FNR] = values[FNR] " " $3 " |" }
+        FILENAME == named { bound[FNR] = $4 }
         FNR > rows { rows = FNR }
-        END { for (i = 1; i <= rows; i++) print row[i] }' "${columns[@]}"
+        END { for (i = 1; i <= rows; i++) print name[i] " " bound[i] " |" values[i] }' "${columns[@]}"
 } >"$work/table"
 replace_in_page "$page" lab "$work/table"
 say "Written: the table of $page"

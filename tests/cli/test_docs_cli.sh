@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every example of docs/cli.md and docs/share.md does what the page shows: the commands of their
-# console blocks run in one folder, in order; their output matches, "..." standing for anything.
+# console blocks run in one folder, in order; their output matches, "..." standing for anything. The
+# pages of docs/lab show the experiments' cards.
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_docs_cli.sh BUILD SOURCE}")
@@ -51,10 +52,21 @@ while IFS= read -r line; do
 done < <(cat "$docs/cli.md" "$docs/share.md")
 
 ((examples > 0)) || { printf '%s has no examples\n' "$docs"; exit 1; }
-# The cards stand in the program; the page is what it prints.
-if ! diff "$docs/experiments.md" <(skvalp lab --cards); then
-    printf 'run: build/release/skvalp lab --cards >docs/experiments.md\n'
+# The cards stand in the program; each experiment's page shows its own as it is printed.
+cards=0
+while read -r name; do
+    page=$docs/lab/$name.md
+    cards=$((cards + 1))
+    if ! diff <(skvalp lab "$name" --cards | sed '1s/^## /# /' | grep .) \
+        <(sed '/^<!-- card: end -->$/q' "$page" | grep -v '^<!-- card: ' | grep .) >diff; then
+        printf '%s does not show the card of skvalp lab %s --cards:\n%s\n' "$page" "$name" "$(<diff)"
+        bad=$((bad + 1))
+    fi
+done < <(skvalp lab --cards | sed -nE 's/^`skvalp lab ([a-z-]+)`$/\1/p')
+if ((cards == 0 || cards != $(find "$docs/lab" -name '*.md' | wc -l))); then
+    printf '%d experiments have cards, docs/lab has other pages\n' "$cards"
     bad=$((bad + 1))
 fi
 ((bad == 0)) || exit 1
-printf 'docs: %d examples of cli.md and share.md do what they show\n' "$examples"
+printf 'docs: %d examples of cli.md and share.md do what they show, %d cards are the program'\''s\n' \
+    "$examples" "$cards"

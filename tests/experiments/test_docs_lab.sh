@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# The examples of docs/lab.md run: the commands, and the settings like `slosh.depth=1`. With
+# The examples of docs/lab.md and docs/lab run: the commands, and the settings like `slosh.depth=1`. With
 # SKV_LONG_TESTS=1 as they are written, which takes minutes, and they miss no more than the page says;
 # else with 600 particles, whatever they miss. All experiments at once are test_committed's business.
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_docs_lab.sh BUILD SOURCE}")
-page=$(realpath "${2:?usage: test_docs_lab.sh BUILD SOURCE}")/docs/lab.md
+docs=$(realpath "${2:?usage: test_docs_lab.sh BUILD SOURCE}")/docs
+page=$docs/lab.md
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -41,8 +42,8 @@ run_example() {
 # shellcheck disable=SC2016  # the backquotes are the page's
 mapfile -t commands < <({
     sed -nE 's/^skvalp lab ([^ ]+( [^ ]+)*).*/\1/p' "$page"
-    grep -oE '`skvalp lab [^`]+`' "$page" | sed -E 's/^`skvalp lab (.*)`$/\1/'
-    grep -oE '`[a-z-]+\.[a-z_]+=[0-9.]+`' "$page" | tr -d '`' | grep -v '^fluid\.' |
+    grep -hoE '`skvalp lab [^`]+ [^`]+`' "$page" "$docs"/lab/*.md | sed -E 's/^`skvalp lab (.*)`$/\1/'
+    grep -hoE '`[a-z-]+\.[a-z_]+=[0-9.]+`' "$page" "$docs"/lab/*.md | tr -d '`' | grep -v '^fluid\.' |
         sed -E 's/^([a-z-]+)\./\1 --set &/'
 } | sort -u)
 for command in "${commands[@]}"; do

@@ -106,7 +106,9 @@ for page, text in living.items():
                 complain(page, f"there is no scene {word}: skvalp {command}")
             if words[0] == "lab" and word not in experiments:
                 complain(page, f"there is no experiment {word}: skvalp {command}")
-    for path in re.findall(r"(?:--set |`)([a-z][\w-]*\.[a-z_]+)=", text):
+    own = "|".join(experiments | {"fluid"})
+    for path in re.findall(rf"(?:--set |`)([a-z][\w-]*\.[a-z_]+)=|`((?:{own})\.[a-z_]+)`", text):
+        path = path[0] or path[1]
         if path not in parameters:
             complain(page, f"there is no parameter {path}")
 
@@ -136,6 +138,21 @@ for name, value in listed:
         complain("docs/model.md", f"{name} is {at[1] if at else 'not defined'}, not {value}")
 if not listed:
     complain("docs/model.md", "lists no constants")
+
+# The lab's table has the rows and bounds of the committed figures, and its verdicts are right.
+committed = [line.split(",") for line in read("tests/experiments/committed.csv").splitlines()[1:]]
+table = re.search(r"<!-- lab: begin -->\n\n(.*?)\n\n<!-- lab: end -->", texts["docs/lab.md"], re.S)[1]
+rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines()]
+if [row[:2] for row in rows[2:]] != [[line[0], line[1].replace(";", ",")] for line in committed]:
+    complain("docs/lab.md", "its table has other rows than tests/experiments/committed.csv")
+for row, line in zip(rows[2:], committed):
+    ratio, bound = re.fullmatch(r"±([\d.]+) %", row[2]), float(line[3])
+    if ratio and abs(float(ratio[1]) / 100 - bound) > 1e-9:
+        complain("docs/lab.md", f"{row[0]}, {row[1]}: the bound is {bound}, not {row[2]}")
+    for cell in row[3:] if ratio else []:
+        value = float(cell.strip("*").split(" ")[0])
+        if (abs(value - 1) > bound) != cell.startswith("**") and "±" not in cell:
+            complain("docs/lab.md", f"{row[0]}, {row[1]}: {cell} is marked wrongly")
 
 # The notebook's list has every page.
 for page in glob.glob("docs/notebook/2*.md"):
