@@ -31,6 +31,6 @@ esac
 install_packages "${packages_build[@]}" "${packages_run[@]}" "${packages_core[@]}" "${packages_app[@]}"
 say "Building build/monkey"
 configure monkey || die "configuring failed: $(reason configure-monkey) ($logs/configure-monkey.log)"
-build monkey skvalp-play || die "building failed: $(reason build-monkey) ($logs/build-monkey.log)"
+build monkey skvalp-play-tested || die "building failed: $(reason build-monkey) ($logs/build-monkey.log)"
 SKV_MONKEY_SECONDS=$((${1:-10} * 60)) SKV_MONKEY_SEED=${2-$((SRANDOM % 1000000))} SKV_MONKEY_DIALOGS=1 \
     bash tests/app/test_app_monkey.sh build/monkey .

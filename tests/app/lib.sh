@@ -1,20 +1,21 @@
-# Shared by the app's tests: a display of its own, the app on it, and looks at the screen. Sourced
-# with `build` set. Waits are many times what is needed, so that a busy machine fails nothing.
+# Shared by the app's tests: a display of its own, the app on it, and looks through its door. Sourced
+# with `build` set. A test waits for what the app says of itself (door.py), and so long that a busy
+# machine fails nothing; what it presses it finds by its name, and a point of a world by the camera.
 # shellcheck shell=bash disable=SC2154
 
-for program in Xvfb xdotool import convert; do
+for program in Xvfb xdotool import convert python3; do
     command -v "$program" >/dev/null || {
-        echo "$program is missing: install xvfb xdotool imagemagick"
+        echo "$program is missing: install xvfb xdotool imagemagick python3"
         exit 1
     }
 done
 
 work=$(mktemp -d)
-server='' app='' manager=''
+server='' app='' manager='' asker=''
 # What does not end when it is asked to, is ended: a compositor was seen to spin for ever.
 finish() {
     local one
-    for one in $app $manager $server; do
+    for one in $app $manager $server $asker; do
         kill "$one" 2>/dev/null || continue
         timeout 10 tail --pid="$one" -s 0.1 -f /dev/null || kill -KILL "$one" 2>/dev/null || true
     done
@@ -26,42 +27,55 @@ trap finish EXIT
 fail() {
     echo "FAILED: $*"
     [[ ! -s $work/app.log ]] || sed 's/^/app: /' "$work/app.log"
-    if [[ -n ${SKVALP_KEEP:-} ]]; then # screenshots, for a look
+    if [[ -n ${SKVALP_KEEP:-} ]]; then # for a look
         shoot failed || true
         cp -r "$work" "$SKVALP_KEEP"
     fi
     exit 1
 }
 
-stop_display() {
-    [[ -n $server ]] || return 0
-    kill "$server" 2>/dev/null || true
-    wait "$server" 2>/dev/null || true
-    server=''
-}
+# The door, and who asks it.
+export SKVALP_DOOR=$work/door GTK_A11Y=test
+mkfifo "$work/asked" "$work/told"
+python3 "$(dirname "${BASH_SOURCE[0]}")/door.py" "$SKVALP_DOOR" <"$work/asked" >"$work/told" 2>"$work/door.log" &
+asker=$!
+exec 7>"$work/asked" 8<"$work/told"
 
-# start_display WIDTHxHEIGHT: a display number that nobody uses: the server picks it. A server that
-# ends frees its number before it removes its socket, which may be the next one's by then: so a
-# server that cannot be reached is left for another.
+# ask SECONDS EXPRESSION: sets `answer`.
+ask() {
+    printf '%s %s %s\n' "${app:-0}" "$1" "$2" >&7
+    read -r answer <&8 || fail "nobody asks the door: $(cat "$work/door.log")"
+    [[ $answer == yes* ]] && answer=${answer#yes }
+}
+# await EXPRESSION [SECONDS]: a state of the app, in Python over what the door tells.
+patience=${SKV_PATIENCE:-120}
+await() {
+    ask "${2:-$patience}" "$1" || fail "it did not come to $1 but is $answer"
+}
+# is EXPRESSION: at this moment.
+is() { ask 0 "$1"; }
+
+# start_display WIDTHxHEIGHT: of a number of this process's own, so that tests may run side by side.
 start_display() {
-    local number try
+    local number=$((100 + $$ % 50000)) told
     export GDK_BACKEND=x11 LIBGL_ALWAYS_SOFTWARE=1
-    for try in 1 2 3 4 5; do
-        stop_display
-        rm -f "$work/number"
-        mkfifo "$work/number"
-        Xvfb -noreset -displayfd 3 -screen 0 "${1}x24" -nolisten tcp 3>"$work/number" >/dev/null 2>&1 &
-        server=$!
-        read -r -t 60 number <"$work/number" || fail "Xvfb did not start"
-        export DISPLAY=:$number
-        sleep 0.2 # what is about to be removed is gone then
-        ! timeout 60 xdotool getdisplaygeometry >/dev/null 2>&1 || return 0
-        echo "display $DISPLAY does not answer (try $try)"
-    done
-    fail "no display answers"
+    mkfifo "$work/number"
+    Xvfb ":$number" -noreset -displayfd 3 -screen 0 "${1}x24" -nolisten tcp 3>"$work/number" >/dev/null 2>&1 &
+    server=$!
+    read -r -t 120 told <"$work/number" || told=''
+    [[ $told == "$number" ]] || fail "Xvfb did not start on display $number"
+    export DISPLAY=:$number
+}
+# A window manager without keys and buttons of its own.
+start_manager() {
+    command -v openbox >/dev/null || fail "openbox is missing: install openbox"
+    printf '<openbox_config xmlns="http://openbox.org/3.4/rc"/>' >"$work/rc.xml"
+    openbox --config-file "$work/rc.xml" >/dev/null 2>&1 &
+    manager=$!
+    repeat xprop -root _NET_SUPPORTING_WM_CHECK >/dev/null || fail "no window manager came up"
 }
 # No settings, languages and services of the machine that runs the test.
-export GSETTINGS_BACKEND=memory GTK_A11Y=none HOME=$work DBUS_SESSION_BUS_ADDRESS=disabled:
+export GSETTINGS_BACKEND=memory HOME=$work DBUS_SESSION_BUS_ADDRESS=disabled:
 export LC_ALL=C.UTF-8 LANGUAGE=en
 unset WAYLAND_DISPLAY GTK_THEME ADW_DEBUG_COLOR_SCHEME ADW_DEBUG_HIGH_CONTRAST
 unset XDG_CONFIG_HOME XDG_DATA_HOME XDG_CACHE_HOME
@@ -72,99 +86,84 @@ window_size() {
     mkdir -p "$work/.config/skvalp"
     printf '[play]\nwidth=%d\nheight=%d\n' "$@" >"$work/.config/skvalp/play.ini"
 }
-window_size 840 560
+window_size 640 420
 
-# await SECONDS COMMAND...: waits until it succeeds.
-await() {
-    local end=$((SECONDS + $1))
-    shift
+# repeat COMMAND...: until it succeeds, of what no door tells.
+repeat() {
+    local end=$((SECONDS + 120))
     until "$@"; do
         ((SECONDS < end)) || return 1
-        sleep 0.1
+        sleep 0.05
     done
 }
 
-window=''
-find_window() {
-    window=$(xdotool search --onlyvisible --name Skvalp 2>/dev/null | head -n 1)
-    [[ -n $window ]]
-}
-# Nobody waits for the window of an app that has ended.
-window_or_gone() { find_window || gone; }
-
-# place: where the window and the picture in it are; the picture is what the rail (or the tools
-# below), the header and the transport leave.
-place() {
-    eval "$(xdotool getwindowgeometry --shell "$window")" # X Y WIDTH HEIGHT
-    left=$((X + 72)) top=$((Y + 54)) right=$((X + WIDTH - 6)) bottom=$((Y + HEIGHT - 64))
-}
-
-start_app() {
-    "$build/skvalp-play" "$@" >"$work/app.log" 2>&1 &
-    app=$!
-    await 120 window_or_gone || fail "no window came up"
-    running || fail "the app ended before its window came up"
-    xdotool windowfocus "$window"
-    place
-}
-
 running() { kill -0 "$app" 2>/dev/null; }
-gone() { ! running; }
 key() { xdotool key "$@"; }
+# Input goes to the app's window, or to the one that is over it.
+focus() {
+    await 'windows[-1].xid'
+    xdotool windowfocus "$answer"
+    await 'windows[-1].focus'
+}
 
-# quit_app: by its key; it has to end well and to have said nothing bad.
+# start_app ARGUMENT...: until a picture of its world is drawn, and keys come in.
+start_app() {
+    "$build/skvalp-play-tested" "$@" >"$work/app.log" 2>&1 &
+    app=$!
+    await 'worlds[0].opened and windows[0].frames'
+    focus
+}
+
+# ended: waits for the app, which has to end well; and, unless loudly, to have said nothing bad.
+ended_loudly() {
+    local status=0
+    timeout 120 tail --pid="$app" -s 0.05 -f /dev/null || fail "the app does not end"
+    wait "$app" || status=$?
+    app=''
+    ((status == 0)) || fail "the app ended with status $status"
+}
+ended() {
+    ended_loudly
+    ! grep -E 'CRITICAL|WARNING|ERROR' "$work/app.log" || fail "the toolkit complained"
+}
 quit_app() {
     key ctrl+q
-    await 120 gone || fail "Ctrl+Q did not quit"
-    wait "$app" || fail "the app ended with status $?"
-    app=''
-    if grep -E 'CRITICAL|WARNING|ERROR' "$work/app.log"; then fail "the toolkit complained"; fi
+    ended
 }
 
-# quit_app_behind KEY: in spite of what this key opens.
-quit_app_behind() {
-    key "$1"
-    sleep 1
-    quit_app
+# go EXPRESSION: the pointer to a place that find, middle or at tells; press: and clicks there.
+go() {
+    local xid x y
+    await "$1"
+    read -r xid x y <<<"$answer"
+    xdotool mousemove --window "$xid" "$x" "$y"
 }
+point() { go "at($1, $2, ${3:-0})"; }
+press() {
+    go "still(middle('$1', '${2:-}'))"
+    xdotool click 1
+}
+# drag X0 Y0 X1 Y1...: the mouse with its button down along points of the first world.
+drag() {
+    point "$1" "$2"
+    xdotool mousedown 1
+    shift 2
+    while (($# > 0)); do
+        point "$1" "$2"
+        shift 2
+    done
+}
+# tab_to NAME: moves the focus until it is on what begins with this name.
+tab_to() {
+    local before
+    await 'focused()'
+    until is "focused().startswith('$1')"; do
+        await 'focused()'
+        before=$answer
+        key Tab
+        await "focused() != '$before'"
+    done
+}
+let_go() { xdotool mouseup 1; }
 
-# point X Y: the pointer to a place of the picture, in percent.
-point() {
-    xdotool mousemove $((left + (right - left) * $1 / 100)) $((top + (bottom - top) * $2 / 100))
-}
 shoot() { import -silent -window root "$work/$1.ppm"; }
-
-# share_of SHOT COLOR X0 Y0 X1 Y1: how many percent of a part of the picture have that colour. Beyond
-# 0 and 100 lies what is around it.
-share_of() {
-    local shot=$work/$1.ppm color=$2 test
-    shift
-    case $color in
-    fluid) test='b > 0.6 && b > r + 0.25' ;;
-    white) test='r > 0.97 && g > 0.97 && b > 0.97' ;;
-    red) test='r > 0.6 && g < 0.3 && b < 0.35' ;;
-    dark) test='r < 0.25 && g < 0.25 && b < 0.3' ;;
-    wall) test='abs(r-g) < 0.12 && abs(g-b) < 0.12 && r > 0.2 && r < 0.62' ;;
-    yellow) test='r > 0.75 && g > 0.6 && b < 0.5' ;;
-    esac
-    convert "$shot" -crop "$(((right - left) * ($4 - $2) / 100))x$(((bottom - top) * ($5 - $3) / 100))+$((
-        left + (right - left) * $2 / 100))+$((top + (bottom - top) * $3 / 100))" +repage \
-        -sample '60x60!' -fx "$test" -format '%[fx:round(100*mean)]' info:
-}
-share() { # now
-    shoot now
-    share_of now "$@"
-}
-more() { (($(share "${@:2}") > $1)); } # than $1 percent
-less() { (($(share "${@:2}") < $1)); }
-
-picture_changes() {
-    shoot one
-    sleep 0.3
-    shoot two
-    ! cmp -s "$work/one.ppm" "$work/two.ppm"
-}
-picture_stands() { ! picture_changes; }
-
-# Processor time in ticks (1/100 s) that the app has used.
-ticks() { awk '{ print $14 + $15 }' "/proc/$app/stat"; }

@@ -6,85 +6,98 @@ set -euo pipefail
 build=$(realpath "${1:?usage: test_app_compare.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
-start_display 1280x800
+start_display 800x700
 start_app pool
-await 60 more 98 fluid 15 65 85 95 || fail "no fluid in the lower half of the pool"
 
-# 1. C lays a second world beside the first. The badges are what is yellow.
-less 1 yellow 0 0 100 100 || fail "yellow before anything was compared"
+# 1. C lays a second world beside the first, with honey in it. Both show the same part.
+await 'moment > 3'
 key c
-await 60 more 0 yellow 70 90 75 100 || fail "C shows no second world"
-await 60 more 98 fluid 5 55 45 65 || fail "no water in world A"
-await 60 more 98 fluid 55 55 95 65 || fail "no water in world B"
-# Both show the same part of their worlds.
-less 5 fluid 2 82 12 92 || fail "water below world A"
-key ctrl+plus ctrl+plus ctrl+plus ctrl+plus
-await 60 more 90 fluid 2 82 12 92 || fail "Ctrl++ did not zoom world A"
-await 60 more 90 fluid 88 82 98 92 || fail "Ctrl++ did not zoom world B"
+await 'len(worlds) == 2 and worlds[1].material == "honey" and worlds[0].material == "water"'
+await 'shows("World A") and shows("World B") and shows("Honey") and shows("As it is")'
+await 'worlds[1].particles == 3000 and worlds[1].time == worlds[0].time > 0'
+await 'worlds[1].area.x > worlds[0].area.x + worlds[0].area.width - 1'
+await 'abs(worlds[1].area.width - worlds[0].area.width) < 2'
+key ctrl+plus ctrl+plus
+await 'worlds[0].camera.zoom > 1.5 and worlds[1].camera.zoom == worlds[0].camera.zoom'
 key ctrl+0
-await 60 less 5 fluid 88 82 98 92 || fail "Ctrl+0 does not show all of world B"
+await 'worlds[0].camera.zoom == 1 and worlds[1].camera.zoom == 1'
 
-# 2. What is poured into one is poured into both; undo takes it from both.
-key space # nothing falls while a busy machine looks
-key 3
-pour() { # FROM TO, percent
-    point "$1" 40
-    xdotool mousedown 1
-    for x in $((($1 * 2 + $2) / 3)) $((($1 + $2 * 2) / 3)) $2; do
-        point "$x" 40
-        sleep 0.3
-    done
-    xdotool mouseup 1
-}
-pour 15 30
-await 60 more 5 fluid 12 36 33 46 || fail "what was poured into A is not in A"
-await 60 more 5 fluid 62 36 83 46 || fail "what was poured into A is not in B"
-key ctrl+z
-await 60 less 1 fluid 12 36 33 46 || fail "Ctrl+Z did not take the water from A"
-await 60 less 1 fluid 62 36 83 46 || fail "Ctrl+Z did not take the water from B"
-
-# 3. Unlinked, into B alone.
-xdotool mousemove $((right - 72)) $((top + 26))
-sleep 0.5
-xdotool click 1
-sleep 0.5
-pour 65 80
-await 60 more 5 fluid 62 36 83 46 || fail "no water was poured into B"
-less 1 fluid 12 36 33 46 || fail "what was poured into B was poured into A, too"
-key ctrl+z
-await 60 less 1 fluid 62 36 83 46 || fail "Ctrl+Z did not take the water from B alone"
-
+# 2. What is poured into one is poured into both; undo takes it from both. Time is both's.
 key space
+await 'paused and worlds[0].time == worlds[1].time'
+key s
+await 'paused and worlds[0].time == worlds[1].time'
+press Water
+await 'tool == 2'
+drag 20 80 40 80
+let_go
+await 'worlds[0].particles > 3000 and worlds[1].particles == worlds[0].particles'
+is 'water(15, 75, 45, 85) > 0 and water(15, 75, 45, 85, 1) > 0' || fail "it is elsewhere: $answer"
+key ctrl+z
+await 'worlds[0].particles == 3000 and worlds[1].particles == 3000'
 
-# 4. A probe is in both; its plot, with a curve of each.
-key m
-await 60 more 0 yellow 13 51 22 62 || fail "no probe in world A"
-await 60 more 0 yellow 63 51 73 62 || fail "no probe in world B"
+# 3. Unlinked, into B alone; and gravity in A alone, which gives B a ball of its own.
+press 'Hands and gravity in both worlds'
+await 'not linked'
+point 60 80 1
+xdotool mousedown 1
+point 80 80 1
+let_go
+await 'worlds[1].particles > 3000'
+is 'worlds[0].particles == 3000' || fail "what was poured into B was poured into A, too: $answer"
+key ctrl+z
+await 'worlds[1].particles == 3000'
+point 50 50 0
+xdotool click 1 # the focus, and water, which goes with the undo
+await 'worlds[0].particles > 3000'
+key ctrl+z
+await 'worlds[0].particles == 3000'
+key Left
+await 'worlds[0].gravity.x == -1 and worlds[1].gravity.x == 0'
+await 'sum(widget.name == "Gravity" for widget in widgets()) == 2'
+key Down
+press 'Hands and gravity in both worlds'
+await linked
+await 'sum(widget.name == "Gravity" for widget in widgets()) == 1'
+key Right
+await 'worlds[0].gravity.x == 1 and worlds[1].gravity.x == 1'
+key Down
+await 'worlds[1].gravity.y == -1'
+
+# 4. A probe is in both, its readings in one chip.
+key m s
+await 'worlds[0].probes == worlds[1].probes or worlds[1].probes[0].id == worlds[0].probes[0].id'
+await 'says("  A: ") and says("  B: ")'
+is 'worlds[0].probes[0].x0 == worlds[1].probes[0].x0' || fail "it is elsewhere in B: $answer"
+go 'grip(0, 0, 1)'
+xdotool mousedown 1
+point 30 30 1
+let_go
+await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.02 and abs(worlds[1].probes[0].x0 - 0.48) < 0.02'
 
 # 5. The second is closed: the first has all the room again, and its probe.
 key c
-await 60 less 1 yellow 65 50 90 75 || fail "C did not close the second world"
-await 60 more 98 fluid 15 65 85 85 || fail "world A did not take its room again"
+await 'len(worlds) == 1 and len(worlds[0].probes) == 1 and not shows("World B")'
+await 'worlds[0].area.width > 500 and find("view").name == "Water"'
 
-# 6. The window closes with two of them.
-key c # the probe lies in a row below
-await 60 more 0 yellow 70 80 75 100 || fail "C shows no second world again"
-key ctrl+q
-await 120 gone || fail "Ctrl+Q did not quit with two worlds"
-wait "$app" || fail "the app ended with status $?"
-app=''
-if grep -E 'CRITICAL|WARNING|ERROR' "$work/app.log"; then fail "the toolkit complained"; fi
+# 6. The window closes with two of them; another choice was made in the panel.
+key p
+press 'Compare with' Menu
+await 'menus() == 1'
+press Oil
+await 'len(worlds) == 2 and worlds[1].material == "oil"'
+quit_app
+grep -q '^compare=oil' "$work/.config/skvalp/play.ini" || fail "what was compared with was not kept"
 
 # 7. Upright: A above B.
 window_size 360 640
 start_app pool
-((WIDTH <= 380)) || fail "a window of 360 pixels is $WIDTH wide"
-left=$((X + 6)) right=$((X + WIDTH - 6)) bottom=$((Y + HEIGHT - 162))
-await 60 more 20 fluid 5 5 95 95 || fail "no water in a narrow window"
 key c
-await 60 more 0 yellow 36 90 48 100 || fail "no second world below the first"
-await 60 more 20 fluid 5 55 95 95 || fail "no water in the lower world"
-await 60 more 20 fluid 5 5 95 45 || fail "no water in the upper world"
-((WIDTH <= 380)) || fail "with two worlds the window is $WIDTH wide"
+await 'len(worlds) == 2 and worlds[1].area.y > worlds[0].area.y + worlds[0].area.height - 1'
+await 'abs(worlds[1].area.height - worlds[0].area.height) < 2 and windows[0].width <= 380'
+# What is opened instead ends it.
+press scenes
+press 'Dam break' Button
+await 'page == "play" and len(worlds) == 1 and worlds[0].name == "dam-break"'
 quit_app
 echo "compare: two worlds, poured into both and one, undone, measured, closed, upright"

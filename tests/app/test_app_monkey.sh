@@ -10,10 +10,6 @@ build=$(realpath "${1:?usage: test_app_monkey.sh BUILD SOURCE}")
 source=$(realpath "${2:?usage: test_app_monkey.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
-command -v openbox >/dev/null || {
-    echo "openbox is missing: install openbox"
-    exit 1
-}
 seconds=${SKV_MONKEY_SECONDS:-15}
 [[ ${SKV_LONG_TESTS:-} != 1 || -n ${SKV_MONKEY_SECONDS:-} ]] || seconds=120
 seed=${SKV_MONKEY_SEED:-1}
@@ -47,8 +43,7 @@ files=("$work/files"/*)
 cd "$work" # where it saves what it names itself
 
 start_display 1280x800
-openbox --config-file /dev/null >/dev/null 2>&1 &
-manager=$!
+start_manager
 
 keys=(space s r z period comma minus plus 0 t v v g p k m bracketleft bracketright Escape Escape 1 2 3
     4 5 6 7 8 Left Right Up Down Return Tab Tab Delete F10 ctrl+z ctrl+z ctrl+shift+z shift+Left
@@ -60,41 +55,41 @@ any() { # WORD...: one of them
     shift $((RANDOM % $#))
     printf '%s' "$1"
 }
-spot() { printf '%d %d' $((X + 2 + RANDOM % WIDTH)) $((Y + 2 + RANDOM % HEIGHT)); }
+spot() { printf 'mousemove --window %d %d %d' "$window" $((2 + RANDOM % width)) $((2 + RANDOM % height)); }
 
-# One thing that somebody may do, as commands of xdotool.
+# One thing that somebody may do, as lines of commands of xdotool: between them the app has its turn.
 act() {
     local kind=$((RANDOM % 100)) button=1
     ((RANDOM % 5 != 0)) || button=$((1 + RANDOM % 3))
     if ((kind < 30)); then
         echo "key $(any "${keys[@]}")"
     elif ((kind < 50)); then
-        echo "mousemove $(spot) click $button"
+        echo "$(spot) click $button"
     elif ((kind < 75)); then
-        echo "mousemove $(spot) mousedown $button"
-        for _ in 1 2 3; do echo "mousemove $(spot) sleep 0.02"; done
+        echo "$(spot) mousedown $button"
+        for _ in 1 2 3; do spot && echo; done
         ((RANDOM % 10 == 0)) || echo "mouseup $button"
     elif ((kind < 80)); then
-        echo "mousemove $(spot) click $((4 + RANDOM % 2))"
+        echo "$(spot) click $((4 + RANDOM % 2))"
     elif ((kind < 84)); then
-        echo "windowsize $window $((340 + RANDOM % 940)) $((300 + RANDOM % 500)) sleep 0.1"
+        echo "windowsize $window $((340 + RANDOM % 940)) $((300 + RANDOM % 500))"
     elif ((kind < 88)); then
-        printf 'key F10 sleep 0.2'
-        for ((i = RANDOM % 12; i > 0; i--)); do printf ' key Down'; done
-        echo " key Return sleep 0.2"
+        echo "key F10"
+        for ((i = RANDOM % 12; i > 0; i--)); do echo "key Down"; done
+        echo "key Return"
     elif ((kind < 92)); then # a field, perhaps
-        echo "mousemove $(spot) click 1 key ctrl+a type --delay 2 \"$(any "${values[@]}")\""
+        echo "$(spot) click 1"
+        echo "key ctrl+a type --delay 2 \"$(any "${values[@]}")\""
         echo "key Return"
     elif [[ $kind -lt 99 && ${SKV_MONKEY_DIALOGS:-} != 1 ]]; then
-        echo "windowfocus $window key Escape key Escape key ctrl+q sleep 0.5"
+        printf '%s\n' "windowfocus $window" "key Escape" "key Escape" "key ctrl+q"
     elif ((kind < 97)); then
-        echo "key Escape key ctrl+o sleep 0.4 key ctrl+a type --delay 2 \"$(any "${files[@]}")\""
-        echo "sleep 0.2 key Return sleep 0.3"
+        printf '%s\n' "key Escape" "key ctrl+o" "key ctrl+a type --delay 2 \"$(any "${files[@]}")\"" "key Return"
     elif ((kind < 99)); then
-        echo "key Escape key ctrl+s sleep 0.4 key ctrl+a type --delay 2 \"$work/saved-$((RANDOM % 3)).skv\""
-        echo "sleep 0.2 key Return"
+        printf '%s\n' "key Escape" "key ctrl+s" \
+            "key ctrl+a type --delay 2 \"$work/saved-$((RANDOM % 3)).skv\"" "key Return"
     else
-        echo "key g sleep 0.3 mousemove $(spot) click 1 sleep 0.5 mousemove $(spot) click 1"
+        printf '%s\n' "key g" "$(spot) click 1" "$(spot) click 1"
     fi
 }
 
@@ -129,28 +124,32 @@ leave_files() {
     done
 }
 
+# An app that answers has not hung, and has taken what went before.
+answers() { ask 120 'windows[0].xid, windows[0].width, windows[0].height' && read -r window width height <<<"$answer"; }
+
 acts=0 starts=1 caught=''
 start_app pool
 end=$((SECONDS + seconds))
 while ((SECONDS < end)); do
-    if ! running; then # it may have found the way out
+    if ! answers; then # it may have found the way out
+        ! running || break
         if toolkit_fell; then
             app=''
         else
             gone_well
         fi
         starts=$((starts + 1))
-        window=''
         start_app "$(any "${files[@]}" pool dam-break)"
+        continue
     fi
-    eval "$(xdotool getwindowgeometry --shell "$window" 2>/dev/null || true)"
-    {
-        act
-        echo "sleep 0.03"
-    } >"$work/script"
+    act >"$work/script" # in this shell, whose random numbers go on
+    mapfile -t script <"$work/script"
     acts=$((acts + 1))
-    [[ -z ${SKV_MONKEY_TRACE:-} ]] || cat "$work/script" >>"$SKV_MONKEY_TRACE"
-    timeout 60 xdotool - <"$work/script" >/dev/null 2>&1 || true
+    for line in "${script[@]}"; do
+        [[ -z ${SKV_MONKEY_TRACE:-} ]] || echo "$line" >>"$SKV_MONKEY_TRACE"
+        timeout 60 xdotool - <<<"$line" >/dev/null 2>&1 || true
+        answers || break
+    done
     leave_files
 done
 xdotool mouseup 1 mouseup 2 mouseup 3
@@ -159,14 +158,13 @@ if running; then
         local one
         for one in $(xdotool search --onlyvisible --name '.+' 2>/dev/null || true); do
             xdotool windowfocus "$one" key Escape 2>/dev/null || true
-            sleep 0.1
+            answers || return 0
         done
         xdotool windowfocus "$window" key ctrl+q 2>/dev/null || true
-        sleep 0.5
-        gone
+        ! answers
     }
     # GTK 4.8 may be caught in a loop of its own over a key, with no function of ours in it.
-    if ! await 20 quits; then
+    if ! repeat quits; then
         caught=', which was caught in a loop'
         kill "$app"
         wait "$app" || true

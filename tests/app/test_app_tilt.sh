@@ -5,55 +5,51 @@ set -euo pipefail
 build=$(realpath "${1:?usage: test_app_tilt.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
-start_display 1280x800
+start_display 800x600
 export SKVALP_SENSORS=$work/sensors
-mkdir -p "$SKVALP_SENSORS/iio:device0" "$work/.config/skvalp"
+mkdir -p "$SKVALP_SENSORS/iio:device0"
 feel() { # X Y: acceleration in units of the earth's, in thousandths
     printf '%d\n' "$1" >"$SKVALP_SENSORS/iio:device0/in_accel_x_raw"
     printf '%d\n' "$2" >"$SKVALP_SENSORS/iio:device0/in_accel_y_raw"
 }
 printf '0.00981\n' >"$SKVALP_SENSORS/iio:device0/in_accel_scale"
-
-settings() { printf '%s\n' '[play]' width=640 height=420 "$@" >"$work/.config/skvalp/play.ini"; } # small: drawn sooner
 # A small pool, which is at rest soon.
 printf '{"world": {"width": 0.4, "height": 0.225}, "water": [{"shape": "box", "y1": 0.11}]}' >"$work/pool.json"
 
 # 1. Off, as long as nobody asks for it.
-settings
 feel -1000 0
 start_app "$work/pool.json"
-await 60 more 98 fluid 15 65 85 90 || fail "no fluid in the lower half of the pool"
-sleep 1
-less 10 fluid 80 20 95 40 || fail "the sensor acts though it is off"
+await 'moment > 10 and water(0, 0, 100, 40) == 100'
+is 'gravity.x == 0 and gravity.y == -1' || fail "the sensor acts though it is off: $answer"
+# Switched on in the menu it acts at once: the right edge is down.
+key F10
+await 'menus() == 1'
+press 'Tilt by the Sensor'
+await 'menus() == 0 and gravity.x > 0.9 and abs(gravity.y) < 0.1'
 quit_app
+grep -q '^tilt=1' "$work/.config/skvalp/play.ini" || fail "that the sensor is on was not kept"
 
 # 2. On, and the screen turned: held upright, with its left edge up, the pool stays where it is; shaken
 # it splashes; tilted to the right it flows there.
-settings tilt=1 tilt-up=1
+printf 'tilt-up=1\n' >>"$work/.config/skvalp/play.ini"
 start_app "$work/pool.json"
-await 60 more 98 fluid 15 65 85 90 || fail "no fluid in the lower half of the pool"
+await 'moment > 10 and gravity.y < -0.9 and abs(gravity.x) < 0.1'
 if [[ ${SKV_LONG_TESTS:-} == 1 ]]; then # it takes a while
-    still() {
-        local before
-        before=$(ticks)
-        sleep 2
-        (($(ticks) - before <= 6))
-    }
-    await 240 still || fail "a pool that is held still does not come to rest"
+    await atRest 300
 fi
-less 1 fluid 15 25 85 40 || fail "held upright, the fluid does not lie at the lower edge"
+is 'water(15, 60, 85, 100) == 0' || fail "held upright, the fluid does not lie at the lower edge: $answer"
 splash() {
-    for _ in 1 2 3 4 5 6; do
-        feel -1000 4000
-        sleep 0.1
-        feel -1000 -4000
-        sleep 0.1
+    local i
+    for ((i = 0; i < 6; i++)); do
+        await moment
+        feel -1000 $((i % 2 ? -4000 : 4000))
+        await "moment > $answer + 4"
     done
     feel -1000 0
-    more 0 fluid 2 20 98 40
+    is 'water(0, 60, 100, 100) > 0'
 }
-await 120 splash || fail "shaking does not splash"
+repeat splash || fail "shaking does not splash"
 feel 0 -1000
-await 120 more 60 fluid 80 20 95 40 || fail "tilted to the right, the fluid does not flow there"
+await 'gravity.x > 0.9 and abs(gravity.y) < 0.1 and water(80, 60, 95, 80) > 60'
 quit_app
-echo "tilt: off, upright, shaken, tilted"
+echo "tilt: off, switched on, upright, shaken, tilted"

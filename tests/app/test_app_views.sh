@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# What is shown: views with their legends, overlays, zoom, a gallery, full screen, a narrow window;
+# what was chosen is kept. Arguments: build folder, source folder.
+set -euo pipefail
+build=$(realpath "${1:?usage: test_app_views.sh BUILD SOURCE}")
+# shellcheck source=tests/app/lib.sh
+source "$(dirname "$0")/lib.sh"
+start_display 1280x800
+start_manager # only one makes full screens
+start_app pool
+key space
+await paused
+
+# 1. Views, and what lies over them.
+await 'style.view == "water" and worlds[0].legend is None and not shows("legend")'
+key v
+await 'style.view == "pressure" and worlds[0].legend.label == "pressure" and shows("legend")'
+press legend
+await 'style.range == worlds[0].legend.high and style.range > 0'
+press Views
+await 'menus() == 1'
+press Speed
+await 'style.view == "speed" and style.range == 0 and menus() == 0'
+key t
+await 'style.overlays == ["tracers"]'
+press Views
+await 'menus() == 1'
+press Grid
+await '"grid" in style.overlays and "tracers" in style.overlays and menus() == 0'
+
+# 2. Nearer, and all of it again.
+key ctrl+plus ctrl+plus
+await 'abs(worlds[0].camera.zoom - 1.5625) < 1e-6'
+await 'worlds[0].camera.originX'
+old=$answer
+point 50 50
+xdotool mousedown 2
+point 55 50
+xdotool mouseup 2
+await "worlds[0].camera.originX > $old + 10"
+key ctrl+minus
+await 'abs(worlds[0].camera.zoom - 1.25) < 1e-6'
+key ctrl+0
+await 'worlds[0].camera.zoom == 1'
+
+# 3. Gravity by its ball: as far out as twice the scene's own strength, and caught in the middle.
+go 'middle("Gravity", x=0.85)'
+xdotool click 1
+await 'gravity.x > 1.2 and abs(gravity.y) < 0.1'
+press Gravity
+await 'gravity.x == 0 and gravity.y == 0'
+
+# 4. Properties, and full screen, which Escape leaves.
+press Properties
+await 'shows("Compare with") and find("Properties", "Toggle").active'
+key Escape
+await 'not shows("Compare with") and not find("Properties", "Toggle").active'
+key F11
+await 'windows[0].fullscreen and windows[0].width == 1280 and not shows("header") and shows("leave")'
+key Escape
+await 'not windows[0].fullscreen and shows("header") and not shows("leave")'
+
+# 5. The gallery shows scenes; one is opened; Escape leaves the gallery.
+key g
+await 'page == "scenes" and find("scenes").active'
+key Escape
+await 'page == "play"'
+press scenes
+await 'page == "scenes"'
+press Pool Button
+await 'page == "play" and worlds[0].opened == 2 and gravity.y == -1 and windows[0].title.startswith("Pool")'
+await 'not paused and moment > 0'
+key ctrl+question
+await 'len(windows) == 2 and says("Keyboard shortcuts")'
+key ctrl+q
+ended_loudly # GTK 4.8 complains of its own window of shortcuts
+
+# 6. What was chosen is kept. 360 pixels wide, upright: picture, tools and time are all there.
+sed -i -E 's/^width=.*/width=360/; s/^height=.*/height=640/' "$work/.config/skvalp/play.ini"
+start_app pool
+await 'style.view == "speed" and style.overlays == ["tracers", "grid"]'
+await 'windows[0].width <= 380 and windows[0].height <= 660'
+await 'worlds[0].area.width > 300 and worlds[0].area.height > 200'
+for name in Hand Play Rewind Views Gravity; do
+    [[ $name != Play ]] || name=Pause
+    await "find('$name').width > 0 and find('$name').x + find('$name').width <= windows[0].width"
+done
+is 'find("rail").y > find("view").y' || fail "the tools do not lie below the picture: $answer"
+quit_app
+grep -q '^width=3[67]' "$work/.config/skvalp/play.ini" || fail "the window's size was not kept"
+
+# 7. Where nothing can be remembered it goes on all the same.
+rm -rf "$work/.config"
+printf 'no folder' >"$work/.config"
+start_app pool
+await 'moment > 0'
+quit_app
+echo "views: seen, zoomed, tilted by the ball, full screen and back, chosen from the gallery, 360 px"
