@@ -15,6 +15,7 @@
 #include <jansson.h>
 
 #include "program.h"
+#include "support/long.h"
 
 static double number(const json_t *row, const char *key)
 {
@@ -185,7 +186,7 @@ static void test_interrupt(void **state)
 /* Every table, with the thesis'. */
 static void test_quick(void **state)
 {
-    if (!getenv("SKV_LONG_TESTS"))
+    if (!long_tests())
         skip();
     program_result result = SKVALP(*state, "bench", "--quick", "--csv", "quick.csv");
     assert_int_equal(result.status, 0);

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# The examples of docs/lab.md and docs/lab run: the commands, and the settings like `slosh.depth=1`. With
-# SKV_LONG_TESTS=1 as they are written, which takes minutes, and they miss no more than the page says;
-# else with 600 particles, whatever they miss. All experiments at once are test_committed's business.
+# The examples of docs/lab.md and docs/lab run: the commands, and the settings like `slosh.depth=1`, and
+# they miss no more than the pages say. All experiments at once are test_committed's business.
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_docs_lab.sh BUILD SOURCE}")
@@ -18,18 +17,15 @@ sed -nE 's/^\| ([a-z-]+) \| ([^|]+) \|.*\*\*miss\*\* \|$/\1|\2/p' "$page" | sed 
 
 bad=0
 examples=0
-size=()
-[[ ${SKV_LONG_TESTS:-0} == 1 ]] || size=(--set particles=600)
 # run_example ARGUMENT...: skvalp lab with them.
 run_example() {
     local status=0
     examples=$((examples + 1))
-    "$build/skvalp" lab "$@" "${size[@]}" --json --quiet --threads 1 >rows 2>said || status=$?
+    "$build/skvalp" lab "$@" --json --quiet --threads 1 >rows 2>said || status=$?
     if ((status > 1)); then
         printf 'example: %s\n%s\n' "$*" "$(<said)"
         bad=$((bad + 1))
     fi
-    [[ ${SKV_LONG_TESTS:-0} == 1 ]] || return 0
     sed -nE 's/.*"experiment": "([^"]*)", "quantity": "([^"]*)".*"pass": false.*/\1|\2/p' rows |
         sort >missed
     while read -r row; do

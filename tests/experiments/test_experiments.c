@@ -3,6 +3,7 @@
 #include "experiments/experiment.h"
 #include "support/fixture.h"
 #include "support/kept.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -219,6 +220,7 @@ static void a_real_finding_fails_against_a_wrong_theory(void **unused)
     skv_lab_options options = skv_default_lab_options();
     options.settings = &setting;
     options.setting_count = 1;
+    options.threads = 1;
     const experiment *e = skv_experiment_at(number_of("hydrostatics"));
     findings found;
     assert_int_equal(skv_experiment_measure(e, &options, &found, NULL), SKV_OK);
@@ -308,6 +310,8 @@ static void theory_gets_the_water_that_is_there(void **unused)
 static void walls_by_images_do_not_drag(void **unused)
 {
     (void)unused;
+    if (!long_tests())
+        skip();
     const skv_setting list[] = {{"particles", "1500"}, {"fluid.wall_images", "true"}};
     skv_report *swing = run("u-tube", list, 2), *dam = run("dam-break", list, 2);
     double period = skv_report_row(swing, 0)->measured / skv_report_row(swing, 0)->theory;
@@ -480,6 +484,7 @@ static void an_experiment_can_be_watched(void **unused)
         skv_lab_options options = skv_default_lab_options();
         options.settings = &few;
         options.setting_count = 1;
+        options.threads = 1;
         skv_report *alone, *watched;
         assert_int_equal(skv_experiment_run(number_of(names[e]), &options, &alone, NULL), SKV_OK);
         seen s = {.grows = true};

@@ -8,6 +8,7 @@
 #include "ideal_dam.h"
 #include "mirrored_flow.h"
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -173,7 +174,7 @@ static void the_table_is_what_is_computed(void **unused)
     assert_true(coarse.area_lost <= 1e-3 && coarse.energy_lost <= 3e-3);
     /* Nothing runs faster than Ritter's front of an endless reservoir, 2 sqrt(g h). */
     assert_true(coarse.speed > 1.4 && coarse.speed < 2 * sqrt(HEIGHT));
-    if (!getenv("SKV_LONG_TESTS"))
+    if (!long_tests())
         return;
     fall middle = fall_of(HEIGHT, 2), fine = fall_of(HEIGHT, 4);
     tell(2, &middle);

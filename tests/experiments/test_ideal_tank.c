@@ -9,6 +9,7 @@
 #include "ideal_tank.h"
 #include "mirrored_flow.h"
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -260,7 +261,7 @@ static void the_table_is_what_is_computed(void **unused)
     all_tanks(0.6, &coarse);
     assert_true(off_table(0.6, &coarse) <= 0.012);
     assert_true(coarse.area_lost <= 0.01 && coarse.energy_lost <= 0.2);
-    if (!getenv("SKV_LONG_TESTS"))
+    if (!long_tests())
         return;
     all_tanks(1, &middle);
     all_tanks(2, &fine);
@@ -284,6 +285,8 @@ static double off_at(double depth, double height, double fineness)
 static void between_its_entries_the_table_is_near(void **unused)
 {
     (void)unused;
+    if (!long_tests())
+        skip();
     const double at[][2] = {{0.0625, 0.15}, {0.1125, 0.05}, {0.1125, 0.25}, {0.1375, 0.35},
                             {0.225, 0.425}, {0.275, 0.35},  {0.35, 0.15},   {0.5, 0.35},
                             {0.8, 0.25},    {0.2425, 0.367}};

@@ -1,6 +1,5 @@
 /* The same scene at twice the particles behaves the same, within the bands of docs/lab.md: 2000 and
- * 4000 particles. Without SKV_LONG_TESTS=1 what takes longest is seen at 1000 and 2000, in the same
- * bands. What scatters from one start to the next is a mean over several. */
+ * 4000 particles. What scatters from one start to the next is a mean over several. */
 #include "experiments/experiment.h"
 
 #include "starts.h"
@@ -33,10 +32,10 @@ static void run_one(const experiment *e, int particles, findings *found)
     assert_int_equal(skv_experiment_measure(e, &options, found, NULL), SKV_OK);
 }
 
-static pair run_twice(const experiment *e, int starts, bool is_long)
+static pair run_twice(const experiment *e, int starts)
 {
     pair p = {.starts = starts};
-    int few = is_long && !getenv("SKV_LONG_TESTS") ? 1000 : 2000;
+    const int few = 2000;
     for (int i = 0; i < starts; i++) {
         run_one(e, start_particles(few, i), &p.coarse[i]);
         run_one(e, start_particles(2 * few, i), &p.fine[i]);
@@ -70,11 +69,11 @@ static void check(const experiment *e, const pair *p, int which, double band, bo
 static void periods_stay(void **unused)
 {
     (void)unused;
-    pair slosh = run_twice(&skv_exp_slosh, 1, true);
+    pair slosh = run_twice(&skv_exp_slosh, 1);
     check(&skv_exp_slosh, &slosh, 0, 0.015, false);
     check(&skv_exp_slosh, &slosh, 1, 0.1, true);
     free_pair(&slosh);
-    pair tube = run_twice(&skv_exp_u_tube, START_COUNT, true);
+    pair tube = run_twice(&skv_exp_u_tube, START_COUNT);
     check(&skv_exp_u_tube, &tube, 0, 0.015, false);
     free_pair(&tube);
 }
@@ -82,7 +81,7 @@ static void periods_stay(void **unused)
 static void the_front_stays(void **unused)
 {
     (void)unused;
-    pair p = run_twice(&skv_exp_dam_break, 1, true);
+    pair p = run_twice(&skv_exp_dam_break, 1);
     double square = 0;
     int points = skv_exp_dam_break.quantities[0].points;
     for (int i = 0; i < points; i++) {
@@ -97,10 +96,10 @@ static void the_front_stays(void **unused)
 static void levels_and_settling_stay(void **unused)
 {
     (void)unused;
-    pair pool = run_twice(&skv_exp_hydrostatics, 1, false);
+    pair pool = run_twice(&skv_exp_hydrostatics, 1);
     check(&skv_exp_hydrostatics, &pool, 6, 0.02, false);
     free_pair(&pool);
-    pair rest = run_twice(&skv_exp_rest, START_COUNT, false);
+    pair rest = run_twice(&skv_exp_rest, START_COUNT);
     check(&skv_exp_rest, &rest, 0, 0.8, true);
     free_pair(&rest);
 }

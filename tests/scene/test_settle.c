@@ -3,6 +3,7 @@
 #include "scene/support.h"
 
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -84,8 +85,10 @@ static void pools_begin_at_rest(void **unused)
         {clavet_pool, 295, "40", 0.01},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (cases[i].particles > 1000 && !long_tests())
+            continue;
         skv_world *world =
-            open_scene(cases[i].json, cases[i].particles, cases[i].substeps, true, 2);
+            open_scene(cases[i].json, cases[i].particles, cases[i].substeps, true, 1);
         assert_true(skv_world_time(world) == 0);
         assert_int_equal(skv_world_substep_count(world), 0);
         float before = top_of(world);
@@ -96,7 +99,7 @@ static void pools_begin_at_rest(void **unused)
         assert_near(top_of(world), before, 0.6 * skv_world_spacing(world));
         skv_world_destroy(world);
     }
-    skv_world *raw = open_scene(pool, 2960, "0", false, 2);
+    skv_world *raw = open_scene(pool, 2960, "0", false, 1);
     assert_true(unrest(raw) > 0.1);
     skv_world_destroy(raw);
 }
@@ -119,7 +122,7 @@ static void any_vessel_begins_at_rest(void **unused)
         " \"water\": [{\"shape\": \"box\", \"y1\": 0.45}]}",
     };
     for (int i = 0; i < 3; i++) {
-        skv_world *world = open_scene(vessels[i], 2000, "0", true, 2);
+        skv_world *world = open_scene(vessels[i], 2000, "0", true, 1);
         double speed = unrest(world);
         if (!(speed <= 0.02))
             fail_msg("vessel %d: %.4f m/s", i, speed);

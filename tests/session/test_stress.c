@@ -12,6 +12,8 @@
 
 #include <cmocka.h>
 
+#include "support/long.h"
+
 #include <skvalp/session.h>
 
 static double now(void)
@@ -183,8 +185,7 @@ static void test_a_flood(void **state)
 static void test_the_face_never_waits(void **state)
 {
     (void)state;
-    const char *wish = getenv("SKV_LONG_TESTS");
-    int particles = wish && *wish == '1' ? 200000 : 20000;
+    int particles = long_tests() ? 200000 : 20000;
     skv_session *session = make(true);
     uint64_t last = 0;
     open_pool(session, particles);

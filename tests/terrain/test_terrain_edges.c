@@ -1,6 +1,7 @@
 /* A terrain's edges: sizes, sides, pictures without a wall, bad definitions, memory failures. */
 #include "shapes.h"
 #include "support/failing_memory.h"
+#include "support/long.h"
 
 #include <float.h>
 #include <math.h>
@@ -336,7 +337,7 @@ static void memory_failures_leave_nothing(void **state)
 static void largest_picture(void **state)
 {
     (void)state;
-    if (!getenv("SKV_LONG_TESTS"))
+    if (!long_tests())
         skip();
     const int side = SKV_TERRAIN_MAX_PIXELS;
     uint8_t *picture = malloc((size_t)side * (size_t)side);

@@ -2,9 +2,10 @@
  * three g that turns every quarter to half second, and hands that jerk the fluid about. A particle
  * stays in the closed chamber in which it started, stays finite, and none is lost.
  *
- * Worlds are named by their seed. 25 of them by default (10 under the address sanitizer), 250 with
- * SKV_LONG_TESTS=1; SKV_WORLD=N runs world N alone and says more. */
+ * Worlds are named by their seed. 6 of them by default, 100 with SKV_LONG_TESTS=1;
+ * SKV_WORLD=N runs world N alone and says more. */
 #include "skvalp/skvalp.h"
+#include "support/long.h"
 #include "world/painted.h"
 
 #include <math.h>
@@ -18,11 +19,8 @@
 
 #include <cmocka.h>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define WORLDS 10
-#else
-#define WORLDS 25
-#endif
+#define WORLDS         6
+#define MANY_WORLDS    100
 #define FRAMES         300
 #define MAX_PARTICLES  600
 #define FRAMES_A_CHECK 10
@@ -252,9 +250,9 @@ static void *work(void *argument)
 static void test_nothing_escapes(void **state)
 {
     (void)state;
-    const char *one = getenv("SKV_WORLD"), *all = getenv("SKV_LONG_TESTS");
+    const char *one = getenv("SKV_WORLD");
     int first = one ? atoi(one) : 0;
-    int count = one ? 1 : all && strcmp(all, "1") == 0 ? 250 : WORLDS;
+    int count = one ? 1 : long_tests() ? MANY_WORLDS : WORLDS;
     queue q = {.end = first + count, .talk = one != NULL};
     atomic_init(&q.next, first);
     atomic_init(&q.bad, 0);
