@@ -6,21 +6,28 @@
  */
 #include "cleanup.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 enum { SLOTS = 8 };
 
+/* What names of temporary files begin with, before mkstemp's letters. */
+#define PREFIX "/.skvalp-"
+
 static struct {
     volatile sig_atomic_t used;
     char path[PATH_MAX];
+    int lock; /* a descriptor that keeps the file locked until it bears another name */
 } files[SLOTS];
 
 static volatile sig_atomic_t child_process;
@@ -65,6 +72,52 @@ void cleanup_install(void)
     sigaction(SIGXFSZ, &action, NULL);
 }
 
+/* Removes a file of ours that no program holds any more. */
+static void sweep_file(const char *path)
+{
+    struct stat status;
+    int descriptor = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor == -1)
+        return;
+    bool ours =
+        fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
+    if (ours && flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+        unlink(path);
+    close(descriptor);
+}
+
+static void sweep(const char *folder)
+{
+    const size_t prefix = sizeof PREFIX - 2, letters = sizeof "XXXXXX" - 1;
+    DIR *list = opendir(folder);
+    for (struct dirent *entry; list && (entry = readdir(list));) {
+        char path[PATH_MAX];
+        if (strncmp(entry->d_name, PREFIX + 1, prefix) == 0 &&
+            strlen(entry->d_name) == prefix + letters &&
+            snprintf(path, sizeof path, "%s/%s", folder, entry->d_name) < PATH_MAX)
+            sweep_file(path);
+    }
+    if (list)
+        closedir(list);
+}
+
+/* Makes a file's name and the file, locked. Somebody who swept between the two has removed it:
+ * again. */
+static int create_locked(char *path, const char *folder)
+{
+    for (;;) {
+        struct stat status;
+        snprintf(path, PATH_MAX, "%s" PREFIX "XXXXXX", folder);
+        int descriptor = mkstemp(path);
+        if (descriptor == -1)
+            return -1;
+        flock(descriptor, LOCK_SH); /* where there are no locks, nobody sweeps either */
+        if (fstat(descriptor, &status) == 0 && status.st_nlink > 0)
+            return descriptor;
+        close(descriptor);
+    }
+}
+
 int cleanup_create_file(const char *folder, int *slot)
 {
     *slot = 0;
@@ -75,15 +128,16 @@ int cleanup_create_file(const char *folder, int *slot)
         return -1;
     }
     char *path = files[*slot].path;
-    if (snprintf(path, PATH_MAX, "%s/.skvalp-XXXXXX", folder) >= PATH_MAX) {
+    if (strlen(folder) + sizeof PREFIX "XXXXXX" > PATH_MAX) {
         errno = ENAMETOOLONG;
         return -1;
     }
+    sweep(folder);
     /* No signal between the file's creation and its flag. */
     sigset_t all, before;
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, &before);
-    int descriptor = mkstemp(path);
+    int descriptor = create_locked(path, folder);
     int reason = errno;
     files[*slot].used = descriptor != -1;
     sigprocmask(SIG_SETMASK, &before, NULL);
@@ -93,6 +147,7 @@ int cleanup_create_file(const char *folder, int *slot)
         umask(mask);
         fchmod(descriptor, 0666 & ~mask);
         fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+        files[*slot].lock = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
     }
     errno = reason;
     return descriptor;
@@ -106,6 +161,8 @@ const char *cleanup_path(int slot)
 void cleanup_forget_file(int slot)
 {
     files[slot].used = 0;
+    if (files[slot].lock != -1)
+        close(files[slot].lock);
 }
 
 void cleanup_set_child(pid_t child)

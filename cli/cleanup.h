@@ -12,7 +12,8 @@
 void cleanup_install(void);
 
 /* Creates an empty temporary file in `folder` and remembers it. Returns its descriptor, or -1 with
- * errno; *slot names it in the calls below. */
+ * errno; *slot names it in the calls below. What programs that were killed have left there goes: a
+ * file is locked as long as its program lives. */
 int cleanup_create_file(const char *folder, int *slot);
 const char *cleanup_path(int slot);
 /* Forgets a file that has been renamed or unlinked. */

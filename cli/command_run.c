@@ -312,8 +312,8 @@ static void print_summary(const cli_run *run, const skv_stats *stats, const skv_
     double simulated = run->timeline.time;
     int64_t steps = skv_world_substep_count(run->world) - run->steps_before;
     printf("%s: %d particles, %.4g s simulated in %.3g s",
-           run->scene ? skv_scene_title(run->scene) : run->options->scene, stats->particles,
-           simulated, run->step_seconds);
+           run->scene ? skv_scene_title(run->scene) : name_of(run), stats->particles, simulated,
+           run->step_seconds);
     if (steps) {
         printf(" (%.3gx real time)\n  %" PRId64 " substeps of %.3g ms, %d a frame",
                simulated / run->step_seconds, steps, 1000 * run->step_seconds / (double)steps,

@@ -69,6 +69,10 @@ static int unknown_command(const char *name, skv_error *error)
 {
     static const char *const names[] = {"run", "scenes", "check", "bench",
                                         "lab", "replay", "share", "help"};
+    if (!*name) {
+        skv_fail(error, SKV_ERROR_VALUE, "the command is empty; see 'skvalp --help'");
+        return STATUS_BAD;
+    }
     const char *nearest = skv_nearest_name(name, names, (int)(sizeof names / sizeof names[0]));
     if (nearest) {
         skv_fail(error, SKV_ERROR_VALUE, "%s: no such command; did you mean %s?", name, nearest);

@@ -161,6 +161,9 @@ static skv_result out_of_range(const option_rule *rule, const char *text, skv_er
 static skv_result parse_number(const option_rule *rule, const char *text, double *value,
                                skv_error *error)
 {
+    if (!*text)
+        return skv_fail(error, SKV_ERROR_VALUE, "--%s: it is empty; allowed is %.10g to %.10g%s",
+                        rule->name, rule->minimum, rule->maximum, rule->unit);
     if (!skv_parse_number(text, value)) {
         return skv_fail(error, SKV_ERROR_VALUE,
                         "--%s: '%s' is not a number; allowed is %.10g to %.10g%s", rule->name, text,
@@ -407,6 +410,33 @@ static skv_result check_together(command which, const cli_options *given, skv_er
     return SKV_OK;
 }
 
+/* Takes what is no option: a scene, a file or an experiment. */
+static skv_result take_name(command which, const char *text, cli_options *result, skv_error *error)
+{
+    if (!((SCENE_COMMANDS | COMMAND_REPLAY | COMMAND_LAB) & which)) {
+        return skv_fail(
+            error, SKV_ERROR_VALUE, "%s: it takes no name, but got '%s'; to %s one, use %s",
+            command_name(which), text, which == COMMAND_BENCH ? "simulate" : "look into",
+            which == COMMAND_BENCH ? "run" : "check");
+    }
+    if (!*text) {
+        return skv_fail(error, SKV_ERROR_VALUE, "%s: the name is empty; name %s",
+                        command_name(which),
+                        which == COMMAND_LAB ? "an experiment" : "a scene or a file");
+    }
+    if (which == COMMAND_LAB) {
+        result->experiments[result->experiment_count++] = text;
+        return SKV_OK;
+    }
+    if (result->scene) {
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "%s: one scene at a time, but got '%s' and '%s'; omit one",
+                        command_name(which), result->scene, text);
+    }
+    result->scene = text;
+    return SKV_OK;
+}
+
 skv_result options_parse(command which, int count, char **arguments, cli_options *result,
                          skv_error *error)
 {
@@ -430,19 +460,10 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
             return skv_fail(error, SKV_ERROR_VALUE,
                             "%s: no such option; options have two dashes, see 'skvalp %s --help'",
                             text, command_name(which));
-        } else if (which == COMMAND_LAB) {
-            result->experiments[result->experiment_count++] = text;
-        } else if (!((SCENE_COMMANDS | COMMAND_REPLAY) & which)) {
-            return skv_fail(
-                error, SKV_ERROR_VALUE, "%s: it takes no name, but got '%s'; to %s one, use %s",
-                command_name(which), text, which == COMMAND_BENCH ? "simulate" : "look into",
-                which == COMMAND_BENCH ? "run" : "check");
-        } else if (result->scene) {
-            return skv_fail(error, SKV_ERROR_VALUE,
-                            "%s: one scene at a time, but got '%s' and '%s'; omit one",
-                            command_name(which), result->scene, text);
         } else {
-            result->scene = text;
+            skv_result taken = take_name(which, text, result, error);
+            if (taken)
+                return taken;
         }
     }
     return result->help ? SKV_OK : check_together(which, result, error);

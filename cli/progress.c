@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "cleanup.h"
+#include "skvalp/base.h"
 
 double clock_seconds(void)
 {
@@ -67,6 +68,7 @@ void progress_update(progress_line *progress, double simulated)
              progress->label, simulated, progress->total,
              progress->total > 0 ? 100 * simulated / progress->total : 100, speed, (int)(left / 60),
              (int)left % 60);
+    skv_make_plain(line);
     progress_show(progress, line);
 }
 

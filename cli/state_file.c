@@ -6,6 +6,7 @@
 #include "state_file.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -35,7 +36,12 @@ bool is_replay_file(const char *name)
 
 const char *name_of_input(const char *name)
 {
-    return skv_link_is(name) ? "link" : name;
+    static char plain[PATH_MAX];
+    if (skv_link_is(name))
+        return "link";
+    skv_format(plain, sizeof plain, "%s", name);
+    skv_make_plain(plain);
+    return plain;
 }
 
 static skv_result read_bytes(const char *name, uint8_t **bytes, size_t *size, skv_error *error)

@@ -123,7 +123,8 @@ install_packages() {
         as_root=(sudo)
     fi
     say "Installing ${#missing[@]} package(s) with what they depend on: ${missing[*]}"
-    as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -qy)
+    # Another installation may hold apt's lock for some minutes.
+    as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -qy -o DPkg::Lock::Timeout=600)
     # Lists may be absent or stale; a failure here shows in the installation, if it matters.
     logged apt-update "${as_root[@]}" update || true
     logged apt-install "${as_root[@]}" install --no-install-recommends "${missing[@]}" ||

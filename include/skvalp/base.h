@@ -72,10 +72,15 @@ typedef struct skv_error {
 
 /** Fills `error` (null is allowed) with a printf-style message and returns `code`, so that a
  * failing function can end with `return skv_fail(error, SKV_ERROR_VALUE, "...");`. The text is
- * cut to fit, words of more than 160 bytes in their middle; control characters, which may stem from
- * a hostile file, are replaced by '?'. */
+ * cut to fit, words of more than 160 bytes in their middle, and made plain as by skv_make_plain. */
 SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
     SKV_PRINTF(3, 4);
+
+/** Replaces by '?', in place, what a hostile file or its name may hold and no terminal or message
+ * should get: control characters (C0, DEL, C1), those that turn the direction of writing,
+ * separators of lines and paragraphs, and bytes that are no UTF-8. Scenes refuse such texts, and
+ * all that the library says is plain. Thread-safe. */
+SKV_API void skv_make_plain(char *text);
 
 /** Receives text piece by piece; returns false to stop, which the writing function reports as
  * SKV_ERROR_FILE. It must not change or destroy what is being written. */

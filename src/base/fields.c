@@ -113,6 +113,17 @@ void skv_format_number(double value, char text[32])
     skv_format(text, 32, "%.9g", value);
 }
 
+void skv_format_float(double value, char text[32])
+{
+    /* The shortest that is the same in single precision: 0.05, not 0.0500000007. */
+    bool same = false;
+    for (int digits = 6; digits <= 9 && !same; digits++) {
+        double read;
+        skv_format(text, 32, "%.*g", digits, value);
+        same = skv_parse_number(text, &read) && (float)read == (float)value;
+    }
+}
+
 int skv_field_choices(const char *choices)
 {
     int count = 1;
@@ -195,6 +206,8 @@ const char *skv_field_complaint(const skv_field *field, double number)
 
 const char *skv_field_read(const skv_field *field, const char *text, double *number)
 {
+    if (text[0] == '\0')
+        return "is empty";
     switch (field->type) {
     case SKV_FIELD_NUMBER:
     case SKV_FIELD_INTEGER:
@@ -225,13 +238,9 @@ void skv_field_write(const skv_field *field, double number, char *text, size_t s
     } else if (field->type == SKV_FIELD_INTEGER) {
         skv_format(text, size, "%.0f", number);
     } else {
-        /* The shortest that is the same in single precision: 0.05, not 0.0500000007. */
-        bool same = false;
-        for (int digits = 6; digits <= 9 && !same; digits++) {
-            double read;
-            skv_format(text, size, "%.*g", digits, number);
-            same = skv_parse_number(text, &read) && (float)read == (float)number;
-        }
+        char shortest[32];
+        skv_format_float(number, shortest);
+        skv_format(text, size, "%s", shortest);
     }
 }
 
@@ -240,5 +249,6 @@ skv_result skv_field_refuse(const skv_field *field, const char *what, const char
 {
     char allowed[160];
     skv_field_allowed(field, allowed, sizeof allowed);
-    return skv_fail(error, SKV_ERROR_VALUE, "%s: %.60s %s; %s", field->path, what, wrong, allowed);
+    return skv_fail(error, SKV_ERROR_VALUE, "%s: %.60s %s; %s", field->path, *what ? what : "it",
+                    wrong, allowed);
 }

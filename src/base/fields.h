@@ -38,5 +38,8 @@ skv_result skv_field_refuse(const skv_field *field, const char *what, const char
 
 /* A number as a person writes it; at most 32 bytes. */
 void skv_format_number(double value, char text[32]);
+/* The same of a float, with as many digits as tell it from its neighbours, so that what is out of a
+ * range by little does not read as its bound. */
+void skv_format_float(double value, char text[32]);
 
 #endif

@@ -1,4 +1,4 @@
-/* Result codes and one-line messages. Invariant: a message never holds a control character. */
+/* Result codes and one-line messages. Invariant: a message is plain (plain.c). */
 #include "skvalp/base.h"
 
 #define TEXT_OF(number)  #number
@@ -88,10 +88,8 @@ skv_result skv_fail(skv_error *error, skv_result code, const char *format, ...)
     skv_format_list(whole, sizeof whole, format, arguments);
     va_end(arguments);
     shorten(whole, error->text, sizeof error->text);
+    /* Last of all: what was cut may end within a character. */
+    skv_make_plain(error->text);
     error->code = code;
-    for (char *c = error->text; *c; c++) {
-        if ((unsigned char)*c < 0x20 || *c == 0x7f)
-            *c = '?';
-    }
     return code;
 }

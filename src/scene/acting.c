@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "scene/scene_data.h"
 #include "scene/shapes.h"
+#include "world/emitters.h"
 
 static float number(const skv_shape_values *values, int field)
 {
@@ -82,22 +83,21 @@ static skv_result build_emitters(const skv_draft *draft, skv_scene *scene, skv_e
             if (values->value[k].origin.source == SKV_FROM_DEFAULT)
                 return fail_element(draft, SKV_LIST_EMITTERS, i, k ? ".y" : ".x", SKV_ERROR_VALUE,
                                     "is missing; an emitter needs a place", error);
-        float width = number(values, SKV_EMITTER_WIDTH);
-        if (width > 1000 * scene->def.fluid.spacing)
-            return fail_element(draft, SKV_LIST_EMITTERS, i, ".width", SKV_ERROR_VALUE,
-                                "is more than 1000 spacings; choose fewer particles or less",
-                                error);
-        if (scene->emitter_count == SKV_MAX_EMITTERS)
-            return fail_element(draft, SKV_LIST_EMITTERS, i, "", SKV_ERROR_LIMIT,
-                                "is one too many, with those painted; allowed are 16", error);
-        scene->emitters[scene->emitter_count++] = (skv_emitter){
+        skv_emitter emitter = {
             .x = number(values, SKV_EMITTER_X),
             .y = number(values, SKV_EMITTER_Y),
             .vx = number(values, SKV_EMITTER_VX),
             .vy = number(values, SKV_EMITTER_VY),
-            .width = width,
+            .width = number(values, SKV_EMITTER_WIDTH),
             .dye = (int)number(values, SKV_EMITTER_DYE),
         };
+        char wide[160];
+        if (skv_emitter_is_wide(&emitter, scene->def.fluid.spacing, wide, sizeof wide))
+            return fail_element(draft, SKV_LIST_EMITTERS, i, "", SKV_ERROR_VALUE, wide, error);
+        if (scene->emitter_count == SKV_MAX_EMITTERS)
+            return fail_element(draft, SKV_LIST_EMITTERS, i, "", SKV_ERROR_LIMIT,
+                                "is one too many, with those painted; allowed are 16", error);
+        scene->emitters[scene->emitter_count++] = emitter;
     }
     return SKV_OK;
 }

@@ -91,6 +91,11 @@ static skv_result build_texts(builder *c)
     scene->description = copy_text(description != NULL ? description : "",
                                    description != NULL ? strlen(description) : 0);
     scene->seconds = c->value[SKV_F_SECONDS].number;
+    /* A file's name may be anything. */
+    if (scene->name != NULL && scene->title != NULL) {
+        skv_make_plain(scene->name);
+        skv_make_plain(scene->title);
+    }
     bool complete = scene->name != NULL && scene->title != NULL && scene->description != NULL;
     return complete ? SKV_OK : fail_memory(c);
 }

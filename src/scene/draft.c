@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/plain.h"
 
 skv_result skv_draft_fail(const skv_draft *draft, skv_origin origin, const char *path,
                           skv_error *error, skv_result code, const char *format, ...)
@@ -100,6 +101,11 @@ static void quote(const char *source, char text[64])
     skv_format(text, 64, "\"%.*s%s\"", (int)cut, source, cut < length ? "..." : "");
 }
 
+static bool is_empty(const skv_entry *entry)
+{
+    return entry->kind == SKV_ENTRY_TEXT && entry->text[0] == '\0';
+}
+
 /* Names an entry in a message: "null", "3.5", "\"abc\"", "a list". */
 static void describe(const skv_entry *entry, char text[64])
 {
@@ -114,7 +120,10 @@ static void describe(const skv_entry *entry, char text[64])
         skv_format_number(entry->number, text);
         break;
     case SKV_ENTRY_TEXT:
-        quote(entry->text, text);
+        if (is_empty(entry))
+            skv_format(text, 64, "it");
+        else
+            quote(entry->text, text);
         break;
     case SKV_ENTRY_LIST:
         skv_format(text, 64, "a list");
@@ -125,18 +134,11 @@ static void describe(const skv_entry *entry, char text[64])
     }
 }
 
-static bool has_control_character(const char *text)
-{
-    for (; *text != '\0'; text++) {
-        if ((unsigned char)*text < 0x20 || *text == 0x7f)
-            return true;
-    }
-    return false;
-}
-
 /* What is wrong with an entry for a field; null if nothing is. */
 static const char *complaint(const skv_field *field, const skv_entry *entry)
 {
+    if (is_empty(entry) && field->type != SKV_FIELD_TEXT)
+        return "is empty";
     switch (field->type) {
     case SKV_FIELD_NUMBER:
     case SKV_FIELD_INTEGER:
@@ -153,7 +155,7 @@ static const char *complaint(const skv_field *field, const skv_entry *entry)
             return "is not text";
         if ((double)strlen(entry->text) > field->maximum)
             return "is too long";
-        return has_control_character(entry->text) ? "holds a control character" : NULL;
+        return skv_plain_complaint(entry->text);
     }
     return NULL;
 }

@@ -12,6 +12,7 @@
 
 #include "base/memory.h"
 #include "skvalp/acting.h"
+#include "world/emitters.h"
 
 #define PAINTED_SPEED 1.0f /* m/s */
 #define MOST_ROUND    1.5  /* length over thickness: less is a dot */
@@ -188,6 +189,17 @@ static skv_drain make_drain(const finder *f, const area *a, double *points)
 
 /* ---- All of them ----------------------------------------------------------------------------- */
 
+/* Names the area's first pixel as painters count them, from the top left. */
+static skv_result check_width(const skv_scene *scene, const skv_emitter *e, int place,
+                              const char *label, skv_error *error)
+{
+    char wide[160];
+    if (!skv_emitter_is_wide(e, scene->def.fluid.spacing, wide, sizeof wide))
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE, "%s: the green area at pixel (%d, %d) %s", label,
+                    place % scene->width, scene->height - 1 - place / scene->width, wide);
+}
+
 static skv_result add_tap(skv_scene *scene, finder *f, int place, double *points, const char *label,
                           skv_error *error)
 {
@@ -200,11 +212,13 @@ static skv_result add_tap(skv_scene *scene, finder *f, int place, double *points
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "%s: there are more than %d %s areas; paint fewer, or join some", label,
                         most, green ? "green (emitter)" : "red (drain)");
-    if (green)
-        scene->emitters[(*count)++] = make_emitter(scene, &a);
-    else
+    if (!green) {
         scene->drains[(*count)++] = make_drain(f, &a, points);
-    return SKV_OK;
+        return SKV_OK;
+    }
+    skv_emitter emitter = make_emitter(scene, &a);
+    scene->emitters[(*count)++] = emitter;
+    return check_width(scene, &emitter, place, label, error);
 }
 
 skv_result skv_scene_build_taps(skv_scene *scene, const char *label, skv_error *error)

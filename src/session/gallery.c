@@ -19,6 +19,7 @@ skv_opened *skv_opened_create(skv_scene *scene, const char *name, uint32_t numbe
     if (opened) {
         *opened = (skv_opened){.users = 1, .number = number, .scene = scene};
         skv_format(opened->name, sizeof opened->name, "%s", name);
+        skv_make_plain(opened->name);
     }
     return opened;
 }

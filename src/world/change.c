@@ -3,6 +3,7 @@
  * for, or a few more.
  */
 #include "base/assert.h"
+#include "base/fields.h"
 #include "world/emitters.h"
 #include "world/forces.h"
 #include "world/world_internal.h"
@@ -44,10 +45,13 @@ void skv_world_adapt_substeps(skv_world *world)
 skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
-    if (!skv_within((double)gx, -1000, 1000) || !skv_within((double)gy, -1000, 1000))
+    if (!skv_within((double)gx, -1000, 1000) || !skv_within((double)gy, -1000, 1000)) {
+        char x[32], y[32];
+        skv_format_float((double)gx, x);
+        skv_format_float((double)gy, y);
         return skv_fail(error, SKV_ERROR_VALUE,
-                        "gravity: (%g, %g) is out of range; allowed is -1000..1000 m/s^2",
-                        (double)gx, (double)gy);
+                        "gravity: (%s, %s) is out of range; allowed is -1000..1000 m/s^2", x, y);
+    }
     if (gx != world->gravity_x || gy != world->gravity_y)
         skv_sleep_wake_all(world);
     world->gravity_x = gx;
@@ -90,12 +94,11 @@ skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters,
     skv_result result = skv_check_emitters(emitters, count, error);
     if (result != SKV_OK)
         return result;
-    for (int i = 0; i < count; i++)
-        if (emitters[i].width > SKV_MOST_COLUMNS * world->fluid.spacing)
-            return skv_fail(error, SKV_ERROR_VALUE,
-                            "emitter %d: it is %g m wide; allowed is %d spacings, %g m", i,
-                            (double)emitters[i].width, SKV_MOST_COLUMNS,
-                            (double)(SKV_MOST_COLUMNS * world->fluid.spacing));
+    for (int i = 0; i < count; i++) {
+        char wide[160];
+        if (skv_emitter_is_wide(&emitters[i], world->fluid.spacing, wide, sizeof wide))
+            return skv_fail(error, SKV_ERROR_VALUE, "emitter %d: it %s", i, wide);
+    }
     skv_acting *acting = &world->acting;
     for (int i = 0; i < count; i++) {
         if (i >= acting->emitter_count || !is_same(&acting->emitters[i], &emitters[i]))

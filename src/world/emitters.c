@@ -3,6 +3,7 @@
 #include "world/emitters.h"
 
 #include "base/exact.h"
+#include "base/fields.h"
 #include "world/area.h"
 #include "world/dye.h"
 #include "world/world_internal.h"
@@ -98,6 +99,21 @@ skv_emitter_rows skv_emitter_lay_out(const skv_emitter *e, float spacing)
     double apart = width / columns;
     return (skv_emitter_rows){columns, apart, s * s / apart, (double)e->vx / speed,
                               (double)e->vy / speed};
+}
+
+bool skv_emitter_is_wide(const skv_emitter *e, float spacing, char *text, size_t size)
+{
+    float most = SKV_MOST_COLUMNS * spacing;
+    if (!(e->width > most))
+        return false;
+    char width[32], allowed[32];
+    skv_format_float((double)e->width, width);
+    skv_format_float((double)most, allowed);
+    skv_format(text, size,
+               "is %s m wide; allowed are %d spacings, %s m, so make it narrower or choose fewer "
+               "particles",
+               width, SKV_MOST_COLUMNS, allowed);
+    return true;
 }
 
 void skv_emitter_place(const skv_emitter *e, const skv_emitter_rows *rows, double way, bool odd,

@@ -27,6 +27,10 @@ typedef struct skv_emitter_rows {
 } skv_emitter_rows;
 skv_emitter_rows skv_emitter_lay_out(const skv_emitter *emitter, float spacing);
 
+/* Whether an emitter is too wide for its rows, and in `text` what is wrong with it then: "is ... m
+ * wide; ...". */
+bool skv_emitter_is_wide(const skv_emitter *emitter, float spacing, char *text, size_t size);
+
 /* Where a particle of a row lies when the row has gone `way` m from the line. */
 void skv_emitter_place(const skv_emitter *emitter, const skv_emitter_rows *rows, double way,
                        bool odd, int column, float *x, float *y);

@@ -2,6 +2,7 @@
 #include "world/forces.h"
 
 #include "base/exact.h"
+#include "base/fields.h"
 #include "world/area.h"
 #include "world/world_internal.h"
 
@@ -42,10 +43,13 @@ static skv_result check_force(skv_force force, int index, skv_error *error)
                         index);
     for (int k = 0; k < NUMBERS; k++) {
         double value = (double)*number_of(&force, k);
-        if (!skv_within(value, numbers[k].least, numbers[k].most))
+        if (!skv_within(value, numbers[k].least, numbers[k].most)) {
+            char text[32];
+            skv_format_float(value, text);
             return skv_fail(
-                error, SKV_ERROR_VALUE, "force %d: %s %g is out of range; allowed is %g..%g %s",
-                index, numbers[k].name, value, numbers[k].least, numbers[k].most, numbers[k].unit);
+                error, SKV_ERROR_VALUE, "force %d: %s %s is out of range; allowed is %g..%g %s",
+                index, numbers[k].name, text, numbers[k].least, numbers[k].most, numbers[k].unit);
+        }
     }
     if (force.spin != 0 && !(reach_of(&force.area) <= MOST_REACH))
         return skv_fail(error, SKV_ERROR_VALUE,

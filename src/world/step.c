@@ -1,6 +1,7 @@
 /* Time: a step in equal substeps, which the solver takes, and who sleeps or leaves between them.
  * How a substep moves the fluid is in src/solver/reference/reference.c. */
 #include "base/assert.h"
+#include "base/fields.h"
 #include "world/emitters.h"
 #include "world/flow.h"
 #include "world/remove.h"
@@ -133,10 +134,13 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
 skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
-    if (!skv_within((double)dt, (double)LEAST_STEP, (double)LONGEST_STEP))
+    if (!skv_within((double)dt, (double)LEAST_STEP, (double)LONGEST_STEP)) {
+        char text[32];
+        skv_format_float((double)dt, text);
         return skv_fail(error, SKV_ERROR_VALUE,
-                        "step: dt %g s is out of range; allowed is %g..%g s", (double)dt,
+                        "step: dt %s s is out of range; allowed is %g..%g s", text,
                         (double)LEAST_STEP, (double)LONGEST_STEP);
+    }
     double owed = world->due, began = world->time;
     world->wall_impulse = (skv_wall_impulse){0};
     int count = take_due(world, (double)dt);

@@ -108,6 +108,34 @@ static void test_names_are_taken_at_their_word(void **state)
     program_free(&result);
 }
 
+/* A file's name goes to the terminal as plain text, also where nothing is wrong with it. */
+static void test_names_are_shown_plain(void **state)
+{
+    file_write(*state,
+               "a\xe2\x80\xae"
+               "b\xc2\x9b"
+               "c.json",
+               "{\"particles\": 300, \"water\": [{\"shape\": \"box\", \"y1\": 0.3}]}");
+    program_result result = SKVALP(*state, "check",
+                                   "a\xe2\x80\xae"
+                                   "b\xc2\x9b"
+                                   "c.json");
+    assert_int_equal(result.status, 0);
+    assert_non_null(strstr(result.out, "a?b?c: ok, "));
+    program_free(&result);
+    result = SKVALP(*state, "run", "pool", SHORT, "--particles", "300", "--snapshot", "s\x9b.skv");
+    assert_int_equal(result.status, 0);
+    program_free(&result);
+    result = SKVALP(*state, "replay", "s\x9b.skv");
+    assert_null(strstr(result.out, "\x9b"));
+    assert_null(strstr(result.err, "\x9b"));
+    program_free(&result);
+    result = SKVALP(*state, "run", "s\x9b.skv", "--seconds", "0");
+    assert_int_equal(result.status, 0);
+    assert_non_null(strstr(result.out, "s?.skv: 300 particles"));
+    program_free(&result);
+}
+
 static void test_long_names_leave_room_for_the_remedy(void **state)
 {
     char name[5001];
@@ -143,6 +171,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_inputs_are_kept, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_names_are_taken_at_their_word, folder_setup,
                                         folder_teardown),
+        cmocka_unit_test_setup_teardown(test_names_are_shown_plain, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_long_names_leave_room_for_the_remedy, folder_setup,
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_size_limit, folder_setup, folder_teardown),

@@ -212,6 +212,41 @@ static void test_interrupted(void **state)
     expect_clean_stop(*state, SIGTERM, "3000");
 }
 
+static void wait_for_entries(const char *folder, int count)
+{
+    const struct timespec pause = {.tv_nsec = 20000000};
+    for (int i = 0; i < 1500 && folder_entries(folder) != count; i++)
+        nanosleep(&pause, NULL);
+    assert_int_equal(folder_entries(folder), count);
+}
+
+/* What a program that was killed has left goes when the next one writes there; what another one
+ * that lives still writes stays. */
+static void test_killed(void **state)
+{
+    const char *const run[] = {"skvalp", "run",     "dam-break", "--particles", "500",
+                               "--csv",  "a.csv",   "--trace",   "t.csv",       "--seconds",
+                               "3000",   "--quiet", NULL};
+    pid_t pid = program_start(*state, run);
+    wait_for_entries(*state, 2);
+    assert_int_equal(kill(pid, SIGKILL), 0);
+    assert_int_equal(program_wait(pid, 5), -SIGKILL);
+    assert_int_equal(folder_entries(*state), 2);
+    /* No file of ours, though it is called so. */
+    file_write(*state, ".skvalp-notes", "mine");
+    pid = program_start(*state, run);
+    wait_for_entries(*state, 3);
+    program_result result = SKVALP(*state, "run", "pool", SHORT, "--csv", "b.csv");
+    assert_int_equal(result.status, 0);
+    program_free(&result);
+    assert_true(file_exists(*state, "b.csv"));
+    assert_true(file_exists(*state, ".skvalp-notes"));
+    assert_int_equal(folder_entries(*state), 4);
+    assert_int_equal(kill(pid, SIGTERM), 0);
+    assert_int_equal(program_wait(pid, 5), 128 + SIGTERM);
+    assert_int_equal(folder_entries(*state), 2);
+}
+
 static void expect_lost(const program_result *result, const char *says)
 {
     assert_int_equal(result->status, 2);
@@ -338,6 +373,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_ffmpeg_dies, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_encoder_fallback, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_interrupted, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_killed, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_full_disk, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_replaces_whole_files, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_reader_leaves, folder_setup, folder_teardown),

@@ -54,6 +54,7 @@ expect "installed packages install" install one two
 expect "apt-get is not called when nothing is missing" test ! -s "$work/calls"
 expect "one missing package installs" install one two three
 expect "only what is missing is installed" grep -q 'install .* three$' "$work/calls"
+expect "apt-get waits for a lock" grep -q -- '-o DPkg::Lock::Timeout=[1-9]' "$work/calls"
 expect "the installed are left alone" test -z "$(grep 'install .*one' "$work/calls")"
 expect "the user is told" grep -q 'Installing 1 package' "$work/out"
 

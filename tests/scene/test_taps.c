@@ -70,11 +70,33 @@ static void a_little_more_room_does_not_tell(void **unused)
     assert_float_equal(emitter_of((strip){40, 45, 20, 2}).vy, 1, 1e-5f);
 }
 
+/* What is too wide is named by its file and by its first pixel from the top left. */
+static void a_strip_that_is_too_wide_is_named(void **unused)
+{
+    (void)unused;
+    strip s = {10, 46, 80, 2};
+    buffer picture = write_rgb(SIZE, SIZE, paint, &s);
+    const skv_setting settings[] = {{"fluid.spacing", "0.001"}};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = settings;
+    options.setting_count = 1;
+    skv_scene *scene;
+    skv_error error = {0};
+    assert_int_equal(
+        skv_scene_load_memory(picture.data, picture.size, "png", "p.png", &options, &scene, &error),
+        SKV_ERROR_VALUE);
+    assert_string_equal(error.text,
+                        "p.png: the green area at pixel (10, 49) is 1.3333334 m wide; allowed are "
+                        "1000 spacings, 1 m, so make it narrower or choose fewer particles");
+    buffer_free(&picture);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_strip_emits_to_where_there_is_more_room),
         cmocka_unit_test(a_little_more_room_does_not_tell),
+        cmocka_unit_test(a_strip_that_is_too_wide_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
  * of a world that runs. */
 #include "support/fixture.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -94,6 +95,25 @@ static void a_material_sets_two(void **unused)
     assert_string_equal(get(&def, "fluid.material"), "");
 }
 
+/* What is out of its range by the last digit of a float does not read as its bound. */
+static void bounds_do_not_contradict_themselves(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.1f, 1);
+    skv_error error = {0};
+    assert_int_equal(skv_world_step(world, 0.1f, NULL), SKV_OK);
+    assert_int_equal(skv_world_step(world, nextafterf(0.1f, 1), &error), SKV_ERROR_VALUE);
+    assert_string_equal(error.text,
+                        "step: dt 0.10000001 s is out of range; allowed is 1e-06..0.1 s");
+    assert_int_equal(skv_world_step(world, 2, &error), SKV_ERROR_VALUE);
+    assert_string_equal(error.text, "step: dt 2 s is out of range; allowed is 1e-06..0.1 s");
+    assert_int_equal(skv_world_set_gravity(world, 0, nextafterf(-1000, -2000), &error),
+                     SKV_ERROR_VALUE);
+    assert_string_equal(error.text,
+                        "gravity: (0, -1000.00006) is out of range; allowed is -1000..1000 m/s^2");
+    skv_world_destroy(world);
+}
+
 static void mistakes_are_named(void **unused)
 {
     (void)unused;
@@ -105,6 +125,8 @@ static void mistakes_are_named(void **unused)
         {"depth", "17", "depth: 17 is out of range; allowed is a number from 0 to 16 m"},
         {"fluid.viscosity", "0,001",
          "fluid.viscosity: 0,001 is not a number; allowed is a number from 0 to 0.05 m^2/s"},
+        {"fluid.viscosity", "",
+         "fluid.viscosity: it is empty; allowed is a number from 0 to 0.05 m^2/s"},
         {"fluid.iterations", "2.5",
          "fluid.iterations: 2.5 is not a whole number; allowed is a whole number from 1 to 8"},
         {"fluid.material", "tar",
@@ -230,6 +252,7 @@ int main(void)
         cmocka_unit_test(members_are_set_by_path),
         cmocka_unit_test(a_law_brings_its_defaults),
         cmocka_unit_test(a_material_sets_two),
+        cmocka_unit_test(bounds_do_not_contradict_themselves),
         cmocka_unit_test(mistakes_are_named),
         cmocka_unit_test(ranges_are_checked_by_the_world),
         cmocka_unit_test(a_running_world_changes),
