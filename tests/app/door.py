@@ -7,6 +7,7 @@ import socket
 import sys
 import time
 
+SPACES = str.maketrans("\u00a0\u2009\u202f", "   ")  # that keep numbers together
 CELLS = 20  # along each side of the world, as in door.c
 PAUSE = 0.03  # s between two looks
 TICKS = os.sysconf("SC_CLK_TCK")
@@ -31,7 +32,7 @@ class Door:
                 self.file = caller.makefile("rw", encoding="utf-8")
             self.file.write("\n")
             self.file.flush()
-            self.line = self.file.readline()
+            self.line = self.file.readline().translate(SPACES)
             if self.line:
                 return json.loads(self.line, object_hook=Fields)
         except OSError:
@@ -179,9 +180,10 @@ def wait(door, pid, seconds, expression):
             before = look.steady
         if value:
             return f"yes {' '.join(map(str, value)) if isinstance(value, tuple) else value}"
-        if time.monotonic() >= end or (state is None and is_gone(pid)):
-            gone = "the app has ended" if state is None else summary(door.line)
-            return f"no {value}{error}: {gone}"
+        if state is None and is_gone(pid):
+            return "no, the app has ended"
+        if time.monotonic() >= end:
+            return f"no {value}{error}: {summary(door.line) if state else 'the app does not answer'}"
         time.sleep(PAUSE)
 
 

@@ -132,7 +132,7 @@ start_app pool
 end=$((SECONDS + seconds))
 while ((SECONDS < end)); do
     if ! answers; then # it may have found the way out
-        ! running || break
+        [[ $answer == *'has ended' ]] || break
         if toolkit_fell; then
             app=''
         else
@@ -153,7 +153,7 @@ while ((SECONDS < end)); do
     leave_files
 done
 xdotool mouseup 1 mouseup 2 mouseup 3
-if running; then
+if answers; then
     quits() { # GTK 4.8 complains of a dialog of files that goes while it reads a folder
         local one
         for one in $(xdotool search --onlyvisible --name '.+' 2>/dev/null || true); do
@@ -163,13 +163,14 @@ if running; then
         xdotool windowfocus "$window" key ctrl+q 2>/dev/null || true
         ! answers
     }
-    # GTK 4.8 may be caught in a loop of its own over a key, with no function of ours in it.
-    if ! repeat quits; then
-        caught=', which was caught in a loop'
-        kill "$app"
-        wait "$app" || true
-        app=''
-    fi
+    repeat quits || true
+fi
+# GTK 4.8 may be caught in a loop of its own over a key, with no function of ours in it.
+if [[ $answer != *'has ended' ]]; then
+    caught=', which was caught in a loop'
+    kill "$app"
+    wait "$app" || true
+    app=''
 fi
 [[ -z $app ]] || toolkit_fell || gone_well
 app=''
