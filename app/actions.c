@@ -2,7 +2,6 @@
  * changed it: they are brought in line whenever the view or the window says that it has changed. */
 #include "actions.h"
 
-#include "asking.h"
 #include "compare.h"
 #include "files.h"
 #include "input.h"
@@ -17,9 +16,9 @@
 
 #define ZOOM 1.25
 
-static skv_session *session_of(PlayWindow *window)
+static skv_stage *stage_of(PlayWindow *window)
 {
-    return play_view_session(play_window_view(window));
+    return play_view_stage(play_window_view(window));
 }
 
 #define ACTIVATION(name)                                                                           \
@@ -31,28 +30,28 @@ static skv_session *session_of(PlayWindow *window)
 static void on_pause(GSimpleAction *action, GVariant *state, gpointer window)
 {
     g_simple_action_set_state(action, state);
-    play_ask_pause(play_window_view(window), g_variant_get_boolean(state));
+    skv_stage_set_paused(stage_of(window), g_variant_get_boolean(state));
 }
 
 ACTIVATION(on_step)
 {
-    play_ask_pause(play_window_view(window), true);
-    play_ask_step(play_window_view(window));
+    skv_stage_set_paused(stage_of(window), true);
+    skv_stage_step_once(stage_of(window));
 }
 
 ACTIVATION(on_reset)
 {
-    play_ask_seek(play_window_view(window), 0);
+    skv_stage_seek(stage_of(window), 0);
 }
 
 ACTIVATION(on_undo)
 {
-    play_ask_undo(play_window_view(window));
+    skv_stage_undo(stage_of(window));
 }
 
 ACTIVATION(on_redo)
 {
-    play_ask_redo(play_window_view(window));
+    skv_stage_redo(stage_of(window));
 }
 
 /* Seconds back or forth in time. */
@@ -63,7 +62,7 @@ ACTIVATION(on_go)
 
 static void on_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
 {
-    play_ask_speed(play_window_view(window), g_variant_get_double(state));
+    skv_stage_set_speed(stage_of(window), g_variant_get_double(state));
 }
 
 static const double speeds[] = {0.1, 0.25, 0.5, 1, 2};
@@ -72,27 +71,27 @@ static const double speeds[] = {0.1, 0.25, 0.5, 1, 2};
 ACTIVATION(on_change_speed)
 {
     int at = 0, last = G_N_ELEMENTS(speeds) - 1;
-    while (at < last && speeds[at] < skv_session_speed(session_of(window)))
+    while (at < last && speeds[at] < skv_stage_speed(stage_of(window)))
         at++;
     at = CLAMP(at + g_variant_get_int32(value), 0, last);
-    play_ask_speed(play_window_view(window), speeds[at]);
+    skv_stage_set_speed(stage_of(window), speeds[at]);
 }
 
 /* What acts on the fluid. */
 
 ACTIVATION(on_weightless)
 {
-    play_ask_gravity(play_window_view(window), 0, 0);
+    skv_stage_set_gravity(stage_of(window), 0, 0, 0);
 }
 
 /* A tool that is chosen again takes its next colour. */
 static void on_tool(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
 {
-    PlayView *view = play_window_view(window);
+    skv_stage *stage = stage_of(window);
     int tool = g_variant_get_int32(state);
-    if (tool == skv_session_tool(session_of(window)) && skv_tool_info(tool)->dyes)
-        play_ask_dye(view, (skv_session_dye(session_of(window)) + 1) % (SKV_DYES + 1));
-    play_ask_tool(view, tool);
+    if (tool == skv_stage_tool(stage) && skv_tool_info(tool)->dyes)
+        skv_stage_set_dye(stage, (skv_stage_dye(stage) + 1) % (SKV_DYES + 1));
+    skv_stage_set_tool(stage, tool);
     play_window_show_page(window, "play");
 }
 
@@ -144,13 +143,13 @@ static void add_sensor(PlayWindow *window)
 
 ACTIVATION(on_zoom)
 {
-    PlayView *view = play_window_view(window);
+    skv_stage *stage = stage_of(window);
     double steps = g_variant_get_double(value);
-    skv_camera camera = play_view_camera(view);
+    skv_camera camera = skv_stage_camera(stage, 0);
     if (steps == 0)
-        play_view_show_all(view);
+        skv_stage_show_all(stage);
     else
-        play_view_zoom(view, pow(ZOOM, steps), camera.width / 2.0, camera.height / 2.0);
+        skv_stage_zoom(stage, 0, pow(ZOOM, steps), camera.width / 2.0, camera.height / 2.0);
 }
 
 /* The window. */
@@ -268,16 +267,17 @@ static void set_enabled(PlayWindow *window, const char *name, bool enabled)
 
 static void update_states(PlayWindow *window)
 {
-    const skv_session *session = session_of(window);
-    set_state(window, "pause", g_variant_new_boolean(skv_session_paused(session)));
-    set_state(window, "speed", g_variant_new_double(skv_session_speed(session)));
-    set_state(window, "tool", g_variant_new_int32(skv_session_tool(session)));
+    const skv_stage *stage = stage_of(window);
+    skv_stage_state now = skv_stage_now(stage);
+    set_state(window, "pause", g_variant_new_boolean(skv_stage_paused(stage)));
+    set_state(window, "speed", g_variant_new_double(skv_stage_speed(stage)));
+    set_state(window, "tool", g_variant_new_int32(skv_stage_tool(stage)));
     set_state(window, "gallery",
               g_variant_new_boolean(g_strcmp0(play_window_page(window), "play") != 0));
     set_state(window, "fullscreen",
               g_variant_new_boolean(gtk_window_is_fullscreen(GTK_WINDOW(window))));
-    set_enabled(window, "undo", play_can_undo(play_window_view(window)));
-    set_enabled(window, "redo", play_can_redo(play_window_view(window)));
+    set_enabled(window, "undo", now.can_undo);
+    set_enabled(window, "redo", now.can_redo);
 }
 
 /* Keys without Ctrl must not take letters from what is typed into: they come last. */

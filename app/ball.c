@@ -3,7 +3,6 @@
  * said last. */
 #include "ball.h"
 
-#include "asking.h"
 #include "words.h"
 
 #define SIZE      72   /* pixels across */
@@ -63,7 +62,8 @@ static void on_drag(PlayBall *ball, double px, double py)
     else if (fabs(wanted - 1) < SNAP)
         wanted = 1;
     double factor = length > 0 ? wanted / length : 0;
-    play_ask_gravity(ball->view, x * factor, y * factor);
+    skv_stage_set_gravity(play_view_stage(ball->view), play_view_side(ball->view), x * factor,
+                          y * factor);
 }
 
 static void on_drag_begin(G_GNUC_UNUSED GtkGestureDrag *drag, double x, double y, PlayBall *ball)

@@ -4,7 +4,6 @@
 
 #include <string.h>
 
-#include "asking.h"
 #include "dialogs.h"
 #include "plot.h"
 #include "words.h"
@@ -50,19 +49,19 @@ static int main_channel(skv_instrument_kind kind)
 
 static void on_card_shown(G_GNUC_UNUSED GtkWidget *card, chip *c)
 {
-    play_ask_watch(c->all->view, c->probe, true);
+    skv_stage_watch_probe(play_view_stage(c->all->view), c->probe, true);
 }
 
 static void on_card_closed(G_GNUC_UNUSED GtkWidget *card, chip *c)
 {
-    play_ask_watch(c->all->view, c->probe, false);
+    skv_stage_watch_probe(play_view_stage(c->all->view), c->probe, false);
     gtk_widget_grab_focus(GTK_WIDGET(c->all->view));
 }
 
 static void on_remove(G_GNUC_UNUSED GtkButton *button, chip *c)
 {
     gtk_popover_popdown(GTK_POPOVER(c->card));
-    play_ask_remove(c->all->view, c->probe);
+    skv_stage_remove_probe(play_view_stage(c->all->view), c->probe);
 }
 
 static void on_name_chosen(GtkNativeDialog *dialog, int response, PlayPlot *plot)
@@ -125,7 +124,7 @@ static void show_plot(const chip *c, const skv_probe *probe)
     int channel = main_channel(c->kind), count = 0;
     const skv_channel *info = skv_instrument_channel(c->kind, channel);
     const skv_channel *theory = skv_instrument_channel(c->kind, channel + 1);
-    const skv_probe *beside = play_probe_beside(c->all->view, c->probe);
+    const skv_probe *beside = skv_stage_probe(play_view_stage(c->all->view), 1, c->probe);
     double unit;
     char *label = play_words_of_quantity(info->name, info->unit, &unit), *says = NULL;
     PlayCurve curves[4];
@@ -153,10 +152,10 @@ static gboolean on_key(G_GNUC_UNUSED GtkEventControllerKey *controller, guint ke
     double dx = (key == GDK_KEY_Right) - (key == GDK_KEY_Left);
     double dy = (key == GDK_KEY_Up) - (key == GDK_KEY_Down);
     if (key == GDK_KEY_Delete)
-        play_ask_remove(c->all->view, c->probe);
+        skv_stage_remove_probe(play_view_stage(c->all->view), c->probe);
     else if (dx != 0 || dy != 0)
-        play_ask_move(c->all->view, c->probe, c->x0 + dx * step, c->y0 + dy * step,
-                      c->x1 + dx * step, c->y1 + dy * step);
+        skv_stage_move_probe(play_view_stage(c->all->view), c->probe, c->x0 + dx * step,
+                             c->y0 + dy * step, c->x1 + dx * step, c->y1 + dy * step);
     else
         return GDK_EVENT_PROPAGATE;
     return GDK_EVENT_STOP;
@@ -198,7 +197,7 @@ static void show_chip(chip *c, const skv_probe *probe)
     int channel = main_channel(c->kind);
     const skv_channel *info = skv_instrument_channel(c->kind, channel);
     char *reading = play_words_of_reading(probe->value[channel], info->unit), *other = NULL;
-    const skv_probe *beside = play_probe_beside(c->all->view, c->probe);
+    const skv_probe *beside = skv_stage_probe(play_view_stage(c->all->view), 1, c->probe);
     const char *number = play_chip_number(c->probe), *title = c->all->title(c->kind);
     if (beside)
         other = play_words_of_reading(beside->value[channel], info->unit);

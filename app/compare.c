@@ -1,8 +1,6 @@
-/* Comparing. Invariant: there are two views exactly while their sessions are a pair; what ends one,
- * another scene or a closed window, ends the other before. */
+/* Comparing. Invariant: there are two views exactly while there are two worlds. */
 #include "compare.h"
 
-#include "asking.h"
 #include "ball.h"
 #include "choices.h"
 #include "input.h"
@@ -16,11 +14,7 @@
 typedef struct compare {
     PlayWindow *window;
     PlayView *view, *other;          /* null: one world */
-    bool shown;                      /* the second one is */
     const PlayChoice *choice, *next; /* next: once a scene has been opened */
-    skv_pair *pair;
-    guint32 opened; /* in the first world */
-    gulong waiting; /* for what it shares */
     GtkWidget *stage, *badges[2], *amount, *ball, *sides[2], *bar;
 } compare;
 
@@ -132,45 +126,45 @@ static void show_sides(compare *c, bool shown)
 
 /* Ending. */
 
+/* The second view goes; its world has, or goes with it. */
 static void end(compare *c)
 {
     if (!c->other)
         return;
-    PlayView *other = c->other;
-    if (c->shown) {
-        show_sides(c, false);
-        play_properties_show(play_window_properties(c->window), c->view);
-        play_view_join(c->view, NULL, NULL);
-        skv_pair_destroy(c->pair);
-        gtk_overlay_remove_overlay(GTK_OVERLAY(play_window_stage(c->window)), c->badges[0]);
-        gtk_box_remove(play_window_worlds(c->window), c->stage);
-        set_label(GTK_WIDGET(c->view), _("Water"));
-        gtk_widget_grab_focus(GTK_WIDGET(c->view));
-    }
+    show_sides(c, false);
+    play_properties_show(play_window_properties(c->window), c->view);
+    g_signal_handlers_disconnect_by_data(c->other, c);
+    play_view_end_twin(c->view);
+    gtk_overlay_remove_overlay(GTK_OVERLAY(play_window_stage(c->window)), c->badges[0]);
+    gtk_box_remove(play_window_worlds(c->window), c->stage);
+    set_label(GTK_WIDGET(c->view), _("Water"));
+    gtk_widget_grab_focus(GTK_WIDGET(c->view));
     c->other = NULL;
-    c->pair = NULL;
-    c->shown = false;
-    g_signal_handlers_disconnect_by_data(other, c);
-    g_object_unref(other);
 }
 
-/* Beginning: what the first world shares, opened by the second. */
+static void end_both(compare *c)
+{
+    skv_stage_end_compare(play_view_stage(c->view));
+    end(c);
+}
+
+/* Beginning. */
 
 /* A ball of its own: for who asks each world alone, and where gravity is another one. */
 static void show_ball(compare *c)
 {
     const skv_picture *a = play_view_picture(c->view), *b = play_view_picture(c->other);
-    bool own = !play_view_is_linked(c->view) || a->tilt_x != b->tilt_x || a->tilt_y != b->tilt_y;
+    bool own = !skv_stage_linked(play_view_stage(c->view)) || a->tilt_x != b->tilt_x ||
+               a->tilt_y != b->tilt_y;
     gtk_widget_set_visible(c->ball, own && gtk_widget_get_visible(play_window_ball(c->window)));
 }
 
 static void on_other_changed(PlayView *other, compare *c)
 {
-    if (c->shown)
-        show_ball(c);
+    show_ball(c);
     char *amount = play_words_of_amount(play_view_picture(other));
     char *text = play_words_of_picture(play_view_picture(other));
-    if (c->shown && g_strcmp0(gtk_label_get_text(GTK_LABEL(c->amount)), amount) != 0) {
+    if (g_strcmp0(gtk_label_get_text(GTK_LABEL(c->amount)), amount) != 0) {
         gtk_label_set_text(GTK_LABEL(c->amount), amount);
         gtk_accessible_update_property(GTK_ACCESSIBLE(other), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
                                        text, -1);
@@ -179,79 +173,47 @@ static void on_other_changed(PlayView *other, compare *c)
     g_free(text);
 }
 
-static void on_other_failed(G_GNUC_UNUSED PlayView *other, const char *error, compare *c)
+/* The second world is there, or cannot be. */
+static void on_compared(PlayView *view, const char *error, compare *c)
 {
-    play_window_complain(c->window, error);
-    if (!c->shown)
-        end(c);
-}
-
-static void on_other_opened(PlayView *other, compare *c)
-{
-    if (c->shown ||
-        skv_pair_create(play_view_session(c->view), play_view_session(other), &c->pair, NULL))
-        return;
-    c->shown = true;
-    c->stage = make_stage(c);
-    gtk_box_append(play_window_worlds(c->window), c->stage);
-    play_input_attach(other);
-    skv_session_set_tool(play_view_session(other), skv_session_tool(play_view_session(c->view)));
-    play_view_join(c->view, other, c->pair);
-    play_window_hide_description(c->window);
-    set_label(GTK_WIDGET(c->view), _("World A"));
-    set_label(GTK_WIDGET(other), _("World B"));
-    show_sides(c, true);
-    play_ask_pause(c->view, false);
-    on_other_changed(other, c);
-}
-
-static bool open_other(const char *bytes, size_t size, void *user)
-{
-    compare *c = user;
-    const skv_picture *picture = play_view_picture(c->view);
-    const skv_setting setting = {c->choice->path, c->choice->value};
-    skv_scene_options options = skv_default_scene_options();
-    options.settings = &setting;
-    options.setting_count = c->choice->path ? 1 : 0;
-    if (c->choice->particles > 0 && picture->scene)
-        options.particles = (int)(skv_scene_particles(picture->scene) * c->choice->particles);
-    skv_session_open_memory(play_view_session(c->other), bytes, size, "skvr", picture->name,
-                            &options);
-    return true;
-}
-
-static void on_shared(PlayView *view, const char *error, compare *c)
-{
-    g_clear_signal_handler(&c->waiting, view);
     if (error) {
         play_window_complain(c->window, error);
         return;
     }
     end(c);
-    c->opened = play_view_picture(view)->opened;
-    c->other = g_object_ref_sink(g_object_new(PLAY_TYPE_VIEW, NULL));
-    g_signal_connect(c->other, "opened", G_CALLBACK(on_other_opened), c);
-    g_signal_connect(c->other, "failed", G_CALLBACK(on_other_failed), c);
+    c->other = g_object_new(PLAY_TYPE_VIEW, NULL);
+    play_view_begin(c->other, view);
     g_signal_connect(c->other, "changed", G_CALLBACK(on_other_changed), c);
-    skv_session_read_shared(play_view_session(view), open_other, c);
+    c->stage = make_stage(c);
+    gtk_box_append(play_window_worlds(c->window), c->stage);
+    play_input_attach(c->other);
+    play_window_hide_description(c->window);
+    set_label(GTK_WIDGET(view), _("World A"));
+    set_label(GTK_WIDGET(c->other), _("World B"));
+    show_sides(c, true);
+    on_other_changed(c->other, c);
 }
 
 static void begin(compare *c, const PlayChoice *choice)
 {
+    const skv_scene *scene = play_view_picture(c->view)->scene;
+    const skv_setting setting = {choice->path, choice->value};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = &setting;
+    options.setting_count = choice->path ? 1 : 0;
+    if (choice->particles > 0 && scene)
+        options.particles = (int)(skv_scene_particles(scene) * choice->particles);
     c->choice = choice;
     play_settings_set_text("compare", choice->name);
     play_window_show_page(c->window, "play");
-    g_clear_signal_handler(&c->waiting, c->view);
-    c->waiting = g_signal_connect(c->view, "shared", G_CALLBACK(on_shared), c);
-    skv_session_share(play_view_session(c->view));
+    skv_stage_compare(play_view_stage(c->view), &options);
 }
 
 /* Something else is open: nothing to compare with. */
-static void on_opened(PlayView *view, compare *c)
+static void on_opened(G_GNUC_UNUSED PlayView *view, compare *c)
 {
     const PlayChoice *next = c->next;
-    if (play_view_picture(view)->opened != c->opened)
-        end(c);
+    end(c);
     c->next = NULL;
     if (next)
         begin(c, next);
@@ -286,7 +248,7 @@ static void on_compare(G_GNUC_UNUSED GSimpleAction *action, GVariant *value, gpo
 static void on_close(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
                      gpointer data)
 {
-    end(data);
+    end_both(data);
 }
 
 static void on_toggle(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
@@ -294,7 +256,7 @@ static void on_toggle(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVarian
 {
     compare *c = data;
     if (c->other) {
-        end(c);
+        end_both(c);
         return;
     }
     char *name = play_settings_text("compare", "honey");
@@ -307,14 +269,14 @@ static void on_linked(GSimpleAction *action, GVariant *state, gpointer data)
 {
     compare *c = data;
     g_simple_action_set_state(action, state);
-    play_view_set_linked(c->view, g_variant_get_boolean(state));
-    if (c->shown)
+    skv_stage_set_linked(play_view_stage(c->view), g_variant_get_boolean(state));
+    if (c->other)
         show_ball(c);
 }
 
 static gboolean on_window_closed(G_GNUC_UNUSED GtkWindow *window, compare *c)
 {
-    end(c);
+    end_both(c);
     return FALSE;
 }
 
@@ -357,6 +319,7 @@ void play_compare_add(PlayWindow *window)
     add_to_panel(c);
     show_sides(c, false);
     g_signal_connect(c->view, "opened", G_CALLBACK(on_opened), c);
+    g_signal_connect(c->view, "compared", G_CALLBACK(on_compared), c);
     g_signal_connect(c->view, "failed", G_CALLBACK(on_failed), c);
     g_signal_connect(window, "close-request", G_CALLBACK(on_window_closed), c);
 }

@@ -13,9 +13,9 @@
 #define VIDEO_SECONDS 10.0
 #define MOST_RECENT   6
 
-static skv_session *session_of(PlayWindow *window)
+static skv_stage *stage_of(PlayWindow *window)
 {
-    return play_view_session(play_window_view(window));
+    return play_view_stage(play_window_view(window));
 }
 
 /* Dialogs. */
@@ -170,7 +170,7 @@ static void save(PlayWindow *window, const char *path)
 {
     bool known = g_str_has_suffix(path, ".skv") || g_str_has_suffix(path, ".skvr");
     char *whole = known ? g_strdup(path) : g_strconcat(path, ".skvr", NULL);
-    skv_session_save(session_of(window), whole);
+    skv_stage_save(stage_of(window), whole);
     g_free(whole);
 }
 
@@ -336,7 +336,7 @@ static void record(PlayWindow *window, const char *path)
     v->closing = g_signal_connect(window, "close-request", G_CALLBACK(on_close), v);
     v->waiting = g_signal_connect(play_window_view(window), "saved", G_CALLBACK(on_log_saved), v);
     play_window_set_progress(window, 0);
-    skv_session_save(session_of(window), v->replay);
+    skv_stage_save(stage_of(window), v->replay);
 }
 
 static void on_record(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,

@@ -3,9 +3,7 @@
 #include "input.h"
 
 #include <math.h>
-#include <skvalp/fingers.h>
 
-#include "asking.h"
 #include "tools.h"
 #include "transport.h"
 
@@ -55,9 +53,10 @@ static void apply_arrows(const keys *k)
     int y = !!(k->held & UP) - !!(k->held & DOWN);
     double length = sqrt((double)(x * x + y * y));
     if (k->hand)
-        play_ask_keyboard(target(k), x, y, k->closed);
+        skv_stage_keyboard(play_view_stage(target(k)), play_view_side(target(k)), x, y, k->closed);
     else if (length > 0)
-        play_ask_gravity(target(k), x / length, y / length);
+        skv_stage_set_gravity(play_view_stage(target(k)), play_view_side(target(k)), x / length,
+                              y / length);
 }
 
 /* Arrows belong to what has the focus if that is a text, a scale, a list, a menu or a chip. */
@@ -123,7 +122,7 @@ void play_input_set_keyboard_hand(GtkWidget *window, gboolean shown)
     k->hand = shown;
     k->held = 0;
     k->closed = false;
-    play_ask_keyboard(k->view, 0, 0, false);
+    skv_stage_keyboard(play_view_stage(k->view), play_view_side(k->view), 0, 0, false);
 }
 
 void play_input_attach_keys(GtkWidget *window, PlayView *view)
@@ -149,7 +148,6 @@ void play_input_attach_keys(GtkWidget *window, PlayView *view)
 
 typedef struct pointers {
     PlayView *view;
-    skv_fingers fingers;
     guint waiting; /* for the time of one that waits; 0: none does */
 } pointers;
 
@@ -184,35 +182,26 @@ static skv_device device_of(GdkEvent *event)
 
 static gboolean on_waited(gpointer data);
 
-static void carry_out(pointers *p, const skv_gesture *gesture)
+/* What is due in so many seconds if nothing comes before. */
+static void wait(pointers *p, double seconds)
 {
     g_clear_handle_id(&p->waiting, g_source_remove);
-    for (int i = 0; i < gesture->event_count; i++)
-        play_view_send(p->view, &gesture->events[i]);
-    if (gesture->dx != 0 || gesture->dy != 0)
-        play_view_pan(p->view, gesture->dx, gesture->dy);
-    if (gesture->factor != 1)
-        play_view_zoom(p->view, gesture->factor, gesture->px, gesture->py);
-    if (gesture->undo)
-        play_ask_undo(p->view);
-    if (gesture->wait > 0)
-        p->waiting = g_timeout_add((guint)ceil(1000 * gesture->wait), on_waited, p);
+    if (seconds > 0)
+        p->waiting = g_timeout_add((guint)ceil(1000 * seconds), on_waited, p);
 }
 
 static gboolean on_waited(gpointer data)
 {
     pointers *p = data;
     p->waiting = 0;
-    skv_gesture gesture = skv_fingers_wait(&p->fingers);
-    carry_out(p, &gesture);
+    wait(p, skv_stage_touch_waited(play_view_stage(p->view), play_view_side(p->view)));
     return G_SOURCE_REMOVE;
 }
 
 static void cancel(pointers *p)
 {
-    g_clear_handle_id(&p->waiting, g_source_remove);
-    p->fingers = (skv_fingers){0};
-    play_view_cancel(p->view);
+    wait(p, 0);
+    skv_stage_cancel_pointers(play_view_stage(p->view));
 }
 
 static void free_pointers(gpointer data)
@@ -242,11 +231,9 @@ static void send(pointers *p, GdkEvent *event, skv_phase phase)
     if (phase == SKV_PHASE_DOWN)
         gtk_widget_grab_focus(GTK_WIDGET(view));
     if (locate(view, event, &sent.px, &sent.py) || phase == SKV_PHASE_UP ||
-        phase == SKV_PHASE_LEAVE) {
-        p->fingers.tremble = TREMBLE * gtk_widget_get_scale_factor(GTK_WIDGET(view));
-        skv_gesture gesture = skv_fingers_event(&p->fingers, &sent);
-        carry_out(p, &gesture);
-    }
+        phase == SKV_PHASE_LEAVE)
+        wait(p, skv_stage_touch(play_view_stage(view), play_view_side(view), &sent,
+                                TREMBLE * gtk_widget_get_scale_factor(GTK_WIDGET(view))));
 }
 
 /* The wheel sizes the tool; with Ctrl, and by a touchpad's pinch, the picture is zoomed. */
@@ -262,7 +249,7 @@ static void scroll(PlayView *view, GdkEvent *event)
     if (!(gdk_event_get_modifier_state(event) & GDK_CONTROL_MASK))
         play_tools_scale_brush(view, factor);
     else if (locate(view, event, &px, &py))
-        play_view_zoom(view, factor, px, py);
+        skv_stage_zoom(play_view_stage(view), play_view_side(view), factor, px, py);
 }
 
 static void pinch(PlayView *view, GdkEvent *event)
@@ -272,7 +259,7 @@ static void pinch(PlayView *view, GdkEvent *event)
     if (gdk_touchpad_event_get_gesture_phase(event) == GDK_TOUCHPAD_GESTURE_PHASE_BEGIN)
         before = 1;
     else if (scale > 0 && locate(view, event, &px, &py)) {
-        play_view_zoom(view, scale / before, px, py);
+        skv_stage_zoom(play_view_stage(view), play_view_side(view), scale / before, px, py);
         before = scale;
     }
 }
@@ -331,7 +318,8 @@ static void on_pan(GtkGestureDrag *drag, double x, double y, PlayView *view)
 {
     double *last = g_object_get_data(G_OBJECT(drag), "last");
     int scale = gtk_widget_get_scale_factor(GTK_WIDGET(view));
-    play_view_pan(view, (x - last[0]) * scale, (y - last[1]) * scale);
+    skv_stage_pan(play_view_stage(view), play_view_side(view), (x - last[0]) * scale,
+                  (y - last[1]) * scale);
     last[0] = x;
     last[1] = y;
 }

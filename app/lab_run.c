@@ -198,8 +198,8 @@ static void on_set_up(GObject *view, GAsyncResult *result, G_GNUC_UNUSED gpointe
 {
     GByteArray *bytes = g_task_propagate_pointer(G_TASK(result), NULL);
     const void *data = bytes->len > 0 ? (const void *)bytes->data : "";
-    skv_session_open_memory(play_view_session(PLAY_VIEW(view)), data, bytes->len, "json",
-                            g_task_get_task_data(G_TASK(result)), NULL);
+    skv_stage_open_memory(play_view_stage(PLAY_VIEW(view)), data, bytes->len, "json",
+                          g_task_get_task_data(G_TASK(result)), NULL);
     g_byte_array_unref(bytes);
 }
 

@@ -86,9 +86,9 @@ static bool is_same(const skv_legend *a, const skv_legend *b)
 /* That of a second world that is as the first's: one is enough. */
 static bool is_known(const PlayLegend *legend, const skv_legend *scale)
 {
-    if (!play_view_follows(legend->view))
+    if (play_view_side(legend->view) == 0)
         return false;
-    const skv_picture *first = play_view_picture(play_view_twin(legend->view));
+    const skv_picture *first = skv_stage_picture(play_view_stage(legend->view), 0);
     skv_legend other = skv_render_legend(&first->frame, play_view_style(legend->view));
     return is_same(scale, &other);
 }

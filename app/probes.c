@@ -5,7 +5,6 @@
 
 #include <string.h>
 
-#include "asking.h"
 #include "chips.h"
 #include "words.h"
 
@@ -124,7 +123,7 @@ void play_probes_add(PlayProbes *probes, int number)
     else if (kind->line)
         def.x1 += 2 * reach, def.y1 += wanted == SKV_INSTRUMENT_FORCE ? reach : 0;
     g_strlcpy(def.name, skv_instrument_kind_name(kind->kind), sizeof def.name);
-    play_ask_probe(probes->view, &def);
+    skv_stage_add_probe(play_view_stage(probes->view), &def);
 }
 
 /* Dragging. */
@@ -145,21 +144,18 @@ static void on_drag_begin(GtkGestureDrag *drag, double px, double py, PlayProbes
 static void on_drag_update(G_GNUC_UNUSED GtkGestureDrag *drag, double dx, double dy,
                            PlayProbes *probes)
 {
-    const skv_picture *picture = play_view_picture(probes->view);
-    for (int i = 0; i < picture->probe_count; i++) {
-        const skv_instrument_def *def = &picture->probes[i].def;
-        if (picture->probes[i].id != probes->dragged)
-            continue;
-        double x, y;
-        to_world(probes, probes->grab_x + dx, probes->grab_y + dy, &x, &y);
-        /* The first point of a line takes the second with it. */
-        double follow_x = probes->end ? 0 : x - def->x0, follow_y = probes->end ? 0 : y - def->y0;
-        if (probes->end)
-            play_ask_move(probes->view, probes->dragged, def->x0, def->y0, x, y);
-        else
-            play_ask_move(probes->view, probes->dragged, x, y, def->x1 + follow_x,
-                          def->y1 + follow_y);
-    }
+    skv_stage *stage = play_view_stage(probes->view);
+    const skv_probe *probe = skv_stage_probe(stage, play_view_side(probes->view), probes->dragged);
+    if (!probe)
+        return;
+    const skv_instrument_def *def = &probe->def;
+    double x, y;
+    to_world(probes, probes->grab_x + dx, probes->grab_y + dy, &x, &y);
+    /* The first point of a line takes the second with it. */
+    if (probes->end)
+        skv_stage_move_probe(stage, probe->id, def->x0, def->y0, x, y);
+    else
+        skv_stage_move_probe(stage, probe->id, x, y, def->x1 + x - def->x0, def->y1 + y - def->y0);
 }
 
 static bool is_outside(PlayProbes *probes, double px, double py)
@@ -172,7 +168,7 @@ static void on_drag_end(G_GNUC_UNUSED GtkGestureDrag *drag, double dx, double dy
                         PlayProbes *probes)
 {
     if (probes->dragged && is_outside(probes, probes->grab_x + dx, probes->grab_y + dy))
-        play_ask_remove(probes->view, probes->dragged);
+        skv_stage_remove_probe(play_view_stage(probes->view), probes->dragged);
     probes->dragged = 0;
 }
 

@@ -28,7 +28,7 @@ typedef struct panel {
 /* What has become of it the next picture says. */
 static void set(property *row, const char *text)
 {
-    skv_session_set(play_view_session(row->view), row->field->path, text);
+    skv_stage_set(play_view_stage(row->view), play_view_side(row->view), row->field->path, text);
 }
 
 /* Controls. */
@@ -204,8 +204,8 @@ static void on_planet(GtkButton *button, panel *p)
     const struct planet *planet = g_object_get_data(G_OBJECT(button), "planet");
     PlayView *view = p->view;
     if (play_view_picture(view)->parameters.gravity_x != 0)
-        skv_session_set(play_view_session(view), "gravity.x", "0");
-    skv_session_set(play_view_session(view), "gravity.y", planet->gravity);
+        skv_stage_set(play_view_stage(view), play_view_side(view), "gravity.x", "0");
+    skv_stage_set(play_view_stage(view), play_view_side(view), "gravity.y", planet->gravity);
 }
 
 static GtkWidget *make_planets(panel *p)

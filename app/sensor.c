@@ -5,7 +5,6 @@
 #include <math.h>
 #include <skvalp/tilt.h>
 
-#include "asking.h"
 #include "settings.h"
 
 #define PERIOD    (G_USEC_PER_SEC / 50)
@@ -38,11 +37,11 @@ static gboolean on_news(gpointer data)
         return G_SOURCE_REMOVE;
     double x = felt.gravity_x * sensor->strength, y = felt.gravity_y * sensor->strength;
     if (hypot(x - picture->tilt_x, y - picture->tilt_y) > STILLNESS)
-        play_ask_gravity(sensor->view, x, y);
+        skv_stage_set_gravity(play_view_stage(sensor->view), play_view_side(sensor->view), x, y);
     x = CLAMP(felt.push_x * sensor->strength, -FASTEST, FASTEST);
     y = CLAMP(felt.push_y * sensor->strength, -FASTEST, FASTEST);
     if (x != 0 || y != 0)
-        play_ask_push(sensor->view, x, y);
+        skv_stage_push(play_view_stage(sensor->view), play_view_side(sensor->view), x, y);
     return G_SOURCE_REMOVE;
 }
 

@@ -8,9 +8,9 @@
 #include "settings.h"
 #include "words.h"
 
-static skv_session *session_of(PlayWindow *window)
+static skv_stage *stage_of(PlayWindow *window)
 {
-    return play_view_session(play_window_view(window));
+    return play_view_stage(play_window_view(window));
 }
 
 /* Copying. */
@@ -56,7 +56,7 @@ static void on_shared(PlayView *view, const char *error, PlayWindow *window)
         play_window_complain(window, error);
         return;
     }
-    skv_session_read_shared(session_of(window), make_link, &share);
+    skv_stage_read_shared(stage_of(window), make_link, &share);
     if (share.error.code != SKV_OK)
         explain(window, &share.error);
     else
@@ -70,7 +70,7 @@ static void on_share(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant
     PlayView *view = play_window_view(window);
     g_clear_signal_handler(waiting, view);
     *waiting = g_signal_connect(view, "shared", G_CALLBACK(on_shared), window);
-    skv_session_share(session_of(window));
+    skv_stage_share(stage_of(window));
 }
 
 /* Pasting. */

@@ -2,7 +2,6 @@
  * table is a new button, with a picture of its own if icons/ has one of its name. */
 #include "tools.h"
 
-#include "asking.h"
 #include "words.h"
 
 /* Radii that a brush may have: shares of the world's longer side. */
@@ -23,7 +22,7 @@ static char *icon_of(const skv_tool *tool)
 /* The button of a tool that dyes shows and says the colour. */
 static void show_dye(PlayView *view, GtkWidget *button)
 {
-    int chosen = skv_session_dye(play_view_session(view));
+    int chosen = skv_stage_dye(play_view_stage(view));
     const char *name;
     for (int dye = 0; (name = skv_dye_name(dye)); dye++) {
         char *class = g_strdup_printf("dye-%s", name);
@@ -80,14 +79,14 @@ GtkWidget *play_tools_menu_button(const char *icon, const char *name, const char
 
 static double world_size(PlayView *view)
 {
-    const skv_camera camera = skv_session_camera(play_view_session(view));
+    const skv_camera camera = skv_stage_camera(play_view_stage(view), 0);
     return MAX(camera.world_width, camera.world_height);
 }
 
 static void set_brush(PlayView *view, double radius)
 {
     double size = world_size(view);
-    play_ask_brush(view, CLAMP(radius, SMALLEST * size, LARGEST * size));
+    skv_stage_set_brush(play_view_stage(view), CLAMP(radius, SMALLEST * size, LARGEST * size));
 }
 
 void play_tools_scale_brush(PlayView *view, double factor)

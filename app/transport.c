@@ -2,7 +2,6 @@
  * follows it; once it lets go, the scene plays on from there if it played before. */
 #include "transport.h"
 
-#include "asking.h"
 #include "stopwatch.h"
 #include "words.h"
 
@@ -22,11 +21,7 @@ G_DEFINE_FINAL_TYPE(PlayTransport, play_transport, GTK_TYPE_BOX)
 
 void play_transport_go(PlayView *view, double seconds)
 {
-    const skv_picture *picture = play_view_picture(view);
-    gint64 earliest = MAX(0, picture->end - REACH);
-    gint64 wanted = picture->moment + (gint64)(seconds * FRAMES_A_SECOND);
-    play_ask_pause(view, true);
-    play_ask_seek(view, CLAMP(wanted, earliest, picture->end));
+    skv_stage_go(play_view_stage(view), (gint64)(seconds * FRAMES_A_SECOND), REACH);
 }
 
 /* The bar. */
@@ -34,24 +29,22 @@ void play_transport_go(PlayView *view, double seconds)
 static gboolean on_change_value(G_GNUC_UNUSED GtkRange *range, G_GNUC_UNUSED GtkScrollType scroll,
                                 double value, PlayTransport *transport)
 {
-    const skv_picture *picture = play_view_picture(transport->view);
-    gint64 earliest = MAX(0, picture->end - REACH);
-    gint64 frame = picture->end + (gint64)(value * FRAMES_A_SECOND);
-    play_ask_pause(transport->view, true);
-    play_ask_seek(transport->view, CLAMP(frame, earliest, picture->end));
+    skv_stage *stage = play_view_stage(transport->view);
+    skv_stage_set_paused(stage, true);
+    skv_stage_seek(stage, skv_stage_picture(stage, 0)->end + (gint64)(value * FRAMES_A_SECOND));
     return FALSE;
 }
 
 static void hold(PlayTransport *transport)
 {
     transport->held = true;
-    transport->resumes = !skv_session_paused(play_view_session(transport->view));
+    transport->resumes = !skv_stage_paused(play_view_stage(transport->view));
 }
 
 static void let_go(PlayTransport *transport)
 {
     if (transport->held && transport->resumes)
-        play_ask_pause(transport->view, false);
+        skv_stage_set_paused(play_view_stage(transport->view), false);
     transport->held = false;
 }
 
@@ -135,11 +128,11 @@ static void show_pace(PlayTransport *transport, const skv_picture *picture)
 static void on_changed(PlayTransport *transport)
 {
     const skv_picture *picture = play_view_picture(transport->view);
-    PlayView *twin = play_view_twin(transport->view);
     show_play(transport, picture);
     show_bar(transport, picture);
     /* While one of two worlds moves, time goes on. */
-    show_pace(transport, twin && picture->at_rest ? play_view_picture(twin) : picture);
+    show_pace(transport,
+              picture->at_rest ? skv_stage_picture(play_view_stage(transport->view), 1) : picture);
 }
 
 void play_transport_attach(PlayTransport *transport, PlayView *view)

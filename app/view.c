@@ -1,8 +1,9 @@
-/* View: lets time pass for the session by the frame clock, and draws its newest picture. Invariant:
- * the frame clock ticks for this view only while the session is active, so that a scene that is
- * paused or at rest costs nothing; a picture is drawn again only if there is a newer one. A frame
- * clock that always has something to draw keeps the main loop from all that is idle, assistive
- * technology first: so the ticks end now and then, until the loop has been idle once.
+/* View: lets time pass for the stage by the frame clock, and draws the newest picture of a side of
+ * it. Invariant: the frame clock ticks for the first side's view only, and only while the stage is
+ * active, so that a scene that is paused or at rest costs nothing; a picture is drawn again only if
+ * there is a newer one. A frame clock that always has something to draw keeps the main loop from
+ * all that is idle, assistive technology first: so the ticks end now and then, until the loop has
+ * been idle once.
  */
 #include "view.h"
 
@@ -13,21 +14,18 @@
 
 struct _PlayView {
     GtkGLArea parent;
-    skv_session *session;
-    const skv_picture *picture; /* that is shown, held */
+    skv_stage *stage; /* the first side's view's own */
+    PlayView *twin;   /* the view of the other side; null: none */
+    gboolean follows; /* it is the second */
     skv_renderer *renderer;
     skv_render_style style;
     skv_camera camera;
     guint tick; /* 0: nothing moves, or the main loop has its turn */
     guint idle; /* the source that tells that the loop was idle; 0: none waits */
     int ticks;  /* since then */
-    gint woken; /* the session's thread has news, and the main loop knows */
+    gint woken; /* the stage has news, and the main loop knows */
     gint64 last_tick;
     double drawing; /* s, that the last picture took */
-    PlayView *twin; /* the view beside; null: none */
-    skv_pair *pair; /* of both */
-    bool follows;   /* time passes by the other one */
-    bool alone;     /* fingers are here only */
 
     gint64 measured_since;
     int pictures; /* since then */
@@ -36,11 +34,19 @@ struct _PlayView {
 
 G_DEFINE_FINAL_TYPE(PlayView, play_view, GTK_TYPE_GL_AREA)
 
-static guint changed_signal, failed_signal, opened_signal, saved_signal, shared_signal;
+static guint changed_signal, failed_signal, opened_signal, saved_signal, shared_signal,
+    compared_signal;
 
 static void changed(PlayView *view)
 {
     g_signal_emit(view, changed_signal, 0);
+}
+
+static void both_changed(PlayView *view)
+{
+    changed(view);
+    if (view->twin)
+        changed(view->twin);
 }
 
 /* Drawing. */
@@ -72,29 +78,17 @@ static void unrealize(GtkWidget *widget)
     GTK_WIDGET_CLASS(play_view_parent_class)->unrealize(widget);
 }
 
-/* The camera stays where it looks while the view or the world changes its size. */
-static void update_camera(PlayView *view, int width, int height)
-{
-    skv_camera fit = skv_session_camera(view->session);
-    const skv_camera *old = &view->camera;
-    if (old->world_width == fit.world_width && old->world_height == fit.world_height)
-        view->camera = skv_camera_at(width, height, fit.world_width, fit.world_height,
-                                     old->centre_x, old->centre_y, old->zoom);
-    else
-        view->camera = fit;
-}
-
 static void resize(GtkGLArea *area, int width, int height)
 {
     PlayView *view = PLAY_VIEW(area);
-    skv_session_set_view(view->session, width, height);
-    update_camera(view, width, height);
+    skv_stage_set_view(view->stage, view->follows, width, height);
+    view->camera = skv_stage_camera(view->stage, view->follows);
 }
 
 static gboolean render(GtkGLArea *area, G_GNUC_UNUSED GdkGLContext *context)
 {
     PlayView *view = PLAY_VIEW(area);
-    const skv_picture *picture = view->picture;
+    const skv_picture *picture = play_view_picture(view);
     if (!view->renderer || picture->opened == 0)
         return FALSE;
     gint64 before = g_get_monotonic_time();
@@ -109,17 +103,30 @@ static gboolean render(GtkGLArea *area, G_GNUC_UNUSED GdkGLContext *context)
 
 /* Playing. */
 
-/* Takes the newest picture; draws it if it is another one. */
+static bool shows_else(const skv_camera *before, const skv_camera *after)
+{
+    return before->zoom != after->zoom || before->centre_x != after->centre_x ||
+           before->centre_y != after->centre_y;
+}
+
+/* Draws the newest picture if it is another one, or is seen otherwise. */
+static void show(PlayView *view)
+{
+    skv_camera before = view->camera;
+    view->camera = skv_stage_camera(view->stage, view->follows);
+    gtk_gl_area_queue_render(GTK_GL_AREA(view));
+    if (shows_else(&before, &view->camera))
+        changed(view);
+}
+
+/* Takes the newest pictures, of both sides. */
 static void look(PlayView *view)
 {
-    const skv_picture *before = view->picture;
-    guint64 number = before->number;
-    view->picture = skv_session_acquire(view->session);
-    skv_session_release(view->session, before);
-    if (view->picture->number == number)
-        return;
-    update_camera(view, view->camera.width, view->camera.height);
-    gtk_gl_area_queue_render(GTK_GL_AREA(view));
+    unsigned sides = skv_stage_look(view->stage);
+    if (sides & 1)
+        show(view);
+    if (sides & 2 && view->twin)
+        show(view->twin);
 }
 
 static void measure_frame_rate(PlayView *view, gint64 now)
@@ -130,7 +137,7 @@ static void measure_frame_rate(PlayView *view, gint64 now)
     view->frame_rate = view->pictures / seconds;
     view->measured_since = now;
     view->pictures = 0;
-    changed(view);
+    both_changed(view);
 }
 
 static void update_tick(PlayView *view);
@@ -142,7 +149,7 @@ static gboolean on_idle(gpointer data)
     view->ticks = 0;
     update_tick(view);
     if (!view->tick) /* it has come to rest meanwhile */
-        changed(view);
+        both_changed(view);
     return G_SOURCE_REMOVE;
 }
 
@@ -160,16 +167,13 @@ static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, G_GNUC_UNUSED g
     gint64 now = gdk_frame_clock_get_frame_time(clock);
     double seconds = (double)(now - view->last_tick) / G_USEC_PER_SEC;
     view->last_tick = now;
-    if (view->pair && !skv_pair_is_active(view->pair)) {
+    if (!skv_stage_is_active(view->stage)) { /* two worlds come to rest between their news */
         view->tick = 0;
         view->frame_rate = 0;
-        changed(view);
+        both_changed(view);
         return G_SOURCE_REMOVE;
     }
-    if (view->pair)
-        skv_pair_advance(view->pair, seconds, view->drawing + view->twin->drawing);
-    else
-        skv_session_advance(view->session, seconds, view->drawing);
+    skv_stage_advance(view->stage, seconds, view->drawing + (view->twin ? view->twin->drawing : 0));
     look(view);
     measure_frame_rate(view, now);
     if (!is_overdue(view))
@@ -178,16 +182,10 @@ static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, G_GNUC_UNUSED g
     return G_SOURCE_REMOVE;
 }
 
-/* Starts or stops the frame clock for this view, whichever the session asks for. */
+/* Starts or stops the frame clock, whichever the stage asks for. */
 static void update_tick(PlayView *view)
 {
-    if (view->twin && view->follows) {
-        update_tick(view->twin);
-        return;
-    }
-    bool active =
-        view->pair ? skv_pair_is_active(view->pair) : skv_session_is_active(view->session);
-    active = active && view->ticks <= TICKS_IN_A_ROW;
+    bool active = skv_stage_is_active(view->stage) && view->ticks <= TICKS_IN_A_ROW;
     if (active && !view->tick) {
         gint64 now = g_get_monotonic_time();
         if (now - view->last_tick > G_USEC_PER_SEC / 4) /* it rested: not the loop's turn alone */
@@ -203,12 +201,14 @@ static void update_tick(PlayView *view)
 static void take_outcomes(PlayView *view)
 {
     skv_outcome outcome;
-    while (skv_session_next_outcome(view->session, &outcome)) {
+    while (skv_stage_next_outcome(view->stage, &outcome)) {
         bool failed = outcome.error.code != SKV_OK;
         if (outcome.kind == SKV_OUTCOME_SAVE)
             g_signal_emit(view, saved_signal, 0, failed ? outcome.error.text : NULL);
         else if (outcome.kind == SKV_OUTCOME_SHARE)
             g_signal_emit(view, shared_signal, 0, failed ? outcome.error.text : NULL);
+        else if (outcome.kind == SKV_OUTCOME_COMPARE)
+            g_signal_emit(view, compared_signal, 0, failed ? outcome.error.text : NULL);
         else if (failed)
             g_signal_emit(view, failed_signal, 0, outcome.error.text);
         else if (outcome.kind == SKV_OUTCOME_OPEN)
@@ -216,7 +216,7 @@ static void take_outcomes(PlayView *view)
     }
 }
 
-/* The session's news, on the main loop. */
+/* The stage's news, on the main loop. */
 static gboolean on_news(gpointer data)
 {
     PlayView *view = data;
@@ -227,13 +227,11 @@ static gboolean on_news(gpointer data)
     update_tick(view);
     if (moved && view->tick) /* a few times a second will do */
         return G_SOURCE_REMOVE;
-    changed(view);
-    if (view->twin && view->follows) /* what can be undone is said for both */
-        changed(view->twin);
+    both_changed(view);
     return G_SOURCE_REMOVE;
 }
 
-/* On the session's thread. */
+/* On a world's thread. */
 static void wake(void *user)
 {
     PlayView *view = user;
@@ -241,14 +239,19 @@ static void wake(void *user)
         g_idle_add_full(G_PRIORITY_DEFAULT, on_news, view, NULL);
 }
 
-skv_session *play_view_session(PlayView *view)
+skv_stage *play_view_stage(PlayView *view)
 {
-    return view->session;
+    return view->stage;
+}
+
+int play_view_side(PlayView *view)
+{
+    return view->follows;
 }
 
 const skv_picture *play_view_picture(PlayView *view)
 {
-    return view->picture;
+    return skv_stage_picture(view->stage, view->follows);
 }
 
 const skv_render_style *play_view_style(PlayView *view)
@@ -275,111 +278,34 @@ skv_camera play_view_camera(PlayView *view)
     return view->camera;
 }
 
-/* The view beside shows the same part of its world. */
-static void camera_changed(PlayView *view)
+void play_view_begin(PlayView *view, PlayView *first)
 {
-    PlayView *twin = view->twin;
-    gtk_gl_area_queue_render(GTK_GL_AREA(view));
-    changed(view);
-    if (!twin)
+    skv_error error;
+    skv_stage_def def = skv_default_stage_def();
+    def.wake = wake;
+    def.user = view;
+    if (first)
+        view->stage = first->stage;
+    else if (skv_stage_create(&def, &view->stage, &error) != SKV_OK)
+        g_error("%s", error.text); /* out of memory before anything was shown */
+    view->camera = skv_stage_camera(view->stage, first != NULL);
+    if (!first)
         return;
-    const skv_camera *own = &view->camera, *other = &twin->camera;
-    twin->camera = skv_camera_at(other->width, other->height, other->world_width,
-                                 other->world_height, own->centre_x, own->centre_y, own->zoom);
-    gtk_gl_area_queue_render(GTK_GL_AREA(twin));
-    changed(twin);
+    view->follows = TRUE;
+    view->twin = first;
+    first->twin = view;
+    set_style(view, &first->style);
 }
 
-void play_view_zoom(PlayView *view, double factor, double px, double py)
+void play_view_end_twin(PlayView *view)
 {
-    skv_camera_zoom(&view->camera, factor, px, py);
-    camera_changed(view);
-}
-
-void play_view_pan(PlayView *view, double dx, double dy)
-{
-    skv_camera_pan(&view->camera, dx, dy);
-    camera_changed(view);
-}
-
-void play_view_show_all(PlayView *view)
-{
-    view->camera = skv_session_camera(view->session);
-    camera_changed(view);
-}
-
-/* A session's camera shows the whole world; that of a view perhaps a part of it. */
-static void send(PlayView *view, const skv_pointer_event *event, double x, double y)
-{
-    skv_pointer_event sent = *event;
-    skv_camera whole = skv_session_camera(view->session);
-    skv_camera_to_view(&whole, x, y, &sent.px, &sent.py);
-    skv_session_pointer(view->session, &sent);
-}
-
-void play_view_send(PlayView *view, const skv_pointer_event *event)
-{
-    double x, y;
-    skv_camera_to_world(&view->camera, event->px, event->py, &x, &y);
-    send(view, event, x, y);
-    if (view->twin && !view->alone)
-        send(view->twin, event, x, y);
-}
-
-void play_view_join(PlayView *view, PlayView *twin, skv_pair *pair)
-{
-    PlayView *other = twin ? twin : view->twin;
-    view->twin = twin;
-    view->pair = pair;
-    if (other) {
-        other->twin = twin ? view : NULL;
-        other->pair = pair;
-        other->follows = twin != NULL;
-        other->alone = view->alone;
-        if (other->tick)
-            gtk_widget_remove_tick_callback(GTK_WIDGET(other), other->tick);
-        other->tick = 0;
-        if (twin)
-            set_style(twin, &view->style);
-    }
-    update_tick(view);
-    camera_changed(view);
+    view->twin->twin = NULL;
+    view->twin = NULL;
 }
 
 PlayView *play_view_twin(PlayView *view)
 {
     return view->twin;
-}
-
-gboolean play_view_follows(PlayView *view)
-{
-    return view->twin && view->follows;
-}
-
-skv_pair *play_view_pair(PlayView *view)
-{
-    return view->pair;
-}
-
-void play_view_cancel(PlayView *view)
-{
-    skv_session_cancel_pointers(view->session);
-    if (view->twin && !view->alone)
-        skv_session_cancel_pointers(view->twin->session);
-}
-
-void play_view_set_linked(PlayView *view, gboolean linked)
-{
-    view->alone = false;
-    play_view_cancel(view);
-    view->alone = !linked;
-    if (view->twin)
-        view->twin->alone = !linked;
-}
-
-gboolean play_view_is_linked(PlayView *view)
-{
-    return !view->alone;
 }
 
 double play_view_frame_rate(PlayView *view)
@@ -390,9 +316,8 @@ double play_view_frame_rate(PlayView *view)
 static void finalize(GObject *object)
 {
     PlayView *view = PLAY_VIEW(object);
-    if (view->session && view->picture)
-        skv_session_release(view->session, view->picture);
-    skv_session_destroy(view->session);
+    if (!view->follows)
+        skv_stage_destroy(view->stage);
     while (g_idle_remove_by_data(view))
         continue;
     G_OBJECT_CLASS(play_view_parent_class)->finalize(object);
@@ -414,21 +339,15 @@ static void play_view_class_init(PlayViewClass *class)
                                 G_TYPE_NONE, 1, G_TYPE_STRING);
     shared_signal = g_signal_new("shared", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
                                  G_TYPE_NONE, 1, G_TYPE_STRING);
+    compared_signal = g_signal_new("compared", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
+                                   NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
     opened_signal = g_signal_new("opened", PLAY_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
                                  G_TYPE_NONE, 0);
 }
 
 static void play_view_init(PlayView *view)
 {
-    skv_error error;
-    skv_stage_def def = skv_default_stage_def();
-    def.wake = wake;
-    def.user = view;
-    if (skv_session_create(&def, &view->session, &error) != SKV_OK)
-        g_error("%s", error.text); /* out of memory before anything was shown */
-    view->picture = skv_session_acquire(view->session);
     view->style = skv_default_render_style();
-    view->camera = skv_session_camera(view->session);
     gtk_gl_area_set_use_es(GTK_GL_AREA(view), TRUE);
     gtk_gl_area_set_required_version(GTK_GL_AREA(view), 3, 0);
     gtk_gl_area_set_auto_render(GTK_GL_AREA(view), FALSE);

@@ -186,7 +186,7 @@ static void on_opened(PlayWindow *window)
 {
     const skv_picture *picture = play_view_picture(window->view);
     const char *title = play_word(picture->title);
-    skv_session_set_paused(play_view_session(window->view), false);
+    skv_stage_set_paused(play_view_stage(window->view), false);
     adw_window_title_set_subtitle(window->title, title);
     gtk_widget_set_tooltip_text(GTK_WIDGET(window->title), play_word(picture->description));
     char *name = g_strdup_printf("%s – Skvalp", title);
@@ -207,13 +207,13 @@ static void on_failed(PlayWindow *window, const char *text)
     if (play_view_picture(window->view)->opened != 0 || window->keep_message)
         return;
     window->keep_message = true;
-    skv_session_open(play_view_session(window->view), DEFAULT_SCENE, NULL);
+    skv_stage_open(play_view_stage(window->view), DEFAULT_SCENE, NULL);
 }
 
 static bool open_linked(const char *bytes, size_t size, void *window)
 {
-    skv_session_open_memory(play_view_session(PLAY_WINDOW(window)->view), bytes, size, "skvr",
-                            _("link"), NULL);
+    skv_stage_open_memory(play_view_stage(PLAY_WINDOW(window)->view), bytes, size, "skvr",
+                          _("link"), NULL);
     return true;
 }
 
@@ -221,7 +221,7 @@ void play_window_open(PlayWindow *window, const char *name)
 {
     skv_error error;
     if (!skv_link_is(name))
-        skv_session_open(play_view_session(window->view), name, NULL);
+        skv_stage_open(play_view_stage(window->view), name, NULL);
     else if (skv_link_read(name, open_linked, window, &error) != SKV_OK)
         on_failed(window, error.text);
 }
@@ -342,6 +342,7 @@ static void give_focus_back(PlayWindow *window, GtkWidget *menu_button)
 
 static void make_parts(PlayWindow *window)
 {
+    play_view_begin(window->view, NULL);
     play_input_attach(window->view);
     play_input_attach_keys(GTK_WIDGET(window), window->view);
     play_tools_fill(window->tools, window->view);

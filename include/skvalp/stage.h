@@ -216,7 +216,8 @@ SKV_API unsigned skv_stage_look(skv_stage *stage);
 /** A side's picture, as looked at last: valid until that is done again, or the side is gone. Never
  * null: before the first open it is empty. */
 SKV_API const skv_picture *skv_stage_picture(const skv_stage *stage, int side);
-/** An instrument of that picture; null if it is not there. Two worlds have the same ones. */
+/** An instrument of that picture; null if it is not there, or there is no such side. Two worlds
+ * have the same ones. */
 SKV_API const skv_probe *skv_stage_probe(const skv_stage *stage, int side, uint32_t probe);
 
 /** What these pictures say together. */

@@ -237,8 +237,8 @@ const skv_picture *skv_stage_picture(const skv_stage *stage, int side)
 const skv_probe *skv_stage_probe(const skv_stage *stage, int side, uint32_t probe)
 {
     SKV_ASSERT_OR(stage, NULL);
-    const skv_picture *picture = stage->shown[skv_stage_at(stage, side)];
-    for (int i = 0; i < picture->probe_count; i++)
+    const skv_picture *picture = side < stage->count ? stage->shown[side] : NULL;
+    for (int i = 0; picture && i < picture->probe_count; i++)
         if (picture->probes[i].id == probe)
             return &picture->probes[i];
     return NULL;
