@@ -12,7 +12,6 @@ typedef struct chip {
     PlayChips *all;
     guint32 probe;
     skv_instrument_kind kind;
-    double x0, y0, x1, y1;
     GtkWidget *button, *label, *card;
     PlayPlot *plot;
     bool seen; /* in this picture */
@@ -154,8 +153,7 @@ static gboolean on_key(G_GNUC_UNUSED GtkEventControllerKey *controller, guint ke
     if (key == GDK_KEY_Delete)
         skv_stage_remove_probe(play_view_stage(c->all->view), c->probe);
     else if (dx != 0 || dy != 0)
-        skv_stage_move_probe(play_view_stage(c->all->view), c->probe, c->x0 + dx * step,
-                             c->y0 + dy * step, c->x1 + dx * step, c->y1 + dy * step);
+        skv_stage_shift_probe(play_view_stage(c->all->view), c->probe, dx * step, dy * step);
     else
         return GDK_EVENT_PROPAGATE;
     return GDK_EVENT_STOP;
@@ -209,8 +207,6 @@ static void show_chip(chip *c, const skv_probe *probe)
     g_free(text);
     g_free(other);
     g_free(reading);
-    c->x0 = probe->def.x0, c->y0 = probe->def.y0;
-    c->x1 = probe->def.x1, c->y1 = probe->def.y1;
     if (gtk_widget_get_mapped(c->card))
         show_plot(c, probe);
     c->seen = true;

@@ -10,7 +10,9 @@
  * return, and what has become of it shows in the next picture (skv_stage_look) or is reported
  * (skv_stage_next_outcome). The memory hooks of skv_set_allocator are called on all threads.
  *
- * Positions of pointers come in pixels of a side's view, y down, as toolkits report them.
+ * Numbers are cut to what is possible, and calls with such as are not finite, or that name nothing,
+ * do nothing. Positions of pointers come in pixels of a side's view, y down, as toolkits report
+ * them.
  */
 #ifndef SKVALP_STAGE_H
 #define SKVALP_STAGE_H
@@ -336,6 +338,8 @@ SKV_API uint32_t skv_stage_add_probe(skv_stage *stage, const skv_instrument_def 
 /** Moves it; its history starts anew. */
 SKV_API void skv_stage_move_probe(skv_stage *stage, uint32_t probe, double x0, double y0, double x1,
                                   double y1);
+/** The same by so much, from where its picture shows it. */
+SKV_API void skv_stage_shift_probe(skv_stage *stage, uint32_t probe, double dx, double dy);
 /** Whether pictures hold its history. */
 SKV_API void skv_stage_watch_probe(skv_stage *stage, uint32_t probe, bool watched);
 SKV_API void skv_stage_remove_probe(skv_stage *stage, uint32_t probe);

@@ -43,9 +43,10 @@ static void ask_vector(skv_stage *stage, int side, skv_message_kind kind, double
 
 void skv_stage_set_gravity(skv_stage *stage, int side, double x, double y)
 {
-    SKV_ASSERT(stage && isfinite(x) && isfinite(y));
+    SKV_ASSERT(stage);
     double length = hypot(x, y), cut = length > STRONGEST_TILT ? STRONGEST_TILT / length : 1;
-    ask_vector(stage, side, SKV_MESSAGE_GRAVITY, x * cut, y * cut);
+    if (isfinite(length))
+        ask_vector(stage, side, SKV_MESSAGE_GRAVITY, x * cut, y * cut);
 }
 
 static double bounded_speed(double speed)
@@ -55,8 +56,9 @@ static double bounded_speed(double speed)
 
 void skv_stage_push(skv_stage *stage, int side, double vx, double vy)
 {
-    SKV_ASSERT(stage && isfinite(vx) && isfinite(vy));
-    ask_vector(stage, side, SKV_MESSAGE_PUSH, bounded_speed(vx), bounded_speed(vy));
+    SKV_ASSERT(stage);
+    if (isfinite(vx) && isfinite(vy))
+        ask_vector(stage, side, SKV_MESSAGE_PUSH, bounded_speed(vx), bounded_speed(vy));
 }
 
 void skv_stage_edit(skv_stage *stage, int side, const skv_command *command)
@@ -105,7 +107,9 @@ static void show(skv_stage *stage, int side, const skv_camera *camera)
 
 void skv_stage_zoom(skv_stage *stage, int side, double factor, double px, double py)
 {
-    SKV_ASSERT(stage && factor > 0 && isfinite(factor) && isfinite(px) && isfinite(py));
+    SKV_ASSERT(stage);
+    if (!(factor > 0) || !isfinite(factor) || !isfinite(px) || !isfinite(py))
+        return;
     skv_camera camera = skv_stage_camera(stage, side);
     skv_camera_zoom(&camera, factor, px, py);
     show(stage, side, &camera);
@@ -113,7 +117,9 @@ void skv_stage_zoom(skv_stage *stage, int side, double factor, double px, double
 
 void skv_stage_pan(skv_stage *stage, int side, double dx, double dy)
 {
-    SKV_ASSERT(stage && isfinite(dx) && isfinite(dy));
+    SKV_ASSERT(stage);
+    if (!isfinite(dx) || !isfinite(dy))
+        return;
     skv_camera camera = skv_stage_camera(stage, side);
     skv_camera_pan(&camera, dx, dy);
     show(stage, side, &camera);
@@ -131,7 +137,9 @@ void skv_stage_show_all(skv_stage *stage)
 
 void skv_stage_set_tool(skv_stage *stage, int tool)
 {
-    SKV_ASSERT(stage && skv_tool_info(tool));
+    SKV_ASSERT(stage);
+    if (!skv_tool_info(tool))
+        return;
     stage->tool = tool;
     skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_TOOL, .number = tool});
 }
@@ -144,14 +152,18 @@ int skv_stage_tool(const skv_stage *stage)
 
 void skv_stage_set_brush(skv_stage *stage, double radius)
 {
-    SKV_ASSERT(stage && radius >= 0 && radius <= WIDEST_BRUSH);
-    stage->brush = radius;
-    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_BRUSH, .x = radius});
+    SKV_ASSERT(stage);
+    if (isnan(radius))
+        return;
+    stage->brush = fmin(fmax(radius, 0), WIDEST_BRUSH);
+    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_BRUSH, .x = stage->brush});
 }
 
 void skv_stage_set_dye(skv_stage *stage, int dye)
 {
-    SKV_ASSERT(stage && skv_dye_name(dye));
+    SKV_ASSERT(stage);
+    if (!skv_dye_name(dye))
+        return;
     stage->dye = dye;
     skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_DYE, .number = dye});
 }
@@ -232,6 +244,16 @@ void skv_stage_keyboard(skv_stage *stage, int side, int right, int up, bool down
 
 /* ---- Instruments ----------------------------------------------------------------------------- */
 
+const skv_probe *skv_stage_probe(const skv_stage *stage, int side, uint32_t probe)
+{
+    SKV_ASSERT_OR(stage, NULL);
+    const skv_picture *picture = side < stage->count ? stage->shown[side] : NULL;
+    for (int i = 0; picture && i < picture->probe_count; i++)
+        if (picture->probes[i].id == probe)
+            return &picture->probes[i];
+    return NULL;
+}
+
 static void ask_probe(skv_stage *stage, skv_message_kind kind, uint32_t id, bool watched,
                       const skv_instrument_def *def)
 {
@@ -255,6 +277,15 @@ void skv_stage_move_probe(skv_stage *stage, uint32_t probe, double x0, double y0
     SKV_ASSERT(stage);
     ask_probe(stage, SKV_MESSAGE_PROBE_MOVE, probe, false,
               &(skv_instrument_def){.x0 = x0, .y0 = y0, .x1 = x1, .y1 = y1});
+}
+
+void skv_stage_shift_probe(skv_stage *stage, uint32_t probe, double dx, double dy)
+{
+    SKV_ASSERT(stage);
+    const skv_probe *at = skv_stage_probe(stage, 0, probe);
+    if (at)
+        skv_stage_move_probe(stage, probe, at->def.x0 + dx, at->def.y0 + dy, at->def.x1 + dx,
+                             at->def.y1 + dy);
 }
 
 void skv_stage_watch_probe(skv_stage *stage, uint32_t probe, bool watched)

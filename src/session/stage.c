@@ -234,16 +234,6 @@ const skv_picture *skv_stage_picture(const skv_stage *stage, int side)
     return stage->shown[skv_stage_at(stage, side)];
 }
 
-const skv_probe *skv_stage_probe(const skv_stage *stage, int side, uint32_t probe)
-{
-    SKV_ASSERT_OR(stage, NULL);
-    const skv_picture *picture = side < stage->count ? stage->shown[side] : NULL;
-    for (int i = 0; picture && i < picture->probe_count; i++)
-        if (picture->probes[i].id == probe)
-            return &picture->probes[i];
-    return NULL;
-}
-
 skv_stage_state skv_stage_now(const skv_stage *stage)
 {
     skv_stage_state now = {.at_rest = true, .can_redo = true, .pace = INFINITY};

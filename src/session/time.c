@@ -192,7 +192,9 @@ void skv_stage_step_once(skv_stage *stage)
 
 void skv_stage_set_speed(skv_stage *stage, double speed)
 {
-    SKV_ASSERT(stage && isfinite(speed));
+    SKV_ASSERT(stage);
+    if (isnan(speed))
+        return;
     stage->speed = fmin(fmax(speed, 0.05), 2);
     skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_SPEED, .x = stage->speed});
 }

@@ -14,7 +14,6 @@
 #include <math.h>
 #include <skvalp/parameters.h>
 
-#include "asking.h"
 #include "window.h"
 
 #define CELLS 20 /* of the world, along each side, in which particles are counted */
@@ -188,29 +187,29 @@ static void tell_world(GString *json, PlayView *view)
 }
 
 /* What both worlds share. */
-static void tell_session(GString *json, PlayView *view)
+static void tell_stage(GString *json, PlayView *view)
 {
     const skv_picture *picture = play_view_picture(view);
-    skv_session *session = play_view_session(view);
-    skv_pair *worlds = play_view_pair(view);
+    const skv_stage *stage = play_view_stage(view);
+    const skv_stage_state now = skv_stage_now(stage);
     number(json, "moment", (double)picture->moment);
     number(json, "end", (double)picture->end);
     truth(json, "paused", picture->paused);
-    truth(json, "atRest", picture->at_rest);
-    truth(json, "seeking", picture->seeking);
-    truth(json, "active", worlds ? skv_pair_is_active(worlds) : skv_session_is_active(session));
-    truth(json, "canUndo", play_can_undo(view));
-    truth(json, "canRedo", play_can_redo(view));
+    truth(json, "atRest", now.at_rest);
+    truth(json, "seeking", now.seeking);
+    truth(json, "active", skv_stage_is_active(stage));
+    truth(json, "canUndo", now.can_undo);
+    truth(json, "canRedo", now.can_redo);
     truth(json, "following", picture->following);
     truth(json, "asRecorded", picture->as_recorded);
     truth(json, "mismatch", picture->mismatch);
     number(json, "speed", picture->speed);
-    number(json, "pace", picture->pace);
+    number(json, "pace", now.pace);
     pair(json, "gravity", picture->tilt_x, picture->tilt_y);
-    number(json, "tool", skv_session_tool(session));
+    number(json, "tool", skv_stage_tool(stage));
     number(json, "brush", picture->brush);
-    number(json, "dye", skv_session_dye(session));
-    truth(json, "linked", play_view_is_linked(view));
+    number(json, "dye", skv_stage_dye(stage));
+    truth(json, "linked", skv_stage_linked(stage));
 }
 
 static void tell_style(GString *json, const skv_render_style *style)
@@ -301,7 +300,7 @@ static void tell_window(GString *json, GtkWindow *window)
 static void tell_app(GString *json, PlayWindow *window)
 {
     PlayView *view = play_window_view(window), *twin = play_view_twin(view);
-    tell_session(json, view);
+    tell_stage(json, view);
     tell_style(json, play_view_style(view));
     text(json, "page", play_window_page(window));
     open(json, "worlds", '[');

@@ -180,6 +180,9 @@ static void test_instruments_are_both_s(void **state)
         assert_true(skv_stage_probe(stage, 1, both)->def.x0 == (double)0.7F ||
                     skv_stage_probe(stage, 1, both)->def.x0 == 0.7);
         assert_null(skv_stage_probe(stage, 0, gone));
+        skv_stage_shift_probe(stage, both, -0.1, 0.1);
+        expect_same_probes(stage, 3);
+        assert_true(fabs(skv_stage_probe(stage, 1, both)->def.y1 - 0.2) < 1e-6);
         skv_stage_set_paused(stage, false);
         stage_pass_frames(stage, 4);
         const skv_picture *picture = stage_look(stage, 1);
@@ -230,6 +233,36 @@ static void test_linked_or_apart(void **state)
                 stage_look(stage, 1)->parameters.fluid.viscosity);
     skv_stage_cancel_pointers(stage);
     assert_int_equal(skv_stage_pointer_count(stage, 0), 0);
+    skv_stage_destroy(stage);
+}
+
+/* What is no number, or too large a one, does no harm. */
+static void test_any_numbers(void **state)
+{
+    skv_stage *stage = stage_open_pool(200, false);
+    const double nan = (double)NAN, huge = (double)INFINITY;
+    (void)state;
+    const double brush = stage_look(stage, 0)->brush;
+    skv_stage_set_gravity(stage, 0, nan, 0);
+    skv_stage_set_gravity(stage, 0, huge, 0);
+    skv_stage_push(stage, 0, nan, huge);
+    skv_stage_zoom(stage, 0, nan, 0, 0);
+    skv_stage_zoom(stage, 0, -1, 0, 0);
+    skv_stage_pan(stage, 0, huge, 0);
+    skv_stage_set_speed(stage, nan);
+    skv_stage_set_brush(stage, nan);
+    skv_stage_set_tool(stage, 99);
+    skv_stage_set_dye(stage, -1);
+    stage_pass_frames(stage, 1);
+    const skv_picture *picture = stage_look(stage, 0);
+    assert_true(picture->tilt_x == 0 && picture->brush == brush && picture->tool == 0);
+    assert_true(skv_stage_speed(stage) == 1 && skv_stage_dye(stage) == 1);
+    assert_true(skv_stage_camera(stage, 0).zoom == 1);
+    skv_stage_set_speed(stage, huge);
+    skv_stage_set_brush(stage, -1);
+    assert_true(skv_stage_speed(stage) == 2 && stage_look(stage, 0)->brush == brush);
+    skv_stage_push(stage, 0, 0, 99);
+    assert_true(stage_look(stage, 0)->frame.particles.vy[0] < 11);
     skv_stage_destroy(stage);
 }
 
@@ -335,6 +368,7 @@ int main(void)
         cmocka_unit_test(test_both_begin_with_what_was_shared),
         cmocka_unit_test(test_instruments_are_both_s),
         cmocka_unit_test(test_linked_or_apart),
+        cmocka_unit_test(test_any_numbers),
         cmocka_unit_test(test_cameras_go_together),
         cmocka_unit_test(test_fingers),
         cmocka_unit_test(test_saved),

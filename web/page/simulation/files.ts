@@ -2,7 +2,7 @@
 import type { Library } from '../../src/library.js';
 import { made, withBytes } from '../../src/memory.js';
 
-import type { World } from './world';
+import type { Worlds } from './worlds';
 
 /** The text of a link to a replay, without what stands before it; throws if it would be too long. */
 export function linkOf(library: Library, replay: Uint8Array) {
@@ -21,12 +21,12 @@ function field(value: number | undefined) {
  * The histories of all instruments as skv_lab_write_csv has them: a row for every moment at which any
  * of them was read.
  */
-export function csvOf(library: Library, world: World) {
+export function csvOf(library: Library, worlds: Worlds) {
     const { c, instance } = library;
-    const probes = () => world.picture.probes.slice(0, world.picture.probe_count);
+    const probes = () => worlds.first.probes.slice(0, worlds.first.probe_count);
     const unwatched = probes().filter(({ samples }) => samples === 0).map(({ id }) => id);
-    unwatched.forEach((id) => c.skv_session_watch_probe(world.session, id, true));
-    world.look();
+    unwatched.forEach((id) => c.skv_stage_watch_probe(worlds.stage, id, true));
+    worlds.look();
     const head = ['t'];
     const rows = new Map<number, (number | undefined)[]>();
     for (const { def, samples, times, history } of probes()) {
@@ -42,7 +42,7 @@ export function csvOf(library: Library, world: World) {
             head.push(`${def.name} ${name} [${unit}]`);
         }
     }
-    unwatched.forEach((id) => c.skv_session_watch_probe(world.session, id, false));
+    unwatched.forEach((id) => c.skv_stage_watch_probe(worlds.stage, id, false));
     const lines = [...rows].sort(([a], [b]) => a - b).map(([time, values]) =>
         [time, ...Array.from({ length: head.length - 1 }, (_, i) => values[i])].map(field).join(','));
     return new TextEncoder().encode([head.join(','), ...lines, ''].join('\n'));

@@ -18,15 +18,15 @@ interface Wanted {
 
 export class Opening {
     #library;
-    #session;
+    #stage;
     #amount;
     #current: Wanted | null = null;
     #next: Wanted | null = null;
 
     /** @param amount the number of particles for a scene that is opened without one; null: its own */
-    constructor(library: Library, session: number, amount: (name: string) => number | null) {
+    constructor(library: Library, stage: number, amount: (name: string) => number | null) {
         this.#library = library;
-        this.#session = session;
+        this.#stage = stage;
         this.#amount = amount;
     }
 
@@ -69,12 +69,12 @@ export class Opening {
         this.#next = wanted;
         withOptions(this.#library, settings, (options) => {
             if ('name' in source) {
-                c.skv_session_open(this.#session, source.name, options);
+                c.skv_stage_open(this.#stage, source.name, options);
                 return;
             }
             const { bytes, format, label } = source;
             withBytes(this.#library, bytes, (data) =>
-                c.skv_session_open_memory(this.#session, data, bytes.length, format, label, options));
+                c.skv_stage_open_memory(this.#stage, data, bytes.length, format, label, options));
         });
     }
 

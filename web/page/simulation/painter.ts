@@ -7,7 +7,7 @@ import { Canvas } from '../../src/canvas.js';
 import type { Library } from '../../src/library.js';
 import type { skv_render_style } from '../../src/interface.js';
 
-import type { World } from './world';
+import type { World, Worlds } from './worlds';
 
 /** The longer side of a saved picture, pixels: as the command line has it. */
 const pictureSize = 1280;
@@ -32,15 +32,15 @@ export class Painter {
     }
 
     /** False if it cannot, at present. Throws what the renderer refuses. */
-    draw(worlds: World[], style: skv_render_style) {
+    draw({ all, ratio }: Worlds, style: skv_render_style) {
         const { width, height } = this.#size;
         if (this.#surface.width !== width || this.#surface.height !== height) {
             Object.assign(this.#surface, { width, height });
         }
-        return worlds.every(({ picture, camera, area, ratio }) => {
+        return all.every(({ picture, camera, area }) => {
             const marks = { address: picture.marks[0].address, count: picture.mark_count };
             const corner = { x: Math.round(area.x * ratio), y: Math.round(area.y * ratio) };
-            const place = worlds.length > 1 ? corner : undefined;
+            const place = all.length > 1 ? corner : undefined;
             return this.#canvas.draw(picture.frame, camera, style, marks, place);
         });
     }

@@ -4,6 +4,7 @@
 // reports, what shows as a state.
 import type { Library } from '../../src/library.js';
 import type { skv_outcome, skv_render_style } from '../../src/interface.js';
+import { using, withOptions } from '../../src/memory.js';
 
 import { amountOf, chooseAmount } from './amount';
 import { Opening } from './opening';
@@ -54,7 +55,6 @@ export class Playing {
     #told = -Infinity;
     #late: ReturnType<typeof setTimeout> | undefined;
     #waiting: { save: Waiting[]; share: Waiting[] } = { save: [], share: [] };
-    #comparing: Settings | null = null;
 
     constructor(surroundings: Surroundings) {
         const { library, threads, nextFrame, particles } = surroundings;
@@ -63,7 +63,7 @@ export class Playing {
         this.#surroundings = surroundings;
         this.#chosen = particles;
         this.worlds = new Worlds(library, threads);
-        this.opening = new Opening(library, this.worlds.first.session, (name) => this.#amount(name));
+        this.opening = new Opening(library, this.worlds.stage, (name) => this.#amount(name));
         this.#frames = new Frames(nextFrame, (seconds) => this.#pass(seconds));
         this.reader = new Reader(library);
         this.#outcome = library.make('skv_outcome');
@@ -82,7 +82,7 @@ export class Playing {
     asked() {
         this.#takeOutcomes();
         this.worlds.look();
-        if (this.worlds.active || this.worlds.all.some(({ stale }) => stale)) {
+        if (this.#active || this.worlds.stale) {
             this.#frames.ask();
         }
         this.#tellState();
@@ -110,25 +110,19 @@ export class Playing {
         this.#surroundings.listener.report({ kind, error });
     }
 
+    get #active() {
+        return this.#library.c.skv_stage_is_active(this.worlds.stage);
+    }
+
     #takeOutcomes() {
-        const { c } = this.#library, { first, second } = this.worlds;
-        while (c.skv_session_next_outcome(first.session, this.#outcome)) {
+        while (this.#library.c.skv_stage_next_outcome(this.worlds.stage, this.#outcome)) {
             this.#settle(this.#outcome.kind, this.#outcome.error);
-        }
-        const isThere = () => second && second === this.worlds.second;
-        while (second && isThere() && c.skv_session_next_outcome(second.session, this.#outcome)) {
-            const { kind, error } = this.#outcome;
-            if (kind === this.#library.constants.SKV_OUTCOME_OPEN) {
-                this.#join(error.code === 0 ? null : error.text);
-            } else if (error.code !== 0) {
-                this.#report(this.#kindOf(kind), error.text);
-            }
         }
     }
 
     #kindOf(kind: number): Report['kind'] {
         const { constants } = this.#library;
-        return kind === constants.SKV_OUTCOME_OPEN ? 'open'
+        return kind === constants.SKV_OUTCOME_OPEN || kind === constants.SKV_OUTCOME_COMPARE ? 'open'
             : kind === constants.SKV_OUTCOME_SAVE ? 'save'
                 : kind === constants.SKV_OUTCOME_SHARE ? 'share'
                     : kind === constants.SKV_OUTCOME_STEP ? 'step' : 'edit';
@@ -145,44 +139,22 @@ export class Playing {
             }
             return;
         }
-        if (kind === 'open') {
+        if (number === this.#library.constants.SKV_OUTCOME_OPEN) {
             this.opening.done(!error);
-            if (!error) {
-                this.worlds.end();
-            }
         }
         if (error || kind === 'open') {
             this.#report(kind, error);
         }
     }
 
-    // ---- Comparing -------------------------------------------------------------------------------
-
     compare(settings: Settings | null) {
-        const { c } = this.#library;
-        this.#comparing = settings;
-        if (!settings) {
-            this.worlds.end();
-            this.asked();
-            return;
-        }
-        this.settled('share', () => c.skv_session_share(this.worlds.first.session)).then(
-            () => {
-                if (this.#comparing === settings) {
-                    this.attempt('open', () => this.worlds.openSecond(settings));
-                }
-            },
-            (error: Error) => this.#report('open', error.message));
-    }
-
-    /** The second world is open, or is not. */
-    #join(error: string | null) {
-        if (error) {
-            this.worlds.end();
+        const { c } = this.#library, { stage } = this.worlds;
+        if (settings) {
+            withOptions(this.#library, settings, (options) => c.skv_stage_compare(stage, options));
         } else {
-            this.worlds.join();
+            c.skv_stage_end_compare(stage);
         }
-        this.#report('open', error);
+        this.asked();
     }
 
     // ---- States -----------------------------------------------------------------------------------
@@ -205,34 +177,33 @@ export class Playing {
     }
 
     #state(): State {
-        const { all } = this.worlds, { picture } = this.worlds.first;
-        const pictures = all.map((world) => world.picture);
-        return {
-            worlds: all.map((world) => this.reader.world(world, this.style)),
+        const { c } = this.#library, { all, first: picture, stage, ratio } = this.worlds;
+        return using(this.#library, c.skv_stage_now(stage), (now) => ({
+            worlds: all.map((world) => this.reader.world(world, this.worlds, this.style)),
             moment: Number(picture.moment),
             end: Number(picture.end),
             paused: picture.paused,
-            atRest: pictures.every(({ at_rest: rests }) => rests),
-            seeking: pictures.some(({ seeking }) => seeking),
-            canUndo: pictures.some(({ can_undo: can }) => can),
-            canRedo: pictures.every(({ can_redo: can }) => can),
+            atRest: now.at_rest,
+            seeking: now.seeking,
+            canUndo: now.can_undo,
+            canRedo: now.can_redo,
             following: picture.following,
             asRecorded: picture.as_recorded,
             mismatch: picture.mismatch,
             speed: picture.speed,
-            pace: Math.min(...pictures.map(({ pace }) => pace)),
-            stepMs: pictures.reduce((sum, { step_ms: ms }) => sum + ms, 0),
+            pace: now.pace,
+            stepMs: now.step_ms,
             drawMs: 1000 * this.#drawing,
             gravity: { x: picture.tilt_x, y: picture.tilt_y },
             tool: picture.tool,
             brush: picture.brush,
-            dye: this.#library.c.skv_session_dye(this.worlds.first.session),
-            linked: this.worlds.linked,
+            dye: c.skv_stage_dye(stage),
+            linked: c.skv_stage_linked(stage),
             threads: this.#surroundings.threads,
             chosen: this.#chosen,
-            ratio: this.worlds.first.ratio,
+            ratio,
             style: { ...this.styleNames, overlays: [...this.styleNames.overlays] },
-        };
+        }));
     }
 
     /** Throws what there is no such name for. */
@@ -248,24 +219,22 @@ export class Playing {
             this.style.range = style.range;
         }
         this.styleNames = { ...this.styleNames, ...style };
-        this.worlds.all.forEach((world) => {
-            world.stale = true;
-        });
+        this.worlds.stale = true;
     }
 
     // ---- Frames ----------------------------------------------------------------------------------
 
     #pass(seconds: number) {
         const { clock } = this.#surroundings;
-        const before = clock(), moves = this.worlds.active;
+        const before = clock(), moves = this.#active;
         if (moves) {
-            this.worlds.advance(seconds, this.#drawing);
+            this.#library.c.skv_stage_advance(this.worlds.stage, seconds, this.#drawing);
         }
         this.#takeOutcomes();
         this.worlds.look();
         const stepping = clock() - before;
         this.#draw();
-        const { active } = this.worlds;
+        const active = this.#active;
         if (moves && this.#sharpness.tell(seconds, stepping, this.#drawing)) {
             this.#layOut();
         }
@@ -275,21 +244,18 @@ export class Playing {
 
     #draw() {
         const { clock, painter } = this.#surroundings;
-        const { all } = this.worlds;
-        if (!all.some(({ stale }) => stale) || this.worlds.first.picture.opened === 0) {
+        if (!this.worlds.stale || this.worlds.first.opened === 0) {
             return;
         }
         const before = clock();
         try {
-            if (painter && !painter.draw(all, this.style)) {
+            if (painter && !painter.draw(this.worlds, this.style)) {
                 return;
             }
         } catch (error) {
             this.#report('step', error instanceof Error ? error.message : String(error));
         }
-        all.forEach((world) => {
-            world.stale = false;
-        });
+        this.worlds.stale = false;
         this.#drawing = clock() - before;
     }
 

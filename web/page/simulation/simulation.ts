@@ -14,11 +14,16 @@ import { Tilt } from './tilt';
 
 /** What people choose from. */
 const speeds = [0.1, 0.25, 0.5, 1, 2];
-/** What a session takes. */
-const strongest = 2, fastestPush = 10, widestBrush = 100, longestWay = 1e9, largestView = 16384;
+/** Times what is felt; pixels. */
+const strongest = 2, largestView = 16384;
 
 function bounded(value: number, least: number, most: number) {
     return Number.isFinite(value) ? Math.min(Math.max(value, least), most) : 0;
+}
+
+/** A number of frames. */
+function whole(frames: number) {
+    return BigInt(Math.round(bounded(frames, -Number.MAX_SAFE_INTEGER, Number.MAX_SAFE_INTEGER)));
 }
 
 export class Simulator implements Simulation {
@@ -36,24 +41,13 @@ export class Simulator implements Simulation {
         this.#surroundings = surroundings;
         this.#playing = new Playing(surroundings);
         this.#worlds = this.#playing.worlds;
-        this.#pointers = new Pointers(this.#library, this.#worlds,
-            () => this.undo(), () => this.#playing.asked());
+        this.#pointers = new Pointers(this.#library, this.#worlds, () => this.#playing.asked());
         this.#tilt = new Tilt(this.#library, surroundings.reversed);
     }
 
-    /** Asks something of each session. */
-    #each(call: (session: number) => void) {
-        this.#worlds.each(call);
-        this.#playing.asked();
-    }
-
-    /** Asks something of time: of the pair, or of the session. */
-    #ask<Given extends unknown[]>(
-        ofPair: (pair: number, ...given: Given) => void,
-        ofSession: (session: number, ...given: Given) => void,
-        ...given: Given
-    ) {
-        this.#worlds.ask(ofPair, ofSession, ...given);
+    /** Asks something of the stage. */
+    #ask<Given extends unknown[]>(call: (stage: number, ...given: Given) => unknown, ...given: Given) {
+        call(this.#worlds.stage, ...given);
         this.#playing.asked();
     }
 
@@ -103,7 +97,7 @@ export class Simulator implements Simulation {
     }
 
     replay() {
-        this.#each(this.#library.c.skv_session_replay);
+        this.#ask(this.#library.c.skv_stage_replay);
     }
 
     async save(what: 'skv' | 'skvr' | 'csv' | 'png') {
@@ -112,24 +106,24 @@ export class Simulator implements Simulation {
             if (!painter) {
                 throw new Error('there is no picture here');
             }
-            return painter.png(this.#worlds.first, this.#playing.style);
+            return painter.png(this.#worlds.all[0], this.#playing.style);
         }
         if (what === 'csv') {
-            return csvOf(this.#library, this.#worlds.first);
+            return csvOf(this.#library, this.#worlds);
         }
         const path = `saved.${what}`;
-        await this.#playing.settled('save', () => c.skv_session_save(this.#worlds.first.session, path));
+        await this.#playing.settled('save', () => c.skv_stage_save(this.#worlds.stage, path));
         const bytes = files.get(path)!;
         files.delete(path);
         return bytes;
     }
 
     async share() {
-        const { c, instance } = this.#library, { session } = this.#worlds.first;
+        const { c, instance } = this.#library, { stage } = this.#worlds;
         await instance.bringCodecs();
-        await this.#playing.settled('share', () => c.skv_session_share(session));
+        await this.#playing.settled('share', () => c.skv_stage_share(stage));
         return linkOf(this.#library,
-            written(this.#library, (write, user) => c.skv_session_read_shared(session, write, user)));
+            written(this.#library, (write, user) => c.skv_stage_read_shared(stage, write, user)));
     }
 
     compare(settings: Settings | null) {
@@ -137,76 +131,57 @@ export class Simulator implements Simulation {
     }
 
     setLinked(linked: boolean) {
-        this.#pointers.cancel();
-        this.#worlds.linked = linked;
-        this.#playing.asked();
+        this.#ask(this.#library.c.skv_stage_set_linked, linked);
     }
 
     // ---- Time ------------------------------------------------------------------------------------
 
     setPaused(paused: boolean) {
-        const { c } = this.#library;
-        this.#ask(c.skv_pair_set_paused, c.skv_session_set_paused, paused);
+        this.#ask(this.#library.c.skv_stage_set_paused, paused);
     }
 
     togglePaused() {
-        this.setPaused(!this.#worlds.first.picture.paused);
+        this.setPaused(!this.#worlds.first.paused);
     }
 
     stepOnce() {
-        const { c } = this.#library;
-        this.#ask(c.skv_pair_step_once, c.skv_session_step_once);
+        this.#ask(this.#library.c.skv_stage_step_once);
     }
 
     setSpeed(speed: number) {
-        const { c } = this.#library;
-        if (Number.isFinite(speed)) {
-            this.#ask(c.skv_pair_set_speed, c.skv_session_set_speed, speed);
-        }
+        this.#ask(this.#library.c.skv_stage_set_speed, speed);
     }
 
     shiftSpeed(direction: number) {
-        const { speed } = this.#worlds.first.picture;
+        const { speed } = this.#worlds.first;
         const at = speeds.findIndex((known) => known >= speed - 1e-9) + Math.sign(direction);
         this.setSpeed(speeds[bounded(at, 0, speeds.length - 1)]);
     }
 
     seek(frame: number) {
-        const { c } = this.#library;
-        const goal = Math.round(bounded(frame, 0, longestWay));
-        this.#worlds.goal = goal;
-        this.#ask(c.skv_pair_seek, c.skv_session_seek, BigInt(goal));
+        this.#ask(this.#library.c.skv_stage_seek, whole(frame));
     }
 
     seekBy(frames: number, reach: number) {
-        const { moment, end, paused } = this.#worlds.first.picture, last = Number(end);
-        if (!paused) { // a message, for which whatever follows would wait while it seeks
-            this.setPaused(true);
-        }
-        this.seek(Math.min(last, Math.max(last - reach, (this.#worlds.goal ?? Number(moment)) + frames)));
+        this.#ask(this.#library.c.skv_stage_go, whole(frames), whole(reach));
     }
 
     undo() {
-        const { c } = this.#library;
-        this.#ask(c.skv_pair_undo, c.skv_session_undo);
+        this.#ask(this.#library.c.skv_stage_undo);
     }
 
     redo() {
-        const { c } = this.#library;
-        this.#ask(c.skv_pair_redo, c.skv_session_redo);
+        this.#ask(this.#library.c.skv_stage_redo);
     }
 
     // ---- The world -------------------------------------------------------------------------------
 
     setGravity(x: number, y: number) {
-        const { c } = this.#library;
-        const [gx, gy] = [x, y].map((part) => bounded(part, -strongest, strongest));
-        this.#worlds.touch(0, ({ session }) => c.skv_session_set_gravity(session, gx, gy));
-        this.#playing.asked();
+        this.#ask(this.#library.c.skv_stage_set_gravity, 0, x, y);
     }
 
     motion(x: number, y: number, _z: number, angle: number, time: number) {
-        const { gravity, push } = this.#tilt.feel(x, y, angle, time, this.#worlds.first.picture);
+        const { gravity, push } = this.#tilt.feel(x, y, angle, time, this.#worlds.first);
         if (gravity) {
             this.setGravity(gravity.x, gravity.y);
         }
@@ -220,15 +195,11 @@ export class Simulator implements Simulation {
     }
 
     push(vx: number, vy: number) {
-        const { c } = this.#library;
-        const [x, y] = [vx, vy].map((speed) => bounded(speed, -fastestPush, fastestPush));
-        this.#worlds.touch(0, ({ session }) => c.skv_session_push(session, x, y));
-        this.#playing.asked();
+        this.#ask(this.#library.c.skv_stage_push, 0, vx, vy);
     }
 
     set(path: string, text: string, side: Side = 0) {
-        this.#library.c.skv_session_set(this.#worlds.at(side).session, path, text);
-        this.#playing.asked();
+        this.#ask(this.#library.c.skv_stage_set, side, path, text);
     }
 
     // ---- The picture -----------------------------------------------------------------------------
@@ -249,25 +220,17 @@ export class Simulator implements Simulation {
     }
 
     zoom(factor: number, x: number, y: number, side: Side = 0) {
-        const world = this.#worlds.at(side), { area, ratio } = world;
-        if (factor > 0 && [factor, x, y].every(Number.isFinite)) {
-            world.zoom(factor, (x - area.x) * ratio, (y - area.y) * ratio);
-        }
-        this.#worlds.follow(side);
-        this.#playing.asked();
+        const { ratio } = this.#worlds, { area } = this.#worlds.at(side);
+        this.#ask(this.#library.c.skv_stage_zoom, side, factor, (x - area.x) * ratio, (y - area.y) * ratio);
     }
 
     pan(dx: number, dy: number, side: Side = 0) {
-        const world = this.#worlds.at(side);
-        const [x, y] = [dx, dy].map((way) => bounded(way, -longestWay, longestWay) * world.ratio);
-        world.pan(x, y);
-        this.#worlds.follow(side);
-        this.#playing.asked();
+        const { ratio } = this.#worlds;
+        this.#ask(this.#library.c.skv_stage_pan, side, dx * ratio, dy * ratio);
     }
 
     showAll() {
-        this.#worlds.all.forEach((world) => world.showAll());
-        this.#playing.asked();
+        this.#ask(this.#library.c.skv_stage_show_all);
     }
 
     setHidden(hidden: boolean) {
@@ -277,30 +240,23 @@ export class Simulator implements Simulation {
     // ---- Tools -----------------------------------------------------------------------------------
 
     setTool(tool: number) {
-        const { c } = this.#library;
-        if (Number.isInteger(tool) && tool >= 0 && c.skv_tool_info(tool)) {
-            this.#each((session) => c.skv_session_set_tool(session, tool));
-        }
+        this.#ask(this.#library.c.skv_stage_set_tool, tool);
     }
 
     setBrush(radius: number) {
-        const { c } = this.#library;
-        this.#each((session) => c.skv_session_set_brush(session, bounded(radius, 0, widestBrush)));
+        this.#ask(this.#library.c.skv_stage_set_brush, radius);
     }
 
     scaleBrush(factor: number, least: number, most: number) {
-        this.setBrush(bounded(this.#worlds.first.picture.brush * factor, least, most));
+        this.setBrush(bounded(this.#worlds.first.brush * factor, least, most));
     }
 
     setDye(dye: number) {
-        const { c } = this.#library;
-        if (Number.isInteger(dye) && dye >= 0 && c.skv_dye_name(dye)) {
-            this.#each((session) => c.skv_session_set_dye(session, dye));
-        }
+        this.#ask(this.#library.c.skv_stage_set_dye, dye);
     }
 
     nextDye() {
-        const { c } = this.#library, next = c.skv_session_dye(this.#worlds.first.session) + 1;
+        const { c } = this.#library, next = c.skv_stage_dye(this.#worlds.stage) + 1;
         this.setDye(c.skv_dye_name(next) ? next : 0);
     }
 
@@ -315,10 +271,7 @@ export class Simulator implements Simulation {
     }
 
     keyboard(right: number, up: number, down: boolean) {
-        const { c } = this.#library;
-        const [x, y] = [right, up].map((way) => Math.sign(way) || 0);
-        this.#worlds.touch(0, ({ session }) => c.skv_session_keyboard(session, x, y, down));
-        this.#playing.asked();
+        this.#ask(this.#library.c.skv_stage_keyboard, 0, Math.sign(right) || 0, Math.sign(up) || 0, down);
     }
 
     // ---- Instruments -----------------------------------------------------------------------------
@@ -330,30 +283,24 @@ export class Simulator implements Simulation {
         }
         const def = c.skv_default_instrument_def(kind);
         Object.assign(def, { x0, y0, x1, y1, name: c.skv_instrument_kind_name(kind) });
-        this.#each((session) => c.skv_session_add_probe(session, def));
+        this.#ask(c.skv_stage_add_probe, def);
         this.#library.release(def);
     }
 
     moveProbe(id: number, x0: number, y0: number, x1: number, y1: number) {
-        this.#each((session) => this.#library.c.skv_session_move_probe(session, id, x0, y0, x1, y1));
+        this.#ask(this.#library.c.skv_stage_move_probe, id, x0, y0, x1, y1);
     }
 
-    /** From where it is now: steps that come faster than states add up. */
     shiftProbe(id: number, dx: number, dy: number) {
-        const { picture } = this.#worlds.first;
-        const probe = picture.probes.slice(0, picture.probe_count).find((known) => known.id === id);
-        if (probe) {
-            const { x0, y0, x1, y1 } = probe.def;
-            this.moveProbe(id, x0 + dx, y0 + dy, x1 + dx, y1 + dy);
-        }
+        this.#ask(this.#library.c.skv_stage_shift_probe, id, dx, dy);
     }
 
     removeProbe(id: number) {
-        this.#each((session) => this.#library.c.skv_session_remove_probe(session, id));
+        this.#ask(this.#library.c.skv_stage_remove_probe, id);
     }
 
     watchProbe(id: number, watched: boolean) {
-        this.#each((session) => this.#library.c.skv_session_watch_probe(session, id, watched));
+        this.#ask(this.#library.c.skv_stage_watch_probe, id, watched);
     }
 
     async catalogue() {

@@ -5,7 +5,7 @@ import { using } from '../../src/memory.js';
 
 import { parametersOf } from './catalogue';
 import type { Legend, Probe, WorldState } from './protocol';
-import type { World } from './world';
+import type { World, Worlds } from './worlds';
 
 const textRoom = 160;
 
@@ -32,9 +32,9 @@ export class Reader {
         this.#units.clear();
     }
 
-    world(world: World, style: Located): WorldState {
+    world(world: World, { ratio }: Worlds, style: Located): WorldState {
         const { c, instance } = this.#library;
-        const { picture, area, camera, ratio } = world;
+        const { picture, area, camera } = world;
         const { frame } = picture;
         const { terrain } = frame;
         c.skv_picture_describe(picture, this.#room, textRoom);

@@ -1,148 +1,112 @@
-// The worlds: one, or a second one beside it, which are a pair then.
+// The worlds: what the library's stage shows, one or two of them, each in its area of the canvas.
 //
-// Invariants: there are two exactly while their sessions are a pair; what goes on in time is asked of
-// the pair, instruments of both; what ends the first world's scene ends the second before.
+// Invariant: there are as many as the stage has sides; all that is done is asked of the stage.
 import type { Library } from '../../src/library.js';
-import { withBytes, withOptions, written } from '../../src/memory.js';
+import type { skv_camera, skv_picture } from '../../src/interface.js';
+import { assign, using } from '../../src/memory.js';
 
-import type { Settings, Side } from './protocol';
-import { World } from './world';
+import type { Side } from './protocol';
+
+/** For rewinding: half a minute of 8000 particles, and the memory of a phone holds two of it. */
+const history = 32 << 20;
+
+/** A part of the canvas, in CSS pixels. */
+export interface Area {
+    x: number;
+    y: number;
+    width: number;
+    height: number;
+}
+
+export interface World {
+    /** As looked at last. */
+    picture: skv_picture;
+    /** In device pixels of its own area. */
+    readonly camera: skv_camera;
+    area: Area;
+}
 
 export class Worlds {
-    readonly first: World;
-    second: World | null = null;
-    /** Hands and gravity are for both. */
-    linked = true;
-    /** The moment that was asked for last, until it is reached. */
-    goal: number | null = null;
-    #pair = 0;
+    readonly stage: number;
+    /** Device pixels of a CSS pixel. */
+    ratio = 1;
+    /** What shows is something else than was drawn. */
+    stale = true;
+    all: World[] = [];
     #library;
-    #threads;
     #width = 640;
     #height = 360;
-    #ratio = 1;
 
     constructor(library: Library, threads: number) {
+        const { c, instance } = library;
         this.#library = library;
-        this.#threads = threads;
-        this.first = new World(library, threads);
+        this.stage = using(library, c.skv_default_stage_def(), (def) => {
+            def.threads = threads;
+            def.own_thread = false;
+            def.history = history;
+            def.clock = instance.exports.skv_wasm_clock();
+            return library.create((out, error) => c.skv_stage_create(def, out, error));
+        });
+        this.look();
     }
 
-    get all() {
-        return this.second && this.#pair ? [this.first, this.second] : [this.first];
+    get first() {
+        return this.all[0].picture;
     }
 
     at(side: Side) {
-        return this.all[side] ?? this.first;
+        return this.all[side] ?? this.all[0];
     }
 
-    // ---- Asking ----------------------------------------------------------------------------------
-
-    /** Of the pair if there is one, else of the session. */
-    ask<Given extends unknown[]>(
-        ofPair: (pair: number, ...given: Given) => void,
-        ofSession: (session: number, ...given: Given) => void,
-        ...given: Given
-    ) {
-        if (this.#pair) {
-            ofPair(this.#pair, ...given);
-        } else {
-            ofSession(this.first.session, ...given);
-        }
-    }
-
-    /** Of each session. */
-    each(call: (session: number) => void) {
-        this.all.forEach(({ session }) => call(session));
-    }
-
-    /** Of the world at a side, or of both where they are linked. */
-    touch(side: Side, call: (world: World, seenBy: World) => void) {
-        const seenBy = this.at(side);
-        (this.linked ? this.all : [seenBy]).forEach((world) => call(world, seenBy));
-    }
-
-    advance(seconds: number, drawing: number) {
-        const { c } = this.#library;
-        this.ask(c.skv_pair_advance, c.skv_session_advance, seconds, drawing);
-    }
-
-    get active() {
-        const { c } = this.#library;
-        return this.#pair ? c.skv_pair_is_active(this.#pair) : c.skv_session_is_active(this.first.session);
-    }
-
-    /** Takes the newest pictures; whether there is another one. */
+    /** Takes the newest pictures and cameras. */
     look() {
-        const newer = this.all.map((world) => world.look()).some((another) => another);
-        if (!this.first.picture.seeking) {
-            this.goal = null;
+        const { c } = this.#library, sides = c.skv_stage_sides(this.stage), before = this.all.length;
+        if (c.skv_stage_look(this.stage) === 0 && sides === before) {
+            return;
         }
-        return newer;
+        this.stale = true;
+        this.all.splice(sides).forEach(({ camera }) => this.#library.release(camera));
+        for (let side = this.all.length; side < sides; side++) {
+            const area = { x: 0, y: 0, width: 0, height: 0 };
+            this.all.push({ picture: this.#picture(side), camera: this.#library.make('skv_camera'), area });
+        }
+        this.all.forEach((world, side) => {
+            world.picture = this.#picture(side);
+        });
+        if (sides === before) {
+            this.#takeCameras();
+        } else {
+            this.setView(this.#width, this.#height, this.ratio);
+        }
     }
 
-    // ---- The view --------------------------------------------------------------------------------
+    #picture(side: number) {
+        return this.#library.view('skv_picture', this.#library.c.skv_stage_picture(this.stage, side));
+    }
+
+    #takeCameras() {
+        const library = this.#library;
+        this.all.forEach(({ camera }, side) => using(library, library.c.skv_stage_camera(this.stage, side),
+            (newest) => assign(library, 'skv_camera', camera, newest)));
+    }
 
     /** The canvas: two worlds lie beside each other, or above each other if they are larger then. */
     setView(width: number, height: number, ratio: number) {
         this.#width = width;
         this.#height = height;
-        this.#ratio = ratio;
-        const { all } = this;
-        const { world_width: wide, world_height: high } = this.first.camera;
+        this.ratio = ratio;
+        this.stale = true;
+        this.#takeCameras();
+        const { all } = this, { world_width: wide, world_height: high } = all[0].camera;
         const beside = Math.min(width / 2 / wide, height / high);
         const above = Math.min(width / wide, height / 2 / high);
         const across = all.length > 1 && beside >= above, down = all.length > 1 && !across;
         const area = { width: across ? width / 2 : width, height: down ? height / 2 : height };
-        all.forEach((world, i) => world.setArea(
-            { ...area, x: across ? i * area.width : 0, y: down ? i * area.height : 0 }, ratio));
-    }
-
-    /** After the camera of one side was moved: the other one shows the same part. */
-    follow(side: Side) {
-        this.all.filter((world) => world !== this.at(side)).forEach((world) => world.showAs(this.at(side)));
-    }
-
-    // ---- Comparing -------------------------------------------------------------------------------
-
-    /** Opens in a second world what the first has shared; that reports to its own session. */
-    openSecond(settings: Settings) {
-        this.end();
-        const library = this.#library, { c } = library;
-        const second = new World(library, this.#threads);
-        this.second = second;
-        const shared = written(library,
-            (write, user) => c.skv_session_read_shared(this.first.session, write, user));
-        withBytes(library, shared, (data) => withOptions(library, settings, (options) =>
-            c.skv_session_open_memory(second.session, data, shared.length, 'skvr',
-                this.first.picture.name, options)));
-    }
-
-    /** Once it is open: both go on together. */
-    join() {
-        const library = this.#library, { c } = library;
-        const { first, second } = this;
-        if (!second || this.#pair) {
-            return;
-        }
-        this.#pair = library.create((out, error) =>
-            c.skv_pair_create(first.session, second.session, out, error));
-        c.skv_session_set_tool(second.session, c.skv_session_tool(first.session));
-        c.skv_session_set_dye(second.session, c.skv_session_dye(first.session));
-        c.skv_pair_set_paused(this.#pair, false);
-        second.look();
-        this.setView(this.#width, this.#height, this.#ratio);
-        this.follow(0);
-    }
-
-    end() {
-        if (!this.second) {
-            return;
-        }
-        this.#library.c.skv_pair_destroy(this.#pair);
-        this.#pair = 0;
-        this.second.destroy();
-        this.second = null;
-        this.setView(this.#width, this.#height, this.#ratio);
+        const [pixels, lines] = [area.width, area.height].map((size) => Math.max(Math.round(size * ratio), 1));
+        all.forEach((world, i) => {
+            world.area = { ...area, x: across ? i * area.width : 0, y: down ? i * area.height : 0 };
+            this.#library.c.skv_stage_set_view(this.stage, i, pixels, lines);
+        });
+        this.#takeCameras();
     }
 }
