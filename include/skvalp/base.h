@@ -2,7 +2,7 @@
  * Result codes, error messages, memory and assertion hooks: what every other header builds on.
  *
  * The library never exits and never prints by itself. A caller's mistake (a null handle, a struct
- * that was not initialised by its skv_default_... function) goes to the assert handler; a failure
+ * that was not initialised) goes to the assert handler; a failure
  * at run time (memory, a bad file, a value out of range) comes back as a skv_result, and the
  * object that was called stays as it was.
  */
@@ -81,6 +81,16 @@ SKV_API skv_result skv_fail(skv_error *error, skv_result code, const char *forma
  * separators of lines and paragraphs, and bytes that are no UTF-8. Scenes refuse such texts, and
  * all that the library says is plain. Thread-safe. */
 SKV_API void skv_make_plain(char *text);
+
+/* Definitions. A struct that is handed in whole, skv_world_def and its like, begins with a cookie,
+ * which says that it was initialised; without it the call is the caller's mistake and does nothing.
+ * In C, skv_default_world_def() and its like give one by value. Other languages call
+ * skv_world_def_init(pointer, size) and its like, where `size` is the struct's size in the headers
+ * that the program knows: no byte beyond it is written then, nor read later. Members are only added
+ * at the end, so a program compiled before they came hands in a smaller struct, and they have their
+ * defaults. skv_fluid_def, which lies within another, keeps its size. A size larger than the
+ * library's own, of a later library, is a caller's mistake. Plain values, such as skv_area,
+ * skv_hand or skv_force, need no cookie: every member counts, and 0 does nothing. */
 
 /** Receives text piece by piece; returns false to stop, which the writing function reports as
  * SKV_ERROR_FILE. It must not change or destroy what is being written. */

@@ -76,15 +76,17 @@ typedef bool skv_lab_observer(const skv_lab_moment *moment, void *user);
 
 /** How to run an experiment. Initialise with skv_default_lab_options. */
 typedef struct skv_lab_options {
+    uint32_t cookie;
     const skv_setting *settings; /**< applied in order */
     int setting_count;
     int threads;               /**< as in skv_world_def */
     skv_lab_observer *observe; /**< null: nobody */
     void *user;                /**< handed to it */
-    int cookie;
 } skv_lab_options;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_lab_options skv_default_lab_options(void);
+SKV_API void skv_lab_options_init(skv_lab_options *def, size_t size);
 
 /** Checks settings without running anything: SKV_ERROR_VALUE names the path and what is allowed. */
 SKV_API skv_result skv_lab_check(const skv_lab_options *options, skv_error *error);

@@ -22,6 +22,7 @@ SKV_API const char *skv_law_name(skv_law law);
 /** A fluid's parameters. Initialise with skv_default_fluid_def, which depends on the law. Ranges
  * and defaults are those of skv_world_field. */
 typedef struct skv_fluid_def {
+    uint32_t cookie;
     skv_law law;
     float spacing;               /**< s: one particle per s*s square metres at rest, m */
     float radius_ratio;          /**< h/s: smoothing radius in spacings */
@@ -42,11 +43,11 @@ typedef struct skv_fluid_def {
     float contact_distance;      /**< in spacings: closer than this to a wall is contact */
     bool wall_images;            /**< walls by images, which do not drag; calibrated law */
     float adhesion;              /**< share of their pull that holds fluid up against gravity */
-    int cookie;
 } skv_fluid_def;
 
 /** The default fluid, water, for a law. */
 SKV_API skv_fluid_def skv_default_fluid_def(skv_law law);
+SKV_API void skv_fluid_def_init(skv_fluid_def *def, size_t size, skv_law law);
 
 /** Liquids by name: density in kg/m^3 and kinematic viscosity in m^2/s at 20 degrees Celsius. */
 typedef struct skv_material {

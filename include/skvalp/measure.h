@@ -98,15 +98,17 @@ typedef struct skv_surface skv_surface;
 
 /** How to look for it. Initialise with skv_default_surface_def. */
 typedef struct skv_surface_def {
+    uint32_t cookie;
     double step;  /**< m: of the grid on which it is found; 0, the default: a spacing */
     double level; /**< the fill that is the surface, 0.05..0.95; default 0.5. A lone particle has
                      about 0.2: with less than that every drop has an outline */
     bool closed; /**< default false: lines lie where fluid meets air and end at walls. True: they go
                     on along walls, so that each is closed and can be filled with colour */
-    int cookie;
 } skv_surface_def;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_surface_def skv_default_surface_def(void);
+SKV_API void skv_surface_def_init(skv_surface_def *def, size_t size);
 
 /** Makes an empty surface. */
 SKV_API skv_result skv_surface_create(skv_surface **surface, skv_error *error);
@@ -160,6 +162,7 @@ typedef uint32_t skv_instrument;
 
 /** How to make an instrument. Initialise with skv_default_instrument_def. */
 typedef struct skv_instrument_def {
+    uint32_t cookie;
     skv_instrument_kind kind;
     char name[32];         /**< for exports; printable ASCII without commas and quotes */
     double x0, y0, x1, y1; /**< m; a box is spanned by two opposite corners */
@@ -174,10 +177,12 @@ typedef struct skv_instrument_def {
     double threshold;
     bool above;
     double hold;
-    int cookie;
 } skv_instrument_def;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_instrument_def skv_default_instrument_def(skv_instrument_kind kind);
+SKV_API void skv_instrument_def_init(skv_instrument_def *def, size_t size,
+                                     skv_instrument_kind kind);
 
 /** What an instrument's channel is called and measured in; null past the last. Static. */
 typedef struct skv_channel {

@@ -67,6 +67,7 @@ typedef bool skv_inside(float x, float y, void *user);
 /** A fill: the rest lattice (hexagonal, one particle per spacing^2) inside a box. Initialise with
  * skv_default_fill_def. */
 typedef struct skv_fill_def {
+    uint32_t cookie;
     /** The box, m, each -100..100; what lies outside the terrain does not count. Default: all of
      * the terrain. */
     float x0, y0, x1, y1;
@@ -80,10 +81,11 @@ typedef struct skv_fill_def {
     int limit;          /**< at most so many particles are added; negative, the default: no limit */
     float vx, vy;       /**< their velocity, m/s, each -1000..1000; default 0 */
     int dye;            /**< their colour, 0..SKV_DYES; default 0 */
-    int cookie;
 } skv_fill_def;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_fill_def skv_default_fill_def(void);
+SKV_API void skv_fill_def_init(skv_fill_def *def, size_t size);
 
 /** What became of the places at which particles were to be added. */
 typedef struct skv_placed {

@@ -88,16 +88,18 @@ typedef struct skv_player skv_player;
 
 /** How to make a player. Initialise with skv_default_player_def. */
 typedef struct skv_player_def {
+    uint32_t cookie;
     int threads;    /**< as in skv_world_def */
     skv_pool *pool; /**< threads shared with other worlds; null: threads of its own */
     size_t history; /**< bytes for key frames, from which rewinding starts; default 64 MiB */
     const skv_scene_options *changed; /**< set over the scene of a replay that is loaded: what was
                                          done is done to this one, which goes its own way, and no
                                          check is made; null: none */
-    int cookie;
 } skv_player_def;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_player_def skv_default_player_def(void);
+SKV_API void skv_player_def_init(skv_player_def *def, size_t size);
 
 /** Makes a player at a scene's start. Takes the scene over if it succeeds; `*player` is null on
  * failure. `def` may be null. */

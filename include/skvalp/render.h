@@ -55,16 +55,18 @@ typedef enum skv_detail {
 
 /** How to draw. Initialise with skv_default_render_style. */
 typedef struct skv_render_style {
+    uint32_t cookie;
     skv_view view;       /**< default SKV_VIEW_WATER */
     unsigned overlays;   /**< skv_overlay bits; default 0 */
     skv_palette palette; /**< default SKV_PALETTE_DARK */
     skv_detail detail;   /**< default SKV_DETAIL_AUTO */
     double range;        /**< the upper end of the view's scale in its unit, see skv_legend;
                             0, the default: what suits the frame's walls, gravity and amount */
-    int cookie;
 } skv_render_style;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_render_style skv_default_render_style(void);
+SKV_API void skv_render_style_init(skv_render_style *def, size_t size);
 
 /** A part of a style that has names. */
 typedef enum skv_style_part {

@@ -26,13 +26,15 @@ SKV_API const skv_field *skv_scene_field(int i);
 
 /** Options that override a scene while it is loaded. Initialise with skv_default_scene_options. */
 typedef struct skv_scene_options {
+    uint32_t cookie;
     int particles;               /**< wanted number of particles; 0: what the scene says */
     const skv_setting *settings; /**< applied after the file, in order */
     int setting_count;
-    int cookie;
 } skv_scene_options;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_scene_options skv_default_scene_options(void);
+SKV_API void skv_scene_options_init(skv_scene_options *def, size_t size);
 
 /** Loads a scene: a built-in name ("dam-break"), or a path that ends in .json or .png (any letter
  * case). `options` may be null. On failure `*scene` is null and the message names the file, the

@@ -34,6 +34,7 @@ typedef struct skv_stage skv_stage;
 
 /** How to make a stage. Initialise with skv_default_stage_def. */
 typedef struct skv_stage_def {
+    uint32_t cookie;
     int threads;     /**< on which each world is stepped: as in skv_pool_create */
     bool own_thread; /**< default true: each side's worlds are loaded and stepped on a thread of
                         their own. False: within the calls, which then take as long as that takes;
@@ -45,10 +46,11 @@ typedef struct skv_stage_def {
     void (*wake)(void *user);
     void *user;
     double (*clock)(void); /**< s from any origin, for what steps cost; null: the system's */
-    int cookie;
 } skv_stage_def;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_stage_def skv_default_stage_def(void);
+SKV_API void skv_stage_def_init(skv_stage_def *def, size_t size);
 
 /** Makes a stage on which nothing is open; `def` may be null. SKV_ERROR_LIMIT if the system refuses
  * to start so many threads. */

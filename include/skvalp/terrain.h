@@ -31,6 +31,7 @@ typedef enum skv_side {
 
 /** How to make a terrain. Initialise with skv_default_terrain_def. */
 typedef struct skv_terrain_def {
+    uint32_t cookie;
     int width;  /**< pixels, SKV_TERRAIN_MIN_PIXELS..SKV_TERRAIN_MAX_PIXELS */
     int height; /**< pixels, the same range */
     /** width*height bytes, row 0 at the BOTTOM: 0 = air, 255 = solid. Null means all air: a closed
@@ -38,11 +39,11 @@ typedef struct skv_terrain_def {
     const uint8_t *coverage;
     float pixel_size;    /**< metres a pixel, 1e-9 or more; width and height in metres at most 16 */
     unsigned open_sides; /**< a set of skv_side bits; default 0 */
-    int cookie;          /**< set by skv_default_terrain_def */
 } skv_terrain_def;
 
 /** 640 x 360 pixels of air at 2.5 mm: a closed tank of 1.6 x 0.9 m. */
 SKV_API skv_terrain_def skv_default_terrain_def(void);
+SKV_API void skv_terrain_def_init(skv_terrain_def *def, size_t size);
 
 typedef struct skv_terrain skv_terrain;
 

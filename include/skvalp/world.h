@@ -33,6 +33,7 @@ typedef enum skv_solver_kind { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solve
 /** How to make a world. Initialise with skv_default_world_def. Ranges and defaults of what is not
  * explained here are those of skv_world_field. */
 typedef struct skv_world_def {
+    uint32_t cookie;
     /** Taken over by the world if skv_world_create succeeds, left to the caller if it fails. Null:
      * the default terrain, a closed tank of 1.6 x 0.9 m. */
     skv_terrain *terrain;
@@ -56,10 +57,11 @@ typedef struct skv_world_def {
     int emission_limit;     /**< emitters stop at so many particles in the world */
     bool emission_replaces; /**< ... or else the oldest particles go for new ones */
     int capacity; /**< particles to make room for at creation; the world grows beyond it */
-    int cookie;
 } skv_world_def;
 
+/** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
 SKV_API skv_world_def skv_default_world_def(void);
+SKV_API void skv_world_def_init(skv_world_def *def, size_t size);
 
 typedef struct skv_world skv_world;
 

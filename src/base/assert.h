@@ -24,14 +24,4 @@ void skv_assert_failed(const char *condition, const char *file, int line);
 /* The same in a function that returns nothing. */
 #define SKV_ASSERT(condition) SKV_ASSERT_OR(condition, )
 
-/* For a definition struct, which must come from its skv_default_... function: that left its cookie
- * there. The surrounding function returns SKV_ERROR_VALUE. */
-#define SKV_ASSERT_INITIALISED(def, made)                                                          \
-    do {                                                                                           \
-        if (!(def) || (def)->cookie != (made)) {                                                   \
-            SKV_ASSERT_FAILED(#def " was initialised by its skv_default_... function");            \
-            return SKV_ERROR_VALUE;                                                                \
-        }                                                                                          \
-    } while (0)
-
 #endif

@@ -6,6 +6,7 @@
 #include "experiments/experiment.h"
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -101,6 +102,8 @@ skv_result skv_experiment_run(int number, const skv_lab_options *options, skv_re
 {
     SKV_ASSERT_OR(out, SKV_ERROR_VALUE);
     *out = NULL;
+    skv_lab_options own;
+    SKV_ASSERT_INITIALISED(options, skv_open_lab_options(options, &own), SKV_ERROR_VALUE);
     const experiment *e = skv_experiment_at(number);
     if (!e)
         return skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);

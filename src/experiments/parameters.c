@@ -7,12 +7,13 @@
 #include "experiments/parameters.h"
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/fields.h"
 #include "experiments/experiment.h"
 
 #include <string.h>
 
-enum { OPTIONS_COOKIE = 0x6c616f31 };
+enum { OPTIONS_COOKIE = 0x4c41 };
 
 static const skv_field common[COMMON_PARAMETERS] = {
     [PARAM_PARTICLES] = {"particles", SKV_FIELD_INTEGER, "", 200, 200000, NULL, "4000",
@@ -51,7 +52,19 @@ const skv_field *skv_lab_parameter(int i)
 
 skv_lab_options skv_default_lab_options(void)
 {
-    return (skv_lab_options){.cookie = OPTIONS_COOKIE};
+    return (skv_lab_options){.cookie = SKV_COOKIE(OPTIONS_COOKIE, skv_lab_options)};
+}
+
+void skv_lab_options_init(skv_lab_options *def, size_t size)
+{
+    const skv_lab_options standard = skv_default_lab_options();
+    skv_def_init(def, size, &standard, sizeof standard);
+}
+
+const skv_lab_options *skv_open_lab_options(const skv_lab_options *options, skv_lab_options *own)
+{
+    *own = skv_default_lab_options();
+    return options ? skv_def_open(options, own, sizeof *own) : own;
 }
 
 static double default_of(const skv_field *field)
@@ -119,9 +132,8 @@ skv_result skv_settings_make(settings *s, const experiment *e, const skv_lab_opt
         s->common[i] = default_of(&common[i]);
     for (int i = 0; e && e->parameters[i].path; i++)
         s->own[i] = default_of(&e->parameters[i]);
-    if (!options)
-        return SKV_OK;
-    SKV_ASSERT_INITIALISED(options, OPTIONS_COOKIE);
+    skv_lab_options own;
+    SKV_ASSERT_INITIALISED(options, skv_open_lab_options(options, &own), SKV_ERROR_VALUE);
     for (int i = 0; i < options->setting_count; i++) {
         skv_result result = apply(s, e, &options->settings[i], error);
         if (result != SKV_OK)

@@ -27,6 +27,10 @@ typedef struct settings {
     double spacing; /* of them, fluid.spacing; 0: it follows from the number of particles */
 } settings;
 
+/* The whole of options that a host hands in, which may know less of them: themselves, or `own`; the
+ * defaults for null. Null for some that were not initialised. */
+const skv_lab_options *skv_open_lab_options(const skv_lab_options *options, skv_lab_options *own);
+
 /* The defaults with the options' settings applied; `e` null: just checks them. The texts stay the
  * options'. */
 skv_result skv_settings_make(settings *s, const experiment *e, const skv_lab_options *options,

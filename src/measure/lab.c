@@ -5,13 +5,14 @@
  * the present reading of what it watches.
  */
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
 #include "measure/instruments.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { DEF_COOKIE = 0x6c616231, MAX_CAPACITY = 1000000 };
+enum { DEF_COOKIE = 0x494e, MAX_CAPACITY = 1000000 };
 
 struct skv_lab {
     skv_survey *survey;
@@ -28,8 +29,14 @@ skv_instrument_def skv_default_instrument_def(skv_instrument_kind kind)
         .kind = kind,
         .window = info ? info->window : 0,
         .capacity = 1200,
-        .cookie = DEF_COOKIE,
+        .cookie = SKV_COOKIE(DEF_COOKIE, skv_instrument_def),
     };
+}
+
+void skv_instrument_def_init(skv_instrument_def *def, size_t size, skv_instrument_kind kind)
+{
+    const skv_instrument_def standard = skv_default_instrument_def(kind);
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 skv_result skv_lab_create(skv_lab **out, skv_error *error)
@@ -101,7 +108,6 @@ static skv_result check_name(const char *name, skv_error *error)
 
 static skv_result check_def(const skv_lab *lab, const skv_instrument_def *def, skv_error *error)
 {
-    SKV_ASSERT_INITIALISED(def, DEF_COOKIE);
     if (!skv_instrument_kind_info(def->kind))
         return skv_fail(error, SKV_ERROR_VALUE, "instrument: there is no kind %d", (int)def->kind);
     if (!points_are_sane(def->kind, def->x0, def->y0, def->x1, def->y1))
@@ -145,6 +151,11 @@ skv_result skv_lab_add(skv_lab *lab, const skv_instrument_def *def, skv_instrume
 {
     SKV_ASSERT_OR(lab && def && id, SKV_ERROR_VALUE);
     *id = 0;
+    skv_instrument_def own = skv_default_instrument_def(SKV_INSTRUMENT_LEVEL);
+    const skv_instrument_def *given = def;
+    SKV_ASSERT_INITIALISED(def, skv_def_open(given, &own, sizeof own), SKV_ERROR_VALUE);
+    own = skv_default_instrument_def(def->kind); /* of which a default depends */
+    def = skv_def_open(given, &own, sizeof own);
     skv_result result = check_def(lab, def, error);
     if (result == SKV_OK)
         result = make_room(lab, error);

@@ -8,6 +8,7 @@
  */
 #include "base/arrays.h"
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
 #include "measure/contour.h"
 #include "measure/survey.h"
@@ -15,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { SURFACE_COOKIE = 0x73726631, GRID_MAX = 4096, NONE = -1, WALL_ROUNDS = 3 };
+enum { SURFACE_COOKIE = 0x5355, GRID_MAX = 4096, NONE = -1, WALL_ROUNDS = 3 };
 
 /* How deep in a wall nodes take part, in steps: those of cells that the wall's face crosses. */
 #define DEEPEST 1.5
@@ -55,7 +56,13 @@ struct skv_surface {
 
 skv_surface_def skv_default_surface_def(void)
 {
-    return (skv_surface_def){.level = 0.5, .cookie = SURFACE_COOKIE};
+    return (skv_surface_def){.level = 0.5, .cookie = SKV_COOKIE(SURFACE_COOKIE, skv_surface_def)};
+}
+
+void skv_surface_def_init(skv_surface_def *def, size_t size)
+{
+    const skv_surface_def standard = skv_default_surface_def();
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 skv_result skv_surface_create(skv_surface **surface, skv_error *error)
@@ -261,10 +268,10 @@ static void join_pieces(skv_surface *f)
 skv_result skv_surface_find(skv_surface *surface, const skv_survey *survey,
                             const skv_surface_def *def, skv_error *error)
 {
-    SKV_ASSERT_OR(surface && survey && (!def || def->cookie == SURFACE_COOKIE), SKV_ERROR_VALUE);
+    SKV_ASSERT_OR(surface && survey, SKV_ERROR_VALUE);
     skv_surface_def plain = skv_default_surface_def();
-    if (!def)
-        def = &plain;
+    def = def ? def : &plain;
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &plain, sizeof plain), SKV_ERROR_VALUE);
     surface->piece_count = surface->point_count = surface->line_count = 0;
     if (!(def->step >= 0) || !(def->level >= 0.05 && def->level <= 0.95))
         return skv_fail(error, SKV_ERROR_VALUE,

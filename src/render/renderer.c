@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
 #include "render/compose.h"
 #include "render/overlays.h"
@@ -132,7 +133,8 @@ skv_result skv_renderer_draw(skv_renderer *renderer, const skv_frame *frame,
                              const skv_mark *marks, int mark_count, skv_error *error)
 {
     SKV_ASSERT_OR(renderer && frame && camera && style, SKV_ERROR_VALUE);
-    SKV_ASSERT_INITIALISED(style, SKV_STYLE_COOKIE);
+    skv_render_style own = skv_default_render_style();
+    SKV_ASSERT_INITIALISED(style, skv_def_open(style, &own, sizeof own), SKV_ERROR_VALUE);
     SKV_ASSERT_OR(mark_count == 0 || (marks && mark_count > 0), SKV_ERROR_VALUE);
     SKV_ASSERT_OR(camera->scale > 0 && camera->width > 0 && camera->height > 0, SKV_ERROR_VALUE);
     skv_result result = check_style(style, error);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/exact.h"
 #include "render/look.h"
 #include "render/style.h"
@@ -54,7 +55,13 @@ static const struct {
 
 skv_render_style skv_default_render_style(void)
 {
-    return (skv_render_style){.cookie = SKV_STYLE_COOKIE};
+    return (skv_render_style){.cookie = SKV_COOKIE(SKV_STYLE_COOKIE, skv_render_style)};
+}
+
+void skv_render_style_init(skv_render_style *def, size_t size)
+{
+    const skv_render_style standard = skv_default_render_style();
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 static int choice_count(skv_style_part part)
@@ -122,7 +129,10 @@ skv_result skv_render_style_set(skv_render_style *style, skv_style_part part, co
 {
     SKV_ASSERT_OR(style && names, SKV_ERROR_VALUE);
     SKV_ASSERT_OR(part >= 0 && part <= SKV_STYLE_DETAIL, SKV_ERROR_VALUE);
-    SKV_ASSERT_INITIALISED(style, SKV_STYLE_COOKIE);
+    /* What a program can name it has a member for: the style itself is written. */
+    skv_render_style own = skv_default_render_style();
+    const skv_render_style *whole = style;
+    SKV_ASSERT_INITIALISED(whole, skv_def_open(style, &own, sizeof own), SKV_ERROR_VALUE);
     if (part == SKV_STYLE_OVERLAY) {
         unsigned wanted;
         skv_result result = parse_overlays(names, &wanted, error);
@@ -196,7 +206,8 @@ skv_legend skv_render_legend(const skv_frame *frame, const skv_render_style *sty
 {
     skv_legend legend = {.label = "", .unit = "", .high = 1, .step = 1};
     SKV_ASSERT_OR(frame && style, legend);
-    SKV_ASSERT_OR(style->cookie == SKV_STYLE_COOKIE, legend);
+    skv_render_style own = skv_default_render_style();
+    SKV_ASSERT_INITIALISED(style, skv_def_open(style, &own, sizeof own), legend);
     find_scale(frame, style, &legend);
     for (int i = 0; legend.shown && i < SKV_LEGEND_COLORS; i++) {
         float color[3];

@@ -2,6 +2,6 @@
 #ifndef SKV_RENDER_STYLE_H
 #define SKV_RENDER_STYLE_H
 
-#define SKV_STYLE_COOKIE 0x736b7673
+#define SKV_STYLE_COOKIE 0x5253
 
 #endif

@@ -34,6 +34,11 @@ const uint8_t *skv_scene_recipe(const skv_scene *scene, size_t *size);
  * free. False if it is none, or memory is out. */
 bool skv_recipe_read(const uint8_t *bytes, size_t size, skv_recipe *recipe, skv_setting **settings);
 
+/* read/load.c: the whole of options that a host hands in, which may know less of them: themselves,
+ * or `own`; the defaults for null. Null for some that were not initialised. */
+const skv_scene_options *skv_open_scene_options(const skv_scene_options *options,
+                                                skv_scene_options *own);
+
 /* read/load.c: makes the scene again; with other options, null for none, set over its own. */
 skv_result skv_recipe_load(const uint8_t *bytes, size_t size, const skv_scene_options *changed,
                            skv_scene **scene, skv_error *error);

@@ -7,6 +7,7 @@
 #include "session/player.h"
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
 #include "scene/recipe.h"
 #include "skvalp/query.h"
@@ -16,13 +17,20 @@
 /* Frames between key frames, and between checks of the log. */
 enum { KEY_EVERY = 15, CHECK_EVERY = 60 };
 
-enum { PLAYER_COOKIE = 0x504c4159 };
+enum { PLAYER_COOKIE = 0x504c };
 
 #define FRAME (1.0f / 60)
 
 skv_player_def skv_default_player_def(void)
 {
-    return (skv_player_def){.history = (size_t)64 << 20, .cookie = PLAYER_COOKIE};
+    return (skv_player_def){.history = (size_t)64 << 20,
+                            .cookie = SKV_COOKIE(PLAYER_COOKIE, skv_player_def)};
+}
+
+void skv_player_def_init(skv_player_def *def, size_t size)
+{
+    const skv_player_def standard = skv_default_player_def();
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 /* ---- Making ---------------------------------------------------------------------------------- */
@@ -73,7 +81,7 @@ skv_result skv_player_create(skv_scene *scene, const skv_player_def *def, skv_pl
     skv_player_def plain = skv_default_player_def();
     def = def ? def : &plain;
     SKV_ASSERT_OR(scene, SKV_ERROR_VALUE);
-    SKV_ASSERT_INITIALISED(def, PLAYER_COOKIE);
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &plain, sizeof plain), SKV_ERROR_VALUE);
     skv_world_def made = skv_scene_world_def(scene);
     made.pool = def->pool;
     made.threads = def->threads;

@@ -5,6 +5,7 @@
  * they ask of the world the world checks when they are played.
  */
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/envelope.h"
 #include "base/memory.h"
 #include "scene/recipe.h"
@@ -274,7 +275,7 @@ skv_result skv_player_load(const void *data, size_t size, const skv_player_def *
     SKV_ASSERT_OR(data, SKV_ERROR_VALUE);
     skv_player_def plain = skv_default_player_def();
     def = def ? def : &plain;
-    SKV_ASSERT_OR(def->cookie == plain.cookie, SKV_ERROR_VALUE);
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &plain, sizeof plain), SKV_ERROR_VALUE);
     skv_reader reader = {.bytes = data, .size = size};
     bool replay = skv_envelope_is(&kind, data, size);
     skv_result result =

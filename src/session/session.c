@@ -9,7 +9,9 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
+#include "scene/recipe.h"
 #include "session/face.h"
 
 #define DEFAULT_WORLD_WIDTH  1.6
@@ -19,11 +21,19 @@
 #define FASTEST_PUSH         10.0 /* m/s */
 #define WIDEST_BRUSH         100.0
 
-enum { STAGE_COOKIE = 0x53544147 };
+enum { STAGE_COOKIE = 0x5354 };
 
 skv_stage_def skv_default_stage_def(void)
 {
-    return (skv_stage_def){.own_thread = true, .history = (size_t)64 << 20, .cookie = STAGE_COOKIE};
+    return (skv_stage_def){.own_thread = true,
+                           .history = (size_t)64 << 20,
+                           .cookie = SKV_COOKIE(STAGE_COOKIE, skv_stage_def)};
+}
+
+void skv_stage_def_init(skv_stage_def *def, size_t size)
+{
+    const skv_stage_def standard = skv_default_stage_def();
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 /* ---- Lifetime -------------------------------------------------------------------------------- */
@@ -45,7 +55,7 @@ skv_result skv_session_create(const skv_stage_def *def, skv_session **out, skv_e
     *out = NULL;
     skv_stage_def plain = skv_default_stage_def();
     def = def ? def : &plain;
-    SKV_ASSERT_INITIALISED(def, STAGE_COOKIE);
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &plain, sizeof plain), SKV_ERROR_VALUE);
     skv_session *session = skv_calloc(1, sizeof *session);
     if (!session)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
@@ -180,9 +190,10 @@ void skv_session_open(skv_session *session, const char *name_or_path,
                       const skv_scene_options *options)
 {
     SKV_ASSERT(session && name_or_path);
+    skv_scene_options own;
+    SKV_ASSERT_INITIALISED(options, skv_open_scene_options(options, &own), );
     session->down_count = 0;
-    skv_request request = {.name = name_or_path,
-                           .options = options ? *options : skv_default_scene_options()};
+    skv_request request = {.name = name_or_path, .options = *options};
     post_request(session, SKV_MESSAGE_OPEN, SKV_OUTCOME_OPEN, &request);
 }
 
@@ -191,12 +202,11 @@ void skv_session_open_memory(skv_session *session, const void *data, size_t size
                              const skv_scene_options *options)
 {
     SKV_ASSERT(session && data && format && label);
+    skv_scene_options own;
+    SKV_ASSERT_INITIALISED(options, skv_open_scene_options(options, &own), );
     session->down_count = 0;
-    skv_request request = {.name = label,
-                           .text = format,
-                           .data = data,
-                           .size = size,
-                           .options = options ? *options : skv_default_scene_options()};
+    skv_request request = {
+        .name = label, .text = format, .data = data, .size = size, .options = *options};
     post_request(session, SKV_MESSAGE_OPEN, SKV_OUTCOME_OPEN, &request);
 }
 

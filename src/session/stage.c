@@ -9,7 +9,9 @@
 #include <math.h>
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
+#include "scene/recipe.h"
 
 /* ---- Lifetime -------------------------------------------------------------------------------- */
 
@@ -17,6 +19,9 @@ skv_result skv_stage_create(const skv_stage_def *def, skv_stage **out, skv_error
 {
     SKV_ASSERT_OR(out, SKV_ERROR_VALUE);
     *out = NULL;
+    skv_stage_def own = skv_default_stage_def();
+    def = def ? def : &own;
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &own, sizeof own), SKV_ERROR_VALUE);
     skv_stage *stage = skv_calloc(1, sizeof *stage);
     if (!stage)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a stage");
@@ -25,7 +30,7 @@ skv_result skv_stage_create(const skv_stage_def *def, skv_stage **out, skv_error
         skv_free(stage);
         return result;
     }
-    stage->def = def ? *def : skv_default_stage_def();
+    stage->def = *def;
     stage->count = 1;
     stage->shown[0] = skv_session_acquire(stage->worlds[0]);
     stage->speed = 1;
@@ -116,8 +121,9 @@ bool skv_stage_read_shared(skv_stage *stage, skv_write *write, void *user)
 void skv_stage_compare(skv_stage *stage, const skv_scene_options *options)
 {
     SKV_ASSERT(stage);
-    skv_request request = {.name = "a second world",
-                           .options = options ? *options : skv_default_scene_options()};
+    skv_scene_options own;
+    SKV_ASSERT_INITIALISED(options, skv_open_scene_options(options, &own), );
+    skv_request request = {.name = "a second world", .options = *options};
     skv_free(stage->wanted);
     stage->wanted = skv_request_copy(&request);
     if (stage->wanted && skv_session_offer(stage->worlds[0]))

@@ -4,6 +4,7 @@
 
 #include "base/assert.h"
 #include "base/bytes.h"
+#include "base/defs.h"
 #include "base/exact.h"
 #include "base/memory.h"
 #include "terrain/contour.h"
@@ -11,7 +12,7 @@
 
 #include <string.h>
 
-#define TERRAIN_COOKIE 0x7e44a1
+enum { TERRAIN_COOKIE = 0x5445 };
 
 /* Metres: the longest side of a world, in which float positions are fine enough, and the smallest
  * pixel, which keeps every product of distances a normal float. */
@@ -22,8 +23,16 @@
 
 skv_terrain_def skv_default_terrain_def(void)
 {
-    return (skv_terrain_def){
-        .width = 640, .height = 360, .pixel_size = 0.0025f, .cookie = TERRAIN_COOKIE};
+    return (skv_terrain_def){.width = 640,
+                             .height = 360,
+                             .pixel_size = 0.0025f,
+                             .cookie = SKV_COOKIE(TERRAIN_COOKIE, skv_terrain_def)};
+}
+
+void skv_terrain_def_init(skv_terrain_def *def, size_t size)
+{
+    const skv_terrain_def standard = skv_default_terrain_def();
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 static skv_result check_def(const skv_terrain_def *def, skv_error *error)
@@ -164,7 +173,8 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
 {
     SKV_ASSERT_OR(terrain, SKV_ERROR_VALUE);
     *terrain = NULL;
-    SKV_ASSERT_INITIALISED(def, TERRAIN_COOKIE);
+    skv_terrain_def own = skv_default_terrain_def();
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &own, sizeof own), SKV_ERROR_VALUE);
     skv_result result = check_def(def, error);
     if (result != SKV_OK)
         return result;

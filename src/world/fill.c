@@ -5,6 +5,7 @@
  * fill succeeds as a whole or changes nothing, whatever `inside` answers.
  */
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/exact.h"
 #include "base/memory.h"
 #include "world/add.h"
@@ -14,7 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FILL_COOKIE = 0x66696c31 };
+enum { FILL_COOKIE = 0x4649 };
 
 /* Particles of a fresh lattice are this far from walls, in spacings. */
 #define WALL_GAP 0.3f
@@ -26,7 +27,14 @@ enum { FILL_COOKIE = 0x66696c31 };
 
 skv_fill_def skv_default_fill_def(void)
 {
-    return (skv_fill_def){.x1 = 100, .y1 = 100, .limit = -1, .cookie = FILL_COOKIE};
+    return (skv_fill_def){
+        .x1 = 100, .y1 = 100, .limit = -1, .cookie = SKV_COOKIE(FILL_COOKIE, skv_fill_def)};
+}
+
+void skv_fill_def_init(skv_fill_def *def, size_t size)
+{
+    const skv_fill_def standard = skv_default_fill_def();
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 static bool is_sane(const skv_fill_def *def)
@@ -148,7 +156,9 @@ static void take_walk(walk *w)
 
 int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_fill_def *def)
 {
-    SKV_ASSERT_OR(terrain && def && def->cookie == FILL_COOKIE, 0);
+    skv_fill_def own = skv_default_fill_def();
+    SKV_ASSERT_OR(terrain, 0);
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &own, sizeof own), 0);
     if (!is_sane(def) || !skv_within((double)spacing, 1e-4, 100))
         return 0;
     skv_terrain *kept = skv_terrain_share(terrain); /* `inside` may give the world another */
@@ -176,7 +186,8 @@ skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed 
                           skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
-    SKV_ASSERT_INITIALISED(def, FILL_COOKIE);
+    skv_fill_def own = skv_default_fill_def();
+    SKV_ASSERT_INITIALISED(def, skv_def_open(def, &own, sizeof own), SKV_ERROR_VALUE);
     if (!is_sane(def))
         return skv_fail(error, SKV_ERROR_VALUE, "fill: the box is not finite or beyond 100 m");
     if (!skv_within((double)def->vx, -1000, 1000) || !skv_within((double)def->vy, -1000, 1000))

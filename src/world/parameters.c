@@ -6,12 +6,13 @@
 #include "world/parameters.h"
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/fields.h"
 #include "world/world_internal.h"
 
 #include <string.h>
 
-enum { FLUID_COOKIE = 0x666c7531, WORLD_COOKIE = 0x776f7231 };
+enum { FLUID_COOKIE = 0x464c, WORLD_COOKIE = 0x574f };
 
 #define NO_MEMBER SIZE_MAX
 
@@ -178,8 +179,8 @@ double skv_parameter_load(const skv_world_def *def, int parameter)
 
 skv_world_def skv_default_world_def(void)
 {
-    skv_world_def def = {.cookie = WORLD_COOKIE};
-    def.fluid.cookie = FLUID_COOKIE;
+    skv_world_def def = {.cookie = SKV_COOKIE(WORLD_COOKIE, skv_world_def)};
+    def.fluid.cookie = SKV_COOKIE(FLUID_COOKIE, skv_fluid_def);
     for (int i = 0; i < SKV_P_COUNT; i++) {
         if (places[i].offset != NO_MEMBER)
             store(&def, i, places[i].standard[0]);
@@ -195,11 +196,28 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
     return def.fluid;
 }
 
+void skv_world_def_init(skv_world_def *def, size_t size)
+{
+    const skv_world_def standard = skv_default_world_def();
+    skv_def_init(def, size, &standard, sizeof standard);
+}
+
+void skv_fluid_def_init(skv_fluid_def *def, size_t size, skv_law law)
+{
+    const skv_fluid_def standard = skv_default_fluid_def(law);
+    skv_def_init(def, size, &standard, sizeof standard);
+}
+
+const skv_world_def *skv_open_world_def(const skv_world_def *def, skv_world_def *own)
+{
+    *own = skv_default_world_def();
+    const uint32_t fluid = own->fluid.cookie;
+    def = skv_def_open(def, own, sizeof *own);
+    return def && def->fluid.cookie == fluid ? def : NULL;
+}
+
 skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
 {
-    const skv_fluid_def *fluid = &def->fluid;
-    SKV_ASSERT_INITIALISED(def, WORLD_COOKIE);
-    SKV_ASSERT_INITIALISED(fluid, FLUID_COOKIE);
     for (int i = 0; i < SKV_P_COUNT; i++) {
         const skv_field *field = &fields[i];
         if (places[i].offset == NO_MEMBER || field->type == SKV_FIELD_BOOLEAN)
@@ -231,11 +249,29 @@ static skv_result find(const char *path, int *found, skv_error *error)
     return skv_fail(error, SKV_ERROR_VALUE, "%.60s: unknown field%s", path, hint);
 }
 
+/* Stores a value that its field allows, unless the program that has the def knows no such member.
+ */
+static skv_result put(skv_world_def *def, int parameter, double number, skv_error *error)
+{
+    size_t size = skv_def_size(def), offset = places[parameter].offset;
+    if (offset != NO_MEMBER && offset >= size)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "%s: this program was compiled before there was such a field",
+                        fields[parameter].path);
+    skv_world_def own = skv_default_world_def();
+    memcpy(&own, def, size);
+    skv_parameter_store(&own, parameter, number);
+    memcpy(def, &own, size);
+    return SKV_OK;
+}
+
 skv_result skv_world_def_set(skv_world_def *def, const char *path, const char *text,
                              skv_error *error)
 {
     SKV_ASSERT_OR(def && path && text, SKV_ERROR_VALUE);
-    SKV_ASSERT_INITIALISED(def, WORLD_COOKIE);
+    skv_world_def own;
+    const skv_world_def *whole = def;
+    SKV_ASSERT_INITIALISED(whole, skv_open_world_def(def, &own), SKV_ERROR_VALUE);
     int parameter;
     double number;
     skv_result result = find(path, &parameter, error);
@@ -244,15 +280,15 @@ skv_result skv_world_def_set(skv_world_def *def, const char *path, const char *t
     const char *wrong = skv_field_read(&fields[parameter], text, &number);
     if (wrong)
         return skv_field_refuse(&fields[parameter], text, wrong, error);
-    skv_parameter_store(def, parameter, number);
-    return SKV_OK;
+    return put(def, parameter, number, error);
 }
 
 skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *text, size_t size,
                              skv_error *error)
 {
     SKV_ASSERT_OR(def && path && text && size > 0, SKV_ERROR_VALUE);
-    SKV_ASSERT_INITIALISED(def, WORLD_COOKIE);
+    skv_world_def own;
+    SKV_ASSERT_INITIALISED(def, skv_open_world_def(def, &own), SKV_ERROR_VALUE);
     int parameter;
     skv_result result = find(path, &parameter, error);
     if (result != SKV_OK)

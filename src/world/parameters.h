@@ -26,6 +26,10 @@ double skv_parameter_load(const skv_world_def *def, int parameter);
 /* What a running world is like, as its definition would have it, its terrain apart. */
 skv_world_def skv_world_describe(const skv_world *world);
 
+/* The whole of a definition that a host hands in, which may know less of it: itself, or `own`. Null
+ * if it, or its fluid, was not initialised. */
+const skv_world_def *skv_open_world_def(const skv_world_def *def, skv_world_def *own);
+
 /* Every parameter lies in its range; SKV_ERROR_VALUE names the first that does not. */
 skv_result skv_check_world_def(const skv_world_def *def, skv_error *error);
 

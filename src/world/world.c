@@ -1,6 +1,7 @@
 /* A world's lifetime and its plain setters and getters. Invariant: here alone it is known that
  * there are several solvers. */
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/exact.h"
 #include "base/memory.h"
 #include "skvalp/frame.h"
@@ -115,6 +116,8 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
 {
     SKV_ASSERT_OR(def && out, SKV_ERROR_VALUE);
     *out = NULL;
+    skv_world_def own;
+    SKV_ASSERT_INITIALISED(def, skv_open_world_def(def, &own), SKV_ERROR_VALUE);
     skv_result result = skv_check_world_def(def, error);
     if (result != SKV_OK)
         return result;

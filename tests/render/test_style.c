@@ -36,6 +36,21 @@ static void every_choice_can_be_set_by_name(void **state)
     }
 }
 
+/* A style as a program has it that knows of the view alone: the rest is the default's. */
+static void a_style_is_initialised(void **state)
+{
+    (void)state;
+    skv_render_style known;
+    memset(&known, 0xa5, sizeof known);
+    skv_render_style_init(&known, offsetof(skv_render_style, view) + sizeof known.view);
+    assert_int_equal(skv_render_style_set(&known, SKV_STYLE_VIEW, "density", NULL), SKV_OK);
+    const skv_frame frame = {.gravity_y = -9.81f, .density = 1000};
+    skv_render_style style = skv_default_render_style();
+    style.view = SKV_VIEW_DENSITY;
+    skv_legend legends[] = {skv_render_legend(&frame, &known), skv_render_legend(&frame, &style)};
+    assert_true(legends[0].shown && legends[0].high == legends[1].high);
+}
+
 static void overlays_are_a_set(void **state)
 {
     (void)state;
@@ -183,6 +198,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_choice_can_be_set_by_name),
+        cmocka_unit_test(a_style_is_initialised),
         cmocka_unit_test(overlays_are_a_set),
         cmocka_unit_test(unknown_names_are_refused_with_a_hint),
         cmocka_unit_test(scales_suit_the_frame),

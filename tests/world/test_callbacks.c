@@ -355,8 +355,8 @@ static void the_default_handler_says_what_is_wrong(void **unused)
         void (*mistake)(void);
         const char *file, *condition;
     } mistakes[] = {
-        {create_from_zeros, "parameters.c:", "def was initialised by its skv_default_... function"},
-        {fill_from_zeros, "fill.c:", "def was initialised by its skv_default_... function"},
+        {create_from_zeros, "world.c:", "def was initialised by its _init"},
+        {fill_from_zeros, "fill.c:", "def was initialised by its _init"},
         {step_nothing, "step.c:", "skv_may_step(world)"},
     };
     for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {

@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
 #include "scene/builtin.h"
 #include "scene/read/file.h"
@@ -14,11 +15,24 @@
 #include "scene/recipe.h"
 #include "scene/scene_data.h"
 
-#define OPTIONS_COOKIE 0x5ce0e
+enum { OPTIONS_COOKIE = 0x5343 };
 
 skv_scene_options skv_default_scene_options(void)
 {
-    return (skv_scene_options){.cookie = OPTIONS_COOKIE};
+    return (skv_scene_options){.cookie = SKV_COOKIE(OPTIONS_COOKIE, skv_scene_options)};
+}
+
+void skv_scene_options_init(skv_scene_options *def, size_t size)
+{
+    const skv_scene_options standard = skv_default_scene_options();
+    skv_def_init(def, size, &standard, sizeof standard);
+}
+
+const skv_scene_options *skv_open_scene_options(const skv_scene_options *options,
+                                                skv_scene_options *own)
+{
+    *own = skv_default_scene_options();
+    return options ? skv_def_open(options, own, sizeof *own) : own;
 }
 
 static bool ends_with(const char *text, const char *ending)
@@ -188,11 +202,8 @@ skv_result skv_scene_load_memory(const void *data, size_t size, const char *form
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
     *scene = NULL;
     SKV_ASSERT_OR(data != NULL && format != NULL && label != NULL, SKV_ERROR_VALUE);
-    if (options)
-        SKV_ASSERT_INITIALISED(options, OPTIONS_COOKIE);
-    skv_scene_options none = skv_default_scene_options();
-    if (options == NULL)
-        options = &none;
+    skv_scene_options own;
+    SKV_ASSERT_INITIALISED(options, skv_open_scene_options(options, &own), SKV_ERROR_VALUE);
     if (size > SKV_MAX_FILE)
         return skv_fail(error, SKV_ERROR_LIMIT, "%s: has %zu bytes; allowed are %d", label, size,
                         SKV_MAX_FILE);
@@ -239,11 +250,8 @@ skv_result skv_scene_load(const char *name_or_path, const skv_scene_options *opt
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
     *scene = NULL;
     SKV_ASSERT_OR(name_or_path != NULL, SKV_ERROR_VALUE);
-    if (options)
-        SKV_ASSERT_INITIALISED(options, OPTIONS_COOKIE);
-    skv_scene_options none = skv_default_scene_options();
-    if (options == NULL)
-        options = &none;
+    skv_scene_options own;
+    SKV_ASSERT_INITIALISED(options, skv_open_scene_options(options, &own), SKV_ERROR_VALUE);
     bool json = ends_with(name_or_path, ".json");
     if (!json && !ends_with(name_or_path, ".png"))
         return load_builtin(name_or_path, options, scene, error);
@@ -293,6 +301,9 @@ skv_result skv_recipe_load(const uint8_t *bytes, size_t size, const skv_scene_op
     skv_setting *settings = NULL, *all = NULL;
     skv_result result;
     *scene = NULL;
+    skv_scene_options own;
+    if (changed)
+        SKV_ASSERT_INITIALISED(changed, skv_open_scene_options(changed, &own), SKV_ERROR_VALUE);
     bool readable = skv_recipe_read(bytes, size, &recipe, &settings);
     if (readable && changed != NULL)
         all = change(&recipe, changed);
