@@ -155,7 +155,7 @@ static void tell_world(GString *json, PlayView *view)
 {
     const skv_picture *picture = play_view_picture(view);
     const skv_camera camera = play_view_camera(view);
-    char material[32] = "";
+    static const char *const paths[] = {"fluid.material", "gravity.y"};
     open(json, NULL, '{');
     text(json, "name", picture->name);
     text(json, "title", picture->title);
@@ -168,8 +168,13 @@ static void tell_world(GString *json, PlayView *view)
     number(json, "height", camera.world_height);
     number(json, "hands", picture->hand_count);
     pair(json, "gravity", picture->tilt_x, picture->tilt_y);
-    skv_world_def_get(&picture->parameters, "fluid.material", material, sizeof material, NULL);
-    text(json, "material", material);
+    open(json, "parameters", '{');
+    for (size_t i = 0; i < G_N_ELEMENTS(paths); i++) {
+        char value[32] = "";
+        skv_world_def_get(&picture->parameters, paths[i], value, sizeof value, NULL);
+        text(json, paths[i], value);
+    }
+    g_string_append_c(json, '}');
     open(json, "area", '{');
     rectangle(json, GTK_WIDGET(view));
     g_string_append_c(json, '}');

@@ -30,7 +30,7 @@ await 'water(0, 65, 100, 100) == 0'
 
 # 3. Pause stands still and costs nothing; one step is a change; reset is the start.
 key space
-await 'paused and not active and find("Play", "Button") and spent() < 0.03'
+await 'paused and not active and says("paused") and find("Play", "Button") and spent() < 0.03'
 await 'moment, windows[0].frames, worlds[0].picture'
 read -r frames drawn picture <<<"$answer"
 key s
@@ -57,7 +57,7 @@ await 'gravity.x == 0 and gravity.y == -1'
 
 # 5. At rest it costs nothing, though it plays.
 key r plus
-await 'speed == 2 and atRest and not paused and not active and spent() < 0.03'
+await 'speed == 2 and atRest and says("at rest") and not paused and not active and spent() < 0.03'
 
 # 6. The open dialog: a bad file is refused and the pool goes on, a painted picture is shown.
 open_by_dialog() {
@@ -94,5 +94,7 @@ start_app "$work/broken.json"
 await "'$work/broken.json' in message and worlds[0].name == 'dam-break' and moment > 2"
 key Escape
 await 'not message'
-quit_app
+key F10
+await 'menus() == 1'
+quit_app # in spite of it
 echo "app: a pool was lifted, paused, stepped, reset, tilted, at rest; broken files were refused"

@@ -12,7 +12,7 @@ start_app pool
 # 1. C lays a second world beside the first, with honey in it. Both show the same part.
 await 'moment > 3'
 key c
-await 'len(worlds) == 2 and worlds[1].material == "honey" and worlds[0].material == "water"'
+await 'len(worlds) == 2 and worlds[1].parameters["fluid.material"] == "honey" and worlds[0].parameters["fluid.material"] == "water"'
 await 'shows("World A") and shows("World B") and shows("Honey") and shows("As it is")'
 await 'worlds[1].particles == 3000 and worlds[1].time == worlds[0].time > 0'
 await 'worlds[1].area.x > worlds[0].area.x + worlds[0].area.width - 1'
@@ -75,6 +75,10 @@ point 30 30 1
 let_go
 await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.02 and abs(worlds[1].probes[0].x0 - 0.48) < 0.02'
 
+# One legend is enough for two worlds that have the same.
+key v v
+await 'style.view == "speed" and sum(widget.name == "Legend" for widget in widgets()) == 1'
+
 # 5. The second is closed: the first has all the room again, and its probe.
 key c
 await 'len(worlds) == 1 and len(worlds[0].probes) == 1 and not shows("World B")'
@@ -85,7 +89,15 @@ key p
 press 'Compare with' Menu
 await 'menus() == 1'
 press Oil
-await 'len(worlds) == 2 and worlds[1].material == "oil"'
+await 'len(worlds) == 2 and worlds[1].parameters["fluid.material"] == "oil"'
+# The panel is of the world that is chosen in it.
+press 'World B' Toggle
+await 'find("World B", "Toggle").active'
+press Moon Button
+await 'worlds[1].parameters["gravity.y"] == "-1.62" and worlds[0].parameters["gravity.y"] == "-9.81"'
+press 'World A' Toggle
+press Mars Button
+await 'worlds[0].parameters["gravity.y"] == "-3.71" and worlds[1].parameters["gravity.y"] == "-1.62"'
 quit_app
 grep -q '^compare=oil' "$work/.config/skvalp/play.ini" || fail "what was compared with was not kept"
 

@@ -61,6 +61,13 @@ key bracketleft
 await "brush < 0.95 * $old"
 key bracketright
 await "brush > 1.1 * $old"
+press 'Size of the tool'
+await 'menus() == 1'
+go 'still(middle("Size of the tool", "Scale", x=0.9))'
+xdotool click 1
+await 'brush > 0.15'
+key Escape
+await 'menus() == 0'
 key 1
 await 'tool == 0'
 
@@ -107,6 +114,12 @@ xdotool mousedown 1
 point 90 20
 let_go
 await "abs(worlds[0].probes[0].x1 - 1.44) < 0.01 and worlds[0].probes[0].x0 == $old"
+go 'grip()'
+xdotool mousedown 1
+point 20 40
+await 'abs(worlds[0].probes[0].x0 - 0.32) < 0.01 and abs(worlds[0].probes[0].y0 - 0.36) < 0.01'
+let_go
+await 'abs(worlds[0].probes[0].x1 - worlds[0].probes[0].x0 - 0.88) < 0.02 and abs(worlds[0].probes[0].y1 - 0.27) < 0.01'
 go 'grip()'
 xdotool mousedown 1
 go 'middle("Rewind")'

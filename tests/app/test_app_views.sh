@@ -40,25 +40,29 @@ xdotool mouseup 2
 await "worlds[0].camera.originX > $old + 10"
 key ctrl+minus
 await 'abs(worlds[0].camera.zoom - 1.25) < 1e-6'
-key ctrl+0
-await 'worlds[0].camera.zoom == 1'
-
 # 3. Gravity by its ball: as far out as twice the scene's own strength, and caught in the middle.
 go 'middle("Gravity", x=0.85)'
 xdotool click 1
 await 'gravity.x > 1.2 and abs(gravity.y) < 0.1'
+go 'middle("Gravity", y=0.1)'
+xdotool click 1
+await 'abs(gravity.x) < 0.1 and gravity.y > 1.2'
 press Gravity
 await 'gravity.x == 0 and gravity.y == 0'
 
 # 4. Properties, and full screen, which Escape leaves.
 press Properties
 await 'shows("Compare with") and find("Properties", "Toggle").active'
+is 'abs(worlds[0].camera.zoom - 1.25) < 1e-6' || fail "a view that is made smaller shows something else: $answer"
 key Escape
 await 'not shows("Compare with") and not find("Properties", "Toggle").active'
 key F11
 await 'windows[0].fullscreen and windows[0].width == 1280 and not shows("header") and shows("leave")'
 key Escape
 await 'not windows[0].fullscreen and shows("header") and not shows("leave")'
+
+key ctrl+0
+await 'worlds[0].camera.zoom == 1'
 
 # 5. The gallery shows scenes; one is opened; Escape leaves the gallery.
 key g
@@ -86,7 +90,9 @@ for name in Hand Play Rewind Views Gravity; do
     await "find('$name').width > 0 and find('$name').x + find('$name').width <= windows[0].width"
 done
 is 'find("rail").y > find("view").y' || fail "the tools do not lie below the picture: $answer"
-quit_app
+key ctrl+o
+await 'len(windows) == 2'
+quit_app # in spite of it
 grep -q '^width=3[67]' "$work/.config/skvalp/play.ini" || fail "the window's size was not kept"
 
 # 7. Where nothing can be remembered it goes on all the same.
