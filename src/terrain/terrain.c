@@ -188,7 +188,7 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
     skv_coverage coverage = skv_terrain_coverage(made);
     memset(coverage.bytes, 0, (size_t)coverage.columns * (size_t)coverage.rows);
     skv_coverage_fill(def, &coverage);
-    result = skv_distance_fill(&coverage, def->pixel_size, NULL, made->field, error);
+    result = skv_distance_fill(&coverage, def->pixel_size, NULL, made->field, NULL, error);
     if (result != SKV_OK) {
         skv_terrain_destroy(made);
         return result;

@@ -5,6 +5,7 @@
 #include "terrain/distance.h"
 #include "terrain/terrain.h"
 
+#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -72,7 +73,7 @@ static void transform_matches_brute_force(void **state)
         skv_coverage_fill(&def, &coverage);
         float *field = calloc(pixels, sizeof *field);
         skv_wall_segment *segments = calloc(2 * pixels, sizeof *segments);
-        assert_int_equal(skv_distance_fill(&coverage, 1, NULL, field, NULL), SKV_OK);
+        assert_int_equal(skv_distance_fill(&coverage, 1, NULL, field, NULL, NULL), SKV_OK);
         int count = 0;
         for (int y = 0; y + 1 < coverage.rows; y++) {
             for (int x = 0; x + 1 < coverage.columns; x++)
@@ -88,6 +89,119 @@ static void transform_matches_brute_force(void **state)
             assert_true(fabs(fabs((double)field[i]) - best) < 2e-5);
         }
         free(segments);
+        free(field);
+        free(coverage.bytes);
+    }
+}
+
+/* ---- Dense walls ----------------------------------------------------------------------------- */
+
+enum { DENSE_KINDS = 12, HOLES = 9 };
+
+/* Pictures with walls everywhere; the last ones have round holes in them. */
+static uint8_t paint_dense(int kind, int x, int y, dice *d)
+{
+    int hx = x % 94 - 47, hy = y % 94 - 47;
+    bool hole = hx * hx + hy * hy < 45 * 45;
+    switch (kind) {
+    case 0:
+    case 1:
+    case 2: /* stripes */
+        return x >> kind & 1 ? 255 : 0;
+    case 3:
+    case 4:
+    case 5: /* a checkerboard */
+        return ((x >> (kind - 3)) + (y >> (kind - 3))) & 1 ? 255 : 0;
+    case 6: /* a comb */
+        return y < 40 ? 0 : y == 90 || x % 3 == 0 ? 255 : 0;
+    case 7: /* black and white noise */
+        return roll(d) < 0.5 ? 255 : 0;
+    case 8: /* grey noise */
+        return (uint8_t)(roll(d) * 255.5);
+    case 9:
+        return !hole && (x + y) % 2 ? 255 : 0;
+    case 10:
+        return !hole && x % 4 < 2 ? 255 : 0;
+    default:
+        return !hole && roll(d) < 0.5 ? 255 : 0;
+    }
+}
+
+/* Makes the coverage of such a picture, with open sides; its bytes are to be freed. */
+static skv_coverage make_dense(int kind, int side)
+{
+    uint8_t *picture = calloc((size_t)side, (size_t)side);
+    dice d = {(uint64_t)kind};
+    for (int i = 0; i < side * side; i++)
+        picture[i] = paint_dense(kind, i % side, i / side, &d);
+    skv_terrain_def def = skv_default_terrain_def();
+    def.width = def.height = side;
+    def.coverage = picture;
+    def.open_sides = (unsigned)kind;
+    int all = side + 2 * SKV_TERRAIN_RIM;
+    skv_coverage coverage = {all, all, calloc((size_t)all, (size_t)all)};
+    skv_coverage_fill(&def, &coverage);
+    free(picture);
+    return coverage;
+}
+
+/* The squared distance by the same arithmetic. */
+static float square_to(const skv_wall_segment *s, float x, float y)
+{
+    float px = x - s->x0, py = y - s->y0, ux = s->x1 - s->x0, uy = s->y1 - s->y0;
+    float along = px * ux + py * uy, square = ux * ux + uy * uy;
+    float t = fmaxf(fminf(along / fmaxf(square, FLT_MIN), 1), 0);
+    float dx = px - t * ux, dy = py - t * uy;
+    return dx * dx + dy * dy;
+}
+
+/* However dense walls are, each distance is the least of the numbers that all segments give, bit
+ * for bit, on whichever way it was found. */
+static void dense_walls_give_the_same_bits(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < DENSE_KINDS; kind++) {
+        skv_coverage coverage = make_dense(kind, 96);
+        size_t pixels = (size_t)coverage.columns * (size_t)coverage.rows;
+        float *field = calloc(pixels, sizeof *field);
+        skv_wall_segment *segments = calloc(2 * pixels, sizeof *segments);
+        assert_int_equal(skv_distance_fill(&coverage, 1, NULL, field, NULL, NULL), SKV_OK);
+        int count = 0;
+        for (int y = 0; y + 1 < coverage.rows; y++) {
+            for (int x = 0; x + 1 < coverage.columns; x++)
+                count += skv_cell_segments(&coverage, x, y, segments + count);
+        }
+        for (size_t i = 0; i < pixels; i++) {
+            float least = SKV_TERRAIN_REACH * SKV_TERRAIN_REACH;
+            float x = (float)(i % (size_t)coverage.columns);
+            float y = (float)(i / (size_t)coverage.columns);
+            for (int k = 0; k < count; k++) {
+                float square = square_to(&segments[k], x, y);
+                least = square < least ? square : least;
+            }
+            float wanted = skv_is_solid(coverage.bytes[i]) ? -sqrtf(least) : sqrtf(least);
+            if (field[i] != wanted)
+                fail_msg("kind %d, pixel %zu: %.9g instead of %.9g", kind, i, (double)field[i],
+                         (double)wanted);
+        }
+        free(segments);
+        free(field);
+        free(coverage.bytes);
+    }
+}
+
+/* And each takes about as many steps. */
+static void dense_walls_take_no_more_steps(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < DENSE_KINDS; kind++) {
+        skv_coverage coverage = make_dense(kind, 380);
+        size_t pixels = (size_t)coverage.columns * (size_t)coverage.rows;
+        float *field = calloc(pixels, sizeof *field);
+        uint64_t steps = 0;
+        assert_int_equal(skv_distance_fill(&coverage, 1, NULL, field, &steps, NULL), SKV_OK);
+        if (steps > pixels * (kind >= HOLES ? 110 : 40) || steps < pixels)
+            fail_msg("kind %d: %.1f steps a pixel", kind, (double)steps / (double)pixels);
         free(field);
         free(coverage.bytes);
     }
@@ -133,6 +247,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(transform_matches_brute_force),
+        cmocka_unit_test(dense_walls_give_the_same_bits),
+        cmocka_unit_test(dense_walls_take_no_more_steps),
         cmocka_unit_test(saddles_join_solid),
         cmocka_unit_test(crossing_depends_on_grey),
     };
