@@ -58,7 +58,7 @@ run_tests() {
     local preset=$1 log=$logs/test-$1.log summary bad total
     shift
     watched "test-$preset" ctest --test-dir "build/$preset" -j $(($(nproc) + 1)) --output-on-failure \
-        --no-tests=error --label-regex "$(one_of "$@")" || true
+        --no-tests=error --label-regex "$(one_of "$@")" "${left_out[@]}" || true
     summary=$(grep -E '^[0-9]+% tests passed, ' "$log" || true)
     if [[ ! $summary =~ \ ([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+) ]]; then
         fail "running the tests of build/$preset failed: $(reason "test-$preset") ($log)"
@@ -74,12 +74,15 @@ run_tests() {
     fi
 }
 
-# skip_tests PRESET LABEL: counts the tests of a label as skipped.
-skip_tests() {
-    local number
-    number=$(ctest --test-dir "build/$1" --show-only --label-regex "$(one_of "$2")" |
-        sed -n 's/^Total Tests: //p')
+# skip_page PRESET LABEL...: counts the page's tests of these labels as skipped, and leaves them out.
+left_out=()
+skip_page() {
+    local preset=$1 number
+    shift
+    number=$(ctest --test-dir "build/$preset" --show-only --label-regex "$(one_of "$@")" \
+        --tests-regex '^web/' | sed -n 's/^Total Tests: //p')
     skipped=$((skipped + number))
+    left_out=(--exclude-regex '^web/')
 }
 
 # prepare PRESET CMAKE-OPTION... [-- TARGET...]: configures and builds; counts a failure and returns 1
@@ -169,16 +172,17 @@ if asked web && ! install_npm; then
     ((whole)) || die "without npm packages the page cannot be tested"
 fi
 if ((${#released[@]})) && prepare release "-DSKVALP_APP=$app" -- "${targets[@]}"; then
+    ((!whole)) || [[ ${SKV_LONG_TESTS:-0} != 1 ]] || released+=(long)
     if ((!page)); then
         say "The tests of the page are skipped: its npm packages cannot be had."
-        skip_tests release web
-        mapfile -t released < <(printf '%s\n' "${released[@]}" | grep -vx web)
+        skip_page release "${released[@]}"
     fi
-    ((!whole)) || [[ ${SKV_LONG_TESTS:-0} != 1 ]] || released+=(long)
     run_tests release "${released[@]}"
 fi
+sanitized=(sanitized)
+((!whole)) || [[ ${SKV_LONG_TESTS:-0} != 1 ]] || sanitized+=(sanitized_long)
 # The long forms are long enough without the sanitizers.
 unset SKV_LONG_TESTS
-if asked sanitized && prepare asan -- sanitized_tests; then
-    run_tests asan sanitized
+if asked sanitized && prepare asan -- "${sanitized[@]/%/_tests}"; then
+    run_tests asan "${sanitized[@]}"
 fi

@@ -73,10 +73,11 @@ verdict() {
     printf 'web: %d runs gave what they give natively\n' "$compared"
 }
 
-# make_page FOLDER: what `npm run build` makes, of the modules of make_modules. Ends the test if that fails.
+# make_page FOLDER MODE...: what `npm run build` makes, of the modules of make_modules: the page
+# (production), and all of it in one file (single). Ends the test if that fails.
 make_page() {
     local mode
-    for mode in production single; do
+    for mode in "${@:2}"; do
         if ! (cd web && SKV_MODULES=$modules "${newer[@]}" node node_modules/vite/bin/vite.js build --mode "$mode" \
             --outDir "$1" --logLevel warn) >"$build/page.log" 2>&1; then
             grep -iE 'error' "$build/page.log" | head -n 5 >&2

@@ -11,11 +11,13 @@ make_modules
 
 lengths=(6)
 names='dam-break|pipes'
+team=(1 3)
 if [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
     lengths=(6 60)
     names='.*'
+    team=(1 2 3)
 fi
-for threads in 1 2 3; do
+for threads in "${team[@]}"; do
     for frames in "${lengths[@]}"; do
         same "worlds, $threads threads" <(awk -v frames="$frames" '$2 == frames' tests/bits/golden.txt) \
             in_wasm "$threads" bits "$frames"

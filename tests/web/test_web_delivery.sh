@@ -12,7 +12,7 @@ make_modules
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-make_page "$work/page"
+make_page "$work/page" production single
 if grep -rlE "node_modules|$PWD/(app|build|include|scenes|src|web)/|sourceMappingURL" "$work/page"; then
     complain "the built page tells where it was built"
 fi

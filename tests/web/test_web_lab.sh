@@ -11,10 +11,14 @@ make_modules
 work=$(mktemp)
 trap 'rm -f "$work"' EXIT
 sizes=(400)
-[[ ${SKV_LONG_TESTS:-0} != 1 ]] || sizes=(400 1000)
+team=(2)
+if [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
+    sizes=(400 1000)
+    team=(1 2 3)
+fi
 for particles in "${sizes[@]}"; do
     "$build/web_reference" lab "$particles" >"$work"
-    for threads in 1 2 3; do
+    for threads in "${team[@]}"; do
         same "$particles particles, $threads threads" "$work" in_wasm "$threads" lab "$particles"
     done
 done

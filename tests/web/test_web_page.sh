@@ -13,7 +13,7 @@ make_modules
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-make_page "$work/page"
+make_page "$work/page" production
 in_chromium page.js "$work/page"
 in_chromium device.js "$work/page"
 [[ ${SKV_LONG_TESTS:-0}${SKV_TRIAL:-} == 0 ]] ||
