@@ -58,8 +58,8 @@ while read -r name; do
     page=$docs/lab/$name.md
     cards=$((cards + 1))
     if ! diff <(skvalp lab "$name" --cards | sed '1s/^## /# /' | grep .) \
-        <(sed '/^<!-- card: end -->$/q' "$page" | grep -v '^<!-- card: ' | grep .) >diff; then
-        printf '%s does not show the card of skvalp lab %s --cards:\n%s\n' "$page" "$name" "$(<diff)"
+        <(sed '/^<!-- card: end -->$/q' "$page" | grep -v '^<!-- card: ' | grep .) >differences; then
+        printf '%s does not show the card of skvalp lab %s --cards:\n%s\n' "$page" "$name" "$(<differences)"
         bad=$((bad + 1))
     fi
 done < <(skvalp lab --cards | sed -nE 's/^`skvalp lab ([a-z-]+)`$/\1/p')

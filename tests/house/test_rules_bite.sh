@@ -14,7 +14,7 @@ fresh_copy() {
     rm -rf "$work/copy"
     mkdir "$work/copy"
     tar -C "$source" --exclude=node_modules -c app bench cli cmake docs examples include po scenes \
-        packaging src tests web scripts run.sh test.sh README.md CHANGELOG.md LICENSE CMakeLists.txt | tar -C "$work/copy" -x
+        packaging src tests web scripts run.sh test.sh README.md CONTRIBUTING.md CHANGELOG.md LICENSE CMakeLists.txt | tar -C "$work/copy" -x
 }
 
 # bites RULE WHAT EXPECTED [BUILD]: the rule must fail on the copy and say EXPECTED; then the copy is new.
