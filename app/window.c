@@ -212,8 +212,10 @@ static void on_failed(PlayWindow *window, const char *text)
 
 static bool open_linked(const char *bytes, size_t size, void *window)
 {
+    skv_scene_options options = skv_default_scene_options();
+    options.cautious = true;
     skv_stage_open_memory(play_view_stage(PLAY_WINDOW(window)->view), bytes, size, "skvr",
-                          _("link"), NULL);
+                          _("link"), &options);
     return true;
 }
 

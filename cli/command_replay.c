@@ -64,7 +64,7 @@ int replay_command(const cli_options *options, skv_error *error)
 {
     skv_player *player = NULL;
     const char *name = name_of_input(options->scene);
-    skv_result result = replay_file_read(options->scene, options->threads, &player, error);
+    skv_result result = replay_file_read(options, &player, error);
     if (!result)
         result = play(player, name, options->quiet, error);
     if (!result)
@@ -89,7 +89,7 @@ static skv_result open_shared(const cli_options *options, skv_player **player, s
                             "%.200s: a replay is what it is; leave out --particles, --law and "
                             "--set",
                             name);
-        result = replay_file_read(options->scene, options->threads, player, error);
+        result = replay_file_read(options, player, error);
         return result ? result : play(*player, name, options->quiet, error);
     }
     skv_scene *scene = NULL;

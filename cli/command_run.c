@@ -139,10 +139,9 @@ static skv_result load_state(cli_run *run, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "%.200s: a state goes on as it is; leave out --particles, --law and --set",
                         name_of_input(options->scene));
-    skv_result result =
-        is_state_file(options->scene)
-            ? state_file_read(options->scene, options->threads, &run->stepping.world, error)
-            : replay_file_read(options->scene, options->threads, &run->stepping.player, error);
+    skv_result result = is_state_file(options->scene)
+                            ? state_file_read(options, &run->stepping.world, error)
+                            : replay_file_read(options, &run->stepping.player, error);
     return result;
 }
 

@@ -102,6 +102,8 @@ static const option_rule rules[] = {
      "a web page that hosts Skvalp, to which the link leads; default: the app, by skvalp:"},
     {"json", NULL, COMMAND_RUN | COMMAND_SCENES | COMMAND_BENCH | COMMAND_LAB | COMMAND_REPLAY,
      KIND_FLAG, AT(json), 0, 0, "", "print the result as JSON"},
+    {"anyway", NULL, COMMAND_RUN | COMMAND_REPLAY | COMMAND_SHARE, KIND_FLAG, AT(anyway), 0, 0, "",
+     "open a state, replay or link even if it asks for hours or very many particles"},
     {"quiet", NULL, ALL_COMMANDS, KIND_FLAG, AT(quiet), 0, 0, "",
      "print errors and what was asked for, nothing else"},
     {"help", NULL, ALL_COMMANDS, KIND_FLAG, AT(help), 0, 0, "", "show this help"},

@@ -38,6 +38,7 @@ typedef struct cli_options {
     double at;                             /* s, of the snapshot; negative: the end */
     const char *plot;                      /* of `bench` a file, of `lab` a folder; null: none */
     bool json, tracers, quiet, help;
+    bool anyway;            /* of replays and states: whatever they ask for */
     skv_render_style style; /* of pictures */
     const char *styled;     /* an option that was given for it; null: none */
     bool quick, markdown;   /* of `bench` */

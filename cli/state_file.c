@@ -72,68 +72,65 @@ static skv_result read_bytes(const char *name, uint8_t **bytes, size_t *size, sk
     return result;
 }
 
-skv_result state_file_read(const char *name, int threads, skv_world **world, skv_error *error)
-{
-    uint8_t *bytes = NULL;
-    size_t size = 0;
-    skv_error cause;
-    skv_result result = read_bytes(name, &bytes, &size, error);
-    if (!result) {
-        result = skv_world_load(bytes, size, threads, world, &cause);
-        if (result)
-            skv_fail(error, result, "%.200s: %s", name, cause.text);
-    }
-    free(bytes);
-    return result;
-}
-
-/* What a link holds, until the player is made. */
+/* What is to be made of a file's bytes or a link's: a world, or else a player. */
 typedef struct loading {
-    const skv_player_def *def;
+    const cli_options *options;
+    skv_world **world;
     skv_player **player;
     skv_result result;
     skv_error cause;
 } loading;
 
-static bool load_linked(const char *bytes, size_t size, void *user)
+/* Fails for what a stranger may have made to keep one waiting. What is damaged the loader names. */
+static skv_result check_demands(const void *bytes, size_t size, skv_error *error)
+{
+    skv_demands demands;
+    skv_error much;
+    if (skv_player_ask(bytes, size, &demands, NULL) || !skv_demands_check(&demands, &much))
+        return SKV_OK;
+    return skv_fail(error, much.code, "%s; add --anyway if that is wanted", much.text);
+}
+
+static bool load_bytes(const char *bytes, size_t size, void *user)
 {
     loading *load = user;
-    load->result = skv_player_load(bytes, size, load->def, load->player, &load->cause);
+    skv_player_def def = skv_default_player_def();
+    def.threads = load->options->threads;
+    load->result = load->options->anyway ? SKV_OK : check_demands(bytes, size, &load->cause);
+    if (!load->result && load->world)
+        load->result = skv_world_load(bytes, size, def.threads, load->world, &load->cause);
+    else if (!load->result)
+        load->result = skv_player_load(bytes, size, &def, load->player, &load->cause);
     return true;
 }
 
-static skv_result read_link(const char *link, const skv_player_def *def, skv_player **player,
-                            skv_error *error)
-{
-    loading load = {.def = def, .player = player};
-    skv_result result = skv_link_read(link, load_linked, &load, error);
-    if (result)
-        return result;
-    return load.result ? skv_fail(error, load.result, "link: %s", load.cause.text) : SKV_OK;
-}
-
-static skv_result read_replay(const char *name, const skv_player_def *def, skv_player **player,
-                              skv_error *error)
+static skv_result load_file(loading *load, skv_error *error)
 {
     uint8_t *bytes = NULL;
     size_t size = 0;
-    skv_error cause;
+    const char *name = load->options->scene;
     skv_result result = read_bytes(name, &bytes, &size, error);
-    if (!result) {
-        result = skv_player_load(bytes, size, def, player, &cause);
-        if (result)
-            skv_fail(error, result, "%.200s: %s", name, cause.text);
-    }
+    if (!result && load_bytes((const char *)bytes, size, load) && load->result)
+        result = skv_fail(error, load->result, "%.200s: %s", name, load->cause.text);
     free(bytes);
     return result;
 }
 
-skv_result replay_file_read(const char *name, int threads, skv_player **player, skv_error *error)
+skv_result state_file_read(const cli_options *options, skv_world **world, skv_error *error)
 {
-    skv_player_def def = skv_default_player_def();
-    def.threads = threads;
-    return skv_link_is(name) ? read_link(name, &def, player, error)
-                             : read_replay(name, &def, player, error);
+    loading load = {.options = options, .world = world};
+    return load_file(&load, error);
+}
+
+skv_result replay_file_read(const cli_options *options, skv_player **player, skv_error *error)
+{
+    loading load = {.options = options, .player = player};
+    if (!skv_link_is(options->scene))
+        return load_file(&load, error);
+    skv_result result = skv_link_read(options->scene, load_bytes, &load, error);
+    if (!result && load.result)
+        result = skv_fail(error, load.result, "link: %s", load.cause.text);
+    return result;
 }
 
 skv_result state_file_write(output_file *file, const skv_world *world, skv_error *error)

@@ -113,6 +113,30 @@ SKV_API skv_result skv_player_load(const void *data, size_t size, const skv_play
                                    skv_player **player, skv_error *error);
 SKV_API void skv_player_destroy(skv_player *player);
 
+/** What a replay or a state asks of whoever opens it. */
+typedef struct skv_demands {
+    int64_t frames;  /**< that it plays */
+    int particles;   /**< with which it begins */
+    int at_once;     /**< commands that it gives before one frame, at most */
+    double crowding; /**< of a state: the particles in the fullest square whose side is a smoothing
+                          radius, against those of fluid at rest */
+} skv_demands;
+
+/** More than these nobody's play needs, and it takes long or much memory: a face asks before it
+ * opens what a stranger may have sent. Half an hour; what is there in a second; a wall painted
+ * while time stands still; three times what any fluid was seen pressed to. */
+#define SKV_MODEST_FRAMES    108000
+#define SKV_MODEST_PARTICLES 100000
+#define SKV_MODEST_AT_ONCE   5000
+#define SKV_MODEST_CROWDING  10
+
+/** Finds out what bytes ask for that skv_player_load would take, without making a world. Fails as
+ * that does. Any bytes may be given; of a log at most 16 MiB are read. */
+SKV_API skv_result skv_player_ask(const void *data, size_t size, skv_demands *demands,
+                                  skv_error *error);
+/** SKV_ERROR_LIMIT, and a message that says what it asks for, if demands are not modest. */
+SKV_API skv_result skv_demands_check(const skv_demands *demands, skv_error *error);
+
 /** Its world, for reading. */
 SKV_API const skv_world *skv_player_world(const skv_player *player);
 /** Its scene; null for a player that began with a snapshot, and with a replay of one. */
@@ -128,7 +152,8 @@ SKV_API skv_result skv_player_edit(skv_player *player, const skv_command *comman
                                    skv_error *error);
 
 /** One frame on, along the log as far as it goes; while a moment is sought, a bounded piece of work
- * towards it. Fails as skv_world_step does, and may be called again. */
+ * towards it. Of a frame before which the log has more than 256 commands so many are given, and it
+ * comes with a later call. Fails as skv_world_step does, and may be called again. */
 SKV_API skv_result skv_player_step(skv_player *player, skv_error *error);
 
 /** Frames since the start, at present and at the log's end. */

@@ -91,10 +91,17 @@ typedef struct skv_event {
     int source;               /**< number of the emitter or drain; -1: none */
 } skv_event;
 
+/** The most events that are kept of a step: each particle may come and go, and 48 MB. */
+#define SKV_MAX_EVENTS (2 * SKV_MAX_PARTICLES)
+
 /** The events of the last step, in the order in which they happened: from the end of the step
  * before it to its own end, so that whoever reads them after each step misses none. Writes their
- * number. They belong to the world and are valid until the next call that steps or changes it. */
+ * number, SKV_MAX_EVENTS at most. They belong to the world and are valid until the next call that
+ * steps or changes it. */
 SKV_API const skv_event *skv_world_events(const skv_world *world, int *count);
+
+/** How many events came after those: what is filled and removed for long while nothing steps. */
+SKV_API int64_t skv_world_dropped_events(const skv_world *world);
 
 #ifdef __cplusplus
 }

@@ -30,6 +30,9 @@ typedef struct skv_scene_options {
     int particles;               /**< wanted number of particles; 0: what the scene says */
     const skv_setting *settings; /**< applied after the file, in order */
     int setting_count;
+    bool cautious; /**< of a replay or a state in memory that a stranger may have sent: it is opened
+                      only when it is asked for twice, if its demands are not modest
+                      (skvalp/player.h) */
 } skv_scene_options;
 
 /** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/bytes.h"
 #include "base/memory.h"
 #include "scene/read/file.h"
 #include "session/save.h"
@@ -122,20 +123,38 @@ static skv_result open_scene(const skv_request *request, const skv_player_def *d
     return result;
 }
 
-static skv_result open_bytes(const skv_request *request, const skv_player_def *def,
-                             skv_player **player, skv_error *error)
+/* Fails for what asks for much, unless it was the last to do so. What is damaged the player names.
+ */
+static skv_result be_cautious(skv_worker *worker, const void *bytes, size_t size, skv_error *error)
 {
-    uint8_t *bytes = NULL;
+    skv_demands demands;
+    skv_error much;
+    uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, bytes, size);
+    if (hash == worker->wary || skv_player_ask(bytes, size, &demands, NULL) != SKV_OK ||
+        skv_demands_check(&demands, &much) == SKV_OK)
+        return SKV_OK;
+    worker->wary = hash;
+    return skv_fail(error, much.code, "%s; open it once more if that is wanted", much.text);
+}
+
+static skv_result open_bytes(skv_worker *worker, const skv_request *request,
+                             const skv_player_def *def, skv_player **player, skv_error *error)
+{
+    uint8_t *read = NULL;
     size_t size = request->size;
     skv_error cause;
     skv_result result =
-        request->data ? SKV_OK : skv_file_read(request->name, LARGEST_FILE, &bytes, &size, error);
-    if (result == SKV_OK) {
-        result = skv_player_load(request->data ? request->data : bytes, size, def, player, &cause);
-        if (result != SKV_OK)
-            skv_fail(error, result, "%s: %s", request->name, cause.text);
-    }
-    skv_free(bytes);
+        request->data ? SKV_OK : skv_file_read(request->name, LARGEST_FILE, &read, &size, error);
+    if (result != SKV_OK)
+        return result;
+    const void *bytes = request->data ? request->data : read;
+    if (!request->data || request->options.cautious)
+        result = be_cautious(worker, bytes, size, &cause);
+    if (result == SKV_OK)
+        result = skv_player_load(bytes, size, def, player, &cause);
+    if (result != SKV_OK)
+        skv_fail(error, result, "%s: %s", request->name, cause.text);
+    skv_free(read);
     return result;
 }
 
@@ -184,7 +203,7 @@ void skv_worker_open(skv_worker *worker, const skv_request *request)
     def.changed = changed ? &request->options : NULL;
     const char *format = request->data ? request->text : ending(request->name);
     bool bytes = is_format(format, "skv") || is_format(format, "skvr");
-    skv_result result = bytes ? open_bytes(request, &def, &player, &error)
+    skv_result result = bytes ? open_bytes(worker, request, &def, &player, &error)
                               : open_scene(request, &def, &player, &error);
     if (result == SKV_OK) {
         uint32_t number = worker->opened ? worker->opened->number + 1 : 1;

@@ -7,8 +7,9 @@
 #include "base/memory.h"
 
 #define EARTH_GRAVITY 9.81
-/* A log beyond this is no game of a person: half an hour of sixteen hands in motion. */
-#define LARGEST_LOG ((size_t)64 << 20)
+/* A log beyond this is no game of a person: half an hour of four hands in motion. Three times as
+ * much is held while it grows. */
+#define LARGEST_LOG ((size_t)16 << 20)
 
 /* A record begins with a byte: kind, and frames since the one before if these are few. */
 enum { KIND_BITS = 5, KIND_MASK = (1 << KIND_BITS) - 1, MANY_FRAMES = 7 };

@@ -17,6 +17,10 @@
 /* Frames between key frames, and between checks of the log. */
 enum { KEY_EVERY = 15, CHECK_EVERY = 60 };
 
+/* Commands that are given at once. A frame of somebody's play has a dozen; one of a hostile file
+ * may have as many as fit into it, and is not to keep whoever steps. */
+enum { AT_ONCE = 256 };
+
 enum { PLAYER_COOKIE = 0x504c };
 
 #define FRAME (1.0f / 60)
@@ -155,11 +159,18 @@ int64_t skv_player_mismatch(const skv_player *player)
 
 /* ---- Going on -------------------------------------------------------------------------------- */
 
-/* Gives the log's commands of this frame, those before `until`. */
+/* Whether the log has commands of this frame before `until`. */
+static bool has_more(const skv_player *player, size_t until)
+{
+    return player->now.at < until &&
+           skv_log_frame(&player->log, player->now.at) == player->now.frame;
+}
+
+/* Gives the log's commands of this frame, those before `until`, or AT_ONCE of them. */
 static skv_result follow(skv_player *player, size_t until, skv_error *error)
 {
     skv_position *now = &player->now;
-    while (now->at < until && skv_log_frame(&player->log, now->at) == now->frame) {
+    for (int given = 0; given < AT_ONCE && has_more(player, until); given++) {
         skv_command command;
         size_t next = skv_log_read(&player->log, now->at, &command);
         bool check = command.kind == SKV_COMMAND_CHECK;
@@ -177,6 +188,8 @@ static skv_result follow(skv_player *player, size_t until, skv_error *error)
 static skv_result step_frame(skv_player *player, skv_error *error)
 {
     skv_result result = follow(player, player->log.size, error);
+    if (result == SKV_OK && has_more(player, player->log.size))
+        return SKV_OK;
     if (result == SKV_OK)
         result = skv_world_step(player->world, FRAME, error);
     if (result == SKV_OK)

@@ -13,6 +13,7 @@
 #include "session/player.h"
 #include "skvalp/query.h"
 #include "skvalp/snapshot.h"
+#include "world/crowding.h"
 
 #include <string.h>
 
@@ -244,27 +245,48 @@ static skv_result take_log(skv_player *player, const uint8_t *log, size_t size, 
     return skv_player_find_marks(player, 0, error);
 }
 
-static skv_result read_replay(skv_reader *r, const skv_player_def *def, skv_player **player,
-                              skv_error *error)
+/* What a file consists of, where it lies in it. */
+typedef struct contents {
+    int64_t end;
+    const uint8_t *recipe, *start, *log;
+    size_t recipe_size, start_size, log_size;
+} contents;
+
+static skv_result find_contents(skv_reader *r, contents *c, skv_error *error)
 {
     char version[256];
     unsigned flags;
-    size_t recipe_size = 0, start_size = 0, log_size = 0;
+    *c = (contents){0};
     skv_result result = skv_envelope_open(r, &kind, &flags, error);
     if (result != SKV_OK)
         return result;
     skv_get_text(r, version);
-    int64_t end = (int64_t)skv_get(r, 4);
-    const uint8_t *recipe = get_part(r, &recipe_size);
-    const uint8_t *start = recipe ? get_part(r, &start_size) : NULL;
-    const uint8_t *log = start ? get_part(r, &log_size) : NULL;
-    if (!log || r->at != r->size)
-        return skv_fail(error, SKV_ERROR_FORMAT, "replay: it is damaged; take another copy");
+    c->end = (int64_t)skv_get(r, 4);
+    c->recipe = get_part(r, &c->recipe_size);
+    c->start = c->recipe ? get_part(r, &c->start_size) : NULL;
+    c->log = c->start ? get_part(r, &c->log_size) : NULL;
+    return c->log && r->at == r->size
+               ? SKV_OK
+               : skv_fail(error, SKV_ERROR_FORMAT, "replay: it is damaged; take another copy");
+}
+
+static skv_result fail_start(skv_result result, const skv_error *cause, skv_error *error)
+{
+    return skv_fail(error, result, "replay: its start: %s", cause->text);
+}
+
+static skv_result read_replay(skv_reader *r, const skv_player_def *def, skv_player **player,
+                              skv_error *error)
+{
+    contents c;
     skv_error cause;
-    result = begin_replay(recipe, recipe_size, start, start_size, def, player, &cause);
+    skv_result result = find_contents(r, &c, error);
     if (result != SKV_OK)
-        return skv_fail(error, result, "replay: its start: %s", cause.text);
-    return take_log(*player, log, log_size, end, !def->changed, error);
+        return result;
+    result = begin_replay(c.recipe, c.recipe_size, c.start, c.start_size, def, player, &cause);
+    if (result != SKV_OK)
+        return fail_start(result, &cause, error);
+    return take_log(*player, c.log, c.log_size, c.end, !def->changed, error);
 }
 
 skv_result skv_player_load(const void *data, size_t size, const skv_player_def *def,
@@ -285,4 +307,82 @@ skv_result skv_player_load(const void *data, size_t size, const skv_player_def *
         *player = NULL;
     }
     return result;
+}
+
+/* ---- What it asks for ------------------------------------------------------------------------ */
+
+static skv_result ask_recipe(const contents *c, skv_demands *demands, skv_error *error)
+{
+    skv_scene *scene = NULL;
+    skv_result result = skv_recipe_load(c->recipe, c->recipe_size, NULL, &scene, error);
+    if (result == SKV_OK)
+        demands->particles = skv_scene_particles(scene);
+    skv_scene_destroy(scene);
+    return result;
+}
+
+static skv_result ask_log(const contents *c, skv_demands *demands, skv_error *error)
+{
+    skv_log log = {0};
+    skv_error cause;
+    skv_result result = skv_log_unpack(&log, c->log, c->log_size, c->end, false, &cause);
+    if (result != SKV_OK)
+        skv_fail(error, result, "replay: %s", cause.text);
+    int64_t before = -1;
+    int given = 0;
+    for (size_t at = 0; result == SKV_OK && at < log.size;) {
+        skv_command command;
+        int64_t frame = skv_log_frame(&log, at);
+        given = frame == before ? given + 1 : 1;
+        demands->at_once = given > demands->at_once ? given : demands->at_once;
+        before = frame;
+        at = skv_log_read(&log, at, &command);
+    }
+    skv_free(log.bytes);
+    return result;
+}
+
+static skv_result ask_replay(skv_reader *r, skv_demands *demands, skv_error *error)
+{
+    contents c;
+    skv_error cause;
+    skv_result result = find_contents(r, &c, error);
+    if (result != SKV_OK)
+        return result;
+    demands->frames = c.end;
+    if (c.start_size)
+        result = skv_snapshot_ask(c.start, c.start_size, &demands->particles, &demands->crowding,
+                                  &cause);
+    else
+        result = ask_recipe(&c, demands, &cause);
+    return result == SKV_OK ? ask_log(&c, demands, error) : fail_start(result, &cause, error);
+}
+
+skv_result skv_player_ask(const void *data, size_t size, skv_demands *demands, skv_error *error)
+{
+    SKV_ASSERT_OR(data && demands, SKV_ERROR_VALUE);
+    *demands = (skv_demands){0};
+    skv_reader reader = {.bytes = data, .size = size};
+    return skv_envelope_is(&kind, data, size)
+               ? ask_replay(&reader, demands, error)
+               : skv_snapshot_ask(data, size, &demands->particles, &demands->crowding, error);
+}
+
+skv_result skv_demands_check(const skv_demands *demands, skv_error *error)
+{
+    SKV_ASSERT_OR(demands, SKV_ERROR_VALUE);
+    if (demands->frames > SKV_MODEST_FRAMES)
+        return skv_fail(error, SKV_ERROR_LIMIT, "it plays for %.0f minutes, %lld frames",
+                        (double)demands->frames / 3600, (long long)demands->frames);
+    if (demands->particles > SKV_MODEST_PARTICLES)
+        return skv_fail(error, SKV_ERROR_LIMIT, "it begins with %d particles", demands->particles);
+    if (demands->at_once > SKV_MODEST_AT_ONCE)
+        return skv_fail(error, SKV_ERROR_LIMIT, "it does %d things within a frame",
+                        demands->at_once);
+    if (demands->crowding > SKV_MODEST_CROWDING)
+        return skv_fail(error, SKV_ERROR_LIMIT,
+                        "its fluid is pressed to %.0f times what it is at "
+                        "rest, and takes as much longer to step",
+                        demands->crowding);
+    return SKV_OK;
 }

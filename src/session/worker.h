@@ -54,6 +54,7 @@ typedef struct skv_worker {
     bool hands_known; /* the world's are these */
     bool begins;      /* an edit, with the next command that the world takes */
     bool refused;     /* an edit was, since the last picture: said once */
+    uint64_t wary;    /* hash of the last that was not opened because it asks for much; 0: none */
     bool changed;     /* since the last picture */
 
     /* Between the threads, again. */

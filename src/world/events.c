@@ -15,10 +15,12 @@ static int pending(const skv_events *events)
 
 skv_result skv_events_reserve(skv_events *events, int more, skv_error *error)
 {
-    int wanted = pending(events) + more;
+    int room = SKV_MAX_EVENTS - pending(events);
+    int wanted = more < room ? pending(events) + more : SKV_MAX_EVENTS;
     if (wanted <= events->capacity)
         return SKV_OK;
-    int capacity = wanted > 2 * events->capacity ? wanted : 2 * events->capacity;
+    int twice = events->capacity < SKV_MAX_EVENTS / 2 ? 2 * events->capacity : SKV_MAX_EVENTS;
+    int capacity = wanted > twice ? wanted : twice;
     skv_event *list = skv_calloc((size_t)capacity, sizeof *list);
     if (!list)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d events", wanted);
@@ -32,8 +34,10 @@ skv_result skv_events_reserve(skv_events *events, int more, skv_error *error)
 
 void skv_events_begin(skv_events *events)
 {
-    if (events->over)
+    if (events->over) {
         events->count = 0;
+        events->dropped = 0;
+    }
     events->over = false;
 }
 
@@ -45,7 +49,10 @@ void skv_events_end(skv_events *events)
 void skv_events_add(skv_events *events, skv_event_kind kind, skv_particle_id particle, int source)
 {
     skv_events_begin(events);
-    events->list[events->count++] = (skv_event){kind, particle, source};
+    if (events->count < SKV_MAX_EVENTS)
+        events->list[events->count++] = (skv_event){kind, particle, source};
+    else
+        events->dropped++;
 }
 
 const skv_event *skv_world_events(const skv_world *world, int *count)
@@ -53,4 +60,10 @@ const skv_event *skv_world_events(const skv_world *world, int *count)
     SKV_ASSERT_OR(world && count, NULL);
     *count = world->events.count;
     return world->events.list;
+}
+
+int64_t skv_world_dropped_events(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, 0);
+    return world->events.dropped;
 }

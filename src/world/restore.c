@@ -52,6 +52,7 @@ static void take_facts(skv_world *world, const skv_snapshot *s)
     world->acting = s->acting;
     world->wall_impulse = (skv_wall_impulse){0};
     world->events.count = 0;
+    world->events.dropped = 0;
 }
 
 static void take_sleep(skv_world *world, const skv_snapshot *s)

@@ -8,6 +8,10 @@
 
 #include "skvalp/base.h"
 
+/* m/s, each way: a metre in the shortest substep is a third of it. Pushes from outside end there,
+ * and a snapshot with more is none. */
+#define SKV_MOST_SPEED 1e6
+
 /* In which snapshots an attribute is; one that does not hold it is read as 0. */
 typedef enum skv_saved {
     SKV_SAVED_NOWHERE,      /* found again, from 0 */

@@ -16,6 +16,13 @@ static bool is_sane(float vx, float vy)
     return skv_within((double)vx, -1000, 1000) && skv_within((double)vy, -1000, 1000);
 }
 
+/* Pushes may add up for as long as nothing steps. */
+static float bounded(float speed)
+{
+    const float most = (float)SKV_MOST_SPEED;
+    return skv_maxf(-most, skv_minf(speed, most));
+}
+
 skv_result skv_world_add_velocity(skv_world *world, int first, int count, float vx, float vy,
                                   skv_error *error)
 {
@@ -26,8 +33,8 @@ skv_result skv_world_add_velocity(skv_world *world, int first, int count, float 
     if (result != SKV_OK)
         return result;
     for (int i = first; i < first + count; i++) {
-        world->state.vx[i] += vx;
-        world->state.vy[i] += vy;
+        world->state.vx[i] = bounded(world->state.vx[i] + vx);
+        world->state.vy[i] = bounded(world->state.vy[i] + vy);
         skv_sleep_wake(world, i);
     }
     return SKV_OK;

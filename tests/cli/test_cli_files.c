@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "program.h"
+#include "skvalp/skvalp.h"
 
 #define SHORT "--particles", "300", "--seconds", "0.02"
 
@@ -136,6 +137,34 @@ static void test_names_are_shown_plain(void **state)
     program_free(&result);
 }
 
+/* What a stranger may have made to keep one waiting is named, and opened only with a word more. */
+static void test_states_that_ask_for_much(void **state)
+{
+    skv_world_def def = skv_default_world_def();
+    skv_terrain_def tank = skv_default_terrain_def();
+    skv_world *world;
+    assert_int_equal(skv_terrain_create(&tank, &def.terrain, NULL), SKV_OK);
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    for (int i = 0; i < 300; i++)
+        assert_int_equal(skv_world_add_particle(world, 0.5f, 0.5f, 0, 0, NULL), SKV_OK);
+    size_t size = skv_world_snapshot_size(world, true);
+    char *bytes = malloc(size), path[4096];
+    assert_int_equal(skv_world_save(world, true, bytes, size, NULL), SKV_OK);
+    skv_world_destroy(world);
+    path_of(path, *state, "crowd.skv");
+    FILE *file = fopen(path, "wb");
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    fclose(file);
+    free(bytes);
+    expect_refused(SKVALP(*state, "run", "crowd.skv", "--seconds", "0"),
+                   "crowd.skv: its fluid is pressed to 33 times what it is at rest, and takes as "
+                   "much longer to step; add --anyway if that is wanted");
+    expect_refused(SKVALP(*state, "replay", "crowd.skv"), "add --anyway if that is wanted");
+    program_result result = SKVALP(*state, "run", "crowd.skv", "--seconds", "0", "--anyway");
+    assert_int_equal(result.status, 0);
+    program_free(&result);
+}
+
 static void test_long_names_leave_room_for_the_remedy(void **state)
 {
     char name[5001];
@@ -172,6 +201,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_names_are_taken_at_their_word, folder_setup,
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_names_are_shown_plain, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_states_that_ask_for_much, folder_setup,
+                                        folder_teardown),
         cmocka_unit_test_setup_teardown(test_long_names_leave_room_for_the_remedy, folder_setup,
                                         folder_teardown),
         cmocka_unit_test_setup_teardown(test_size_limit, folder_setup, folder_teardown),

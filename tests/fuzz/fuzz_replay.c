@@ -60,8 +60,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     skv_error error = {0};
     def.threads = 1;
     def.history = 1 << 20;
+    skv_demands demands;
+    skv_result asked = skv_player_ask(bytes, size, &demands, &error);
+    fuzz_expect_answer(asked, &error);
+    if (asked == SKV_OK)
+        fuzz_expect_answer(skv_demands_check(&demands, &error), &error);
     skv_result result = skv_player_load(bytes, size, &def, &player, &error);
     fuzz_expect_answer(result, &error);
+    fuzz_expect(result != SKV_OK || asked == SKV_OK || asked == SKV_ERROR_MEMORY,
+                "what can be opened can be asked");
     fuzz_expect((result == SKV_OK) == (player != NULL), "a player exactly if SKV_OK");
     if (player != NULL)
         play(player);

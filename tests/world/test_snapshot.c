@@ -378,6 +378,25 @@ static void emitters_and_drains_that_no_world_has_are_refused(void **unused)
     skv_world_destroy(other);
 }
 
+/* No pushes add up to a speed that a snapshot could not hold, and none is faster. */
+static void speeds_have_an_end(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_small(SKV_SOLVER_FAST), *other = make_small(SKV_SOLVER_FAST);
+    int count = skv_world_particle_count(world);
+    for (int i = 0; i < 1200; i++)
+        assert_int_equal(skv_world_add_velocity(world, 0, count, 1000, -1000, NULL), SKV_OK);
+    skv_particles p = skv_world_particles(world);
+    assert_true(p.vx[0] == 1e6f && p.vy[0] == -1e6f);
+    blob b = save(world, false);
+    assert_int_equal(skv_world_restore(other, b.bytes, b.size, NULL), SKV_OK);
+    free(b.bytes);
+    world->state.vx[count / 2] = 1e30f;
+    expect_refused(world, other, "a particle has values that none can have");
+    skv_world_destroy(world);
+    skv_world_destroy(other);
+}
+
 static void running_out_of_memory_changes_nothing(void **unused)
 {
     (void)unused;
@@ -422,6 +441,7 @@ int main(void)
         cmocka_unit_test(a_part_of_a_snapshot_is_refused),
         cmocka_unit_test(another_kind_of_world_is_refused),
         cmocka_unit_test(emitters_and_drains_that_no_world_has_are_refused),
+        cmocka_unit_test(speeds_have_an_end),
         cmocka_unit_test(running_out_of_memory_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -73,6 +73,7 @@ export class Opening {
                 return;
             }
             const { bytes, format, label } = source;
+            options.cautious = true;
             withBytes(this.#library, bytes, (data) =>
                 c.skv_stage_open_memory(this.#stage, data, bytes.length, format, label, options));
         });
