@@ -99,7 +99,7 @@ static void what_it_asks_for_is_known(void **unused)
     free(saved.bytes);
 
     saved = make_endless();
-    expect_much(ask(saved), "it plays for 1193047 minutes, 4294967295 frames");
+    expect_much(ask(saved), "it plays for 1193046 minutes, 4294967295 frames");
     free(saved.bytes);
     saved = make_replay(SKV_MODEST_AT_ONCE + 1);
     expect_much(ask(saved), "it does 5001 things within a frame");
@@ -151,7 +151,7 @@ static void what_asks_for_much_is_opened_when_asked_for_twice(void **state)
         open_cautiously(session, endless, "skvr");
         assert_int_equal(session_report(session, &report), SKV_ERROR_LIMIT);
         assert_string_equal(report.error.text,
-                            "a.skvr: it plays for 1193047 minutes, 4294967295 frames; open it once "
+                            "a.skvr: it plays for 1193046 minutes, 4294967295 frames; open it once "
                             "more if that is wanted");
         /* Something else between, and one is asked again. */
         open_cautiously(session, crowd, "skv");
