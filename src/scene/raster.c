@@ -10,8 +10,12 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "scene/scan.h"
 
 #define LINES 16
+
+/* Of spans, one among so many is inserted, while more of them are merged. */
+#define FEW 8
 
 typedef struct span_list {
     skv_span *spans;
@@ -27,13 +31,48 @@ typedef struct row_sum {
 typedef struct raster {
     int width;
     double pixel_size;
+    skv_scan *scans; /* of the shapes */
     span_list solid, air, cut, scratch;
     row_sum solid_sum, air_sum;
 } raster;
 
+/* The first span that does not end before `x`. */
+static int find_span(const span_list *list, double x)
+{
+    int low = 0, high = list->count;
+    while (low < high) {
+        int middle = (low + high) / 2;
+        if (list->spans[middle].end < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* target := target united with one span. */
+static void unite_span(span_list *target, skv_span span)
+{
+    int first = find_span(target, span.begin), end = first;
+    for (; end < target->count && target->spans[end].begin <= span.end; end++) {
+        const skv_span *met = &target->spans[end];
+        span.begin = met->begin < span.begin ? met->begin : span.begin;
+        span.end = met->end > span.end ? met->end : span.end;
+    }
+    memmove(target->spans + first + 1, target->spans + end,
+            (size_t)(target->count - end) * sizeof *target->spans);
+    target->spans[first] = span;
+    target->count += first + 1 - end;
+}
+
 /* target := target united with `cut`. */
 static void unite(span_list *target, const span_list *cut, span_list *scratch)
 {
+    if (cut->count * FEW <= target->count) {
+        for (int k = 0; k < cut->count; k++)
+            unite_span(target, cut->spans[k]);
+        return;
+    }
     int i = 0, j = 0, count = 0;
     while (i < target->count || j < cut->count) {
         bool first =
@@ -53,6 +92,8 @@ static void unite(span_list *target, const span_list *cut, span_list *scratch)
 /* target := target without `cut`. */
 static void subtract(span_list *target, const span_list *cut, span_list *scratch)
 {
+    if (target->count == 0)
+        return;
     int j = 0, count = 0;
     for (int i = 0; i < target->count; i++) {
         skv_span rest = target->spans[i];
@@ -101,7 +142,7 @@ static bool scan_line(raster *r, const skv_shape *shapes, int count, double y)
     r->solid.count = 0;
     r->air.count = 0;
     for (int i = 0; i < count; i++) {
-        r->cut.count = skv_shape_spans(&shapes[i], y, r->cut.spans);
+        r->cut.count = skv_scan_line(&r->scans[i], y, r->cut.spans);
         if (r->cut.count == 0)
             continue;
         met = true;
@@ -133,20 +174,38 @@ static void finish_row(raster *r, uint8_t *coverage)
     memset(r->air_sum.run, 0, bytes);
 }
 
-/* Gives every list its part of two blocks of memory. */
-static bool allocate(raster *r, int spans, skv_span **span_memory, double **sum_memory)
+/* Memory for all that a raster needs. */
+typedef struct raster_memory {
+    skv_scan *scans;
+    skv_scan_edge *edges;
+    skv_span *spans;
+    double *sums;
+} raster_memory;
+
+/* Gives every list and every scan its part of the memory. */
+static bool allocate(raster *r, const skv_shape *shapes, int count, raster_memory *memory)
 {
-    size_t row = (size_t)r->width + 2;
-    *span_memory = skv_calloc((size_t)spans * 4, sizeof **span_memory);
-    *sum_memory = skv_calloc(row * 4, sizeof **sum_memory);
-    if (*span_memory == NULL || *sum_memory == NULL)
+    size_t row = (size_t)r->width + 2, edges = 0;
+    for (int i = 0; i < count; i++)
+        edges += (size_t)skv_scan_edges(&shapes[i]);
+    size_t spans = edges + 1; /* each span that is added or cut makes at most one more */
+    *memory = (raster_memory){
+        skv_calloc((size_t)count, sizeof *memory->scans), skv_calloc(edges, sizeof *memory->edges),
+        skv_calloc(spans * 4, sizeof *memory->spans), skv_calloc(row * 4, sizeof *memory->sums)};
+    if (!memory->scans || !memory->edges || !memory->spans || !memory->sums)
         return false;
-    r->solid.spans = *span_memory;
-    r->air.spans = *span_memory + spans;
-    r->cut.spans = *span_memory + 2 * (size_t)spans;
-    r->scratch.spans = *span_memory + 3 * (size_t)spans;
-    r->solid_sum = (row_sum){*sum_memory, *sum_memory + row};
-    r->air_sum = (row_sum){*sum_memory + 2 * row, *sum_memory + 3 * row};
+    r->scans = memory->scans;
+    skv_scan_edge *next = memory->edges;
+    for (int i = 0; i < count; i++) {
+        skv_scan_begin(&r->scans[i], &shapes[i], next);
+        next += skv_scan_edges(&shapes[i]);
+    }
+    r->solid.spans = memory->spans;
+    r->air.spans = memory->spans + spans;
+    r->cut.spans = memory->spans + 2 * spans;
+    r->scratch.spans = memory->spans + 3 * spans;
+    r->solid_sum = (row_sum){memory->sums, memory->sums + row};
+    r->air_sum = (row_sum){memory->sums + 2 * row, memory->sums + 3 * row};
     return true;
 }
 
@@ -154,12 +213,8 @@ skv_result skv_raster_solids(const skv_shape *shapes, int count, int width, int 
                              double pixel_size, uint8_t *coverage, skv_error *error)
 {
     raster r = {.width = width, .pixel_size = pixel_size};
-    skv_span *span_memory = NULL;
-    double *sum_memory = NULL;
-    int spans = 1; /* each span that is added or cut makes at most one more */
-    for (int i = 0; i < count; i++)
-        spans += skv_shape_max_spans(&shapes[i]);
-    bool ready = allocate(&r, spans, &span_memory, &sum_memory);
+    raster_memory memory;
+    bool ready = allocate(&r, shapes, count, &memory);
     for (int y = 0; ready && y < height; y++) {
         bool met = false;
         for (int i = 0; i < LINES; i++)
@@ -167,7 +222,9 @@ skv_result skv_raster_solids(const skv_shape *shapes, int count, int width, int 
         if (met)
             finish_row(&r, coverage + (size_t)y * (size_t)width);
     }
-    skv_free(span_memory);
-    skv_free(sum_memory);
+    skv_free(memory.scans);
+    skv_free(memory.edges);
+    skv_free(memory.spans);
+    skv_free(memory.sums);
     return ready ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the walls");
 }

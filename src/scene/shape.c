@@ -1,11 +1,8 @@
-/* Shapes: containment and scan lines.
- *
- * Invariant: a point is contained exactly if it lies in a span of its own height, up to rounding.
- */
+/* Shapes: their bounds and thickness, and what they contain. Invariant: a shape contains nothing
+ * outside of its bounds. */
 #include "scene/shape.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static double smaller(double a, double b)
 {
@@ -86,9 +83,7 @@ bool skv_shape_thicken(skv_shape *shape, double least)
 
 /* ---- Containment ----------------------------------------------------------------------------- */
 
-/* Where the edge from a to b crosses height y; false if it does not. Half-open, so that a corner
- * counts once. */
-static bool edge_crossing(const double *a, const double *b, double y, double *x)
+bool skv_edge_crossing(const double *a, const double *b, double y, double *x)
 {
     if ((a[1] <= y) == (b[1] <= y))
         return false;
@@ -103,7 +98,7 @@ static bool in_polygon(const skv_shape *shape, double x, double y)
     for (int i = 0; i < shape->point_count; i++) {
         const double *point = shape->points + 2 * i;
         double crossing;
-        if (edge_crossing(previous, point, y, &crossing) && crossing > x)
+        if (skv_edge_crossing(previous, point, y, &crossing) && crossing > x)
             inside = !inside;
         previous = point;
     }
@@ -147,130 +142,4 @@ bool skv_shape_contains(const skv_shape *shape, double x, double y)
         return in_line(shape, x, y);
     }
     return false;
-}
-
-/* ---- Scan lines ------------------------------------------------------------------------------ */
-
-int skv_shape_max_spans(const skv_shape *shape)
-{
-    return shape->kind == SKV_SHAPE_POLYGON || shape->kind == SKV_SHAPE_LINE ? shape->point_count
-                                                                             : 1;
-}
-
-static int compare_numbers(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static int compare_spans(const void *a, const void *b)
-{
-    return compare_numbers(&((const skv_span *)a)->begin, &((const skv_span *)b)->begin);
-}
-
-/* Joins spans, sorted by their beginning, that touch. */
-static int join_spans(skv_span *spans, int count)
-{
-    int joined = 0;
-    for (int i = 0; i < count; i++) {
-        if (joined > 0 && spans[i].begin <= spans[joined - 1].end)
-            spans[joined - 1].end = larger(spans[joined - 1].end, spans[i].end);
-        else
-            spans[joined++] = spans[i];
-    }
-    return joined;
-}
-
-static bool circle_span(double cx, double cy, double radius, double y, skv_span *span)
-{
-    double rest = radius * radius - (y - cy) * (y - cy);
-    if (rest <= 0.0)
-        return false;
-    double half = sqrt(rest);
-    *span = (skv_span){cx - half, cx + half};
-    return true;
-}
-
-/* Narrows a span to where low <= slope x + offset <= high. */
-static void narrow(skv_span *span, double slope, double offset, double low, double high)
-{
-    if (slope == 0.0) {
-        if (offset < low || offset > high)
-            span->end = span->begin - 1.0;
-        return;
-    }
-    double a = (low - offset) / slope, b = (high - offset) / slope;
-    span->begin = larger(span->begin, smaller(a, b));
-    span->end = smaller(span->end, larger(a, b));
-}
-
-/* The capsule around a segment is convex, so a line cuts it once: the hull of what it cuts from the
- * two round ends and from the slab between them. */
-static bool capsule_span(const double *a, const double *b, double radius, double y, skv_span *span)
-{
-    double dx = b[0] - a[0], dy = b[1] - a[1], length = sqrt(dx * dx + dy * dy);
-    skv_span part[3];
-    int count = 0;
-    count += circle_span(a[0], a[1], radius, y, &part[count]);
-    count += circle_span(b[0], b[1], radius, y, &part[count]);
-    if (length > 0.0) {
-        skv_span slab = {smaller(a[0], b[0]) - radius, larger(a[0], b[0]) + radius};
-        double ux = dx / length, uy = dy / length;
-        narrow(&slab, ux, uy * (y - a[1]) - ux * a[0], 0.0, length);
-        narrow(&slab, -uy, ux * (y - a[1]) + uy * a[0], -radius, radius);
-        if (slab.begin < slab.end)
-            part[count++] = slab;
-    }
-    if (count == 0)
-        return false;
-    *span = part[0];
-    for (int i = 1; i < count; i++) {
-        span->begin = smaller(span->begin, part[i].begin);
-        span->end = larger(span->end, part[i].end);
-    }
-    return true;
-}
-
-static int line_spans(const skv_shape *shape, double y, skv_span *spans)
-{
-    int count = 0;
-    for (int i = 0; i + 1 < shape->point_count; i++) {
-        const double *a = shape->points + 2 * i;
-        count += capsule_span(a, a + 2, shape->radius, y, &spans[count]);
-    }
-    qsort(spans, (size_t)count, sizeof *spans, compare_spans);
-    return join_spans(spans, count);
-}
-
-/* Crossings come in pairs: they are written one after the other into the spans' own memory. */
-static int polygon_spans(const skv_shape *shape, double y, skv_span *spans)
-{
-    double *crossings = &spans[0].begin;
-    int count = 0;
-    const double *previous = shape->points + 2 * (shape->point_count - 1);
-    for (int i = 0; i < shape->point_count; i++) {
-        const double *point = shape->points + 2 * i;
-        count += edge_crossing(previous, point, y, &crossings[count]);
-        previous = point;
-    }
-    qsort(crossings, (size_t)count, sizeof *crossings, compare_numbers);
-    return join_spans(spans, count / 2);
-}
-
-int skv_shape_spans(const skv_shape *shape, double y, skv_span *spans)
-{
-    if (y < shape->y0 || y > shape->y1)
-        return 0;
-    switch (shape->kind) {
-    case SKV_SHAPE_BOX:
-        spans[0] = (skv_span){shape->x0, shape->x1};
-        return 1;
-    case SKV_SHAPE_CIRCLE:
-        return circle_span(shape->x, shape->y, shape->radius, y, &spans[0]);
-    case SKV_SHAPE_POLYGON:
-        return polygon_spans(shape, y, spans);
-    case SKV_SHAPE_LINE:
-        return line_spans(shape, y, spans);
-    }
-    return 0;
 }

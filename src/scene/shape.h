@@ -25,11 +25,6 @@ typedef struct skv_shape {
     int dye;       /* water */
 } skv_shape;
 
-/* Part of a horizontal line, begin < end. */
-typedef struct skv_span {
-    double begin, end;
-} skv_span;
-
 /* Fills in x0..y1 of a circle, polygon or line. */
 void skv_shape_set_bounds(skv_shape *shape);
 
@@ -39,9 +34,8 @@ bool skv_shape_thicken(skv_shape *shape, double least);
 
 bool skv_shape_contains(const skv_shape *shape, double x, double y);
 
-/* Where the horizontal line at height y runs inside the shape: disjoint spans in ascending order.
- * `spans` has room for skv_shape_max_spans. */
-int skv_shape_spans(const skv_shape *shape, double y, skv_span *spans);
-int skv_shape_max_spans(const skv_shape *shape);
+/* Where the edge from a to b crosses height y; false if it does not. Half-open, so that a corner
+ * counts once. */
+bool skv_edge_crossing(const double *a, const double *b, double y, double *x);
 
 #endif

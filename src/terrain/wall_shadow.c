@@ -13,6 +13,8 @@
 #define TOUCH 0.02
 #define STEP  0.05
 
+enum { LANES = 8 }; /* rays that are followed at a time: each step waits for the one before */
+
 void skv_shadow_rays_make(skv_shadow_rays *rays)
 {
     /* From a right angle, halved, to half the angle between two rays and to the angle itself. */
@@ -71,17 +73,37 @@ static double distance_at(const skv_terrain *terrain, double gx, double gy)
     return (double)skv_grid_distance(terrain, (float)gx, (float)gy) * (double)terrain->per_metre;
 }
 
-/* How far one sees from a point, which is `d` from walls, along a ray, in pixels; `longest` if
- * there is no wall. */
-static double sight(const skv_terrain *terrain, double gx, double gy, double d, double x, double y,
-                    double longest)
+/* How far one sees from a point, which is `d` from walls, along LANES rays, in pixels; `longest`
+ * where there is no wall. */
+static void find_sights(const skv_terrain *terrain, double gx, double gy, double d, const double *x,
+                        const double *y, double longest, double sights[LANES])
 {
-    for (double t = 0;; d = distance_at(terrain, gx + t * x, gy + t * y)) {
-        if (d <= TOUCH)
-            return t + d > 0 ? t + d : 0;
-        t += 0.9 * d + STEP;
-        if (t >= longest)
-            return longest;
+    double clear[LANES];
+    bool ended[LANES] = {false};
+    for (int lane = 0; lane < LANES; lane++) {
+        sights[lane] = 0;
+        clear[lane] = d;
+    }
+    for (int left = LANES; left > 0;) {
+        for (int lane = 0; lane < LANES; lane++) {
+            if (ended[lane])
+                continue;
+            double *t = &sights[lane];
+            if (clear[lane] <= TOUCH) {
+                *t = *t + clear[lane] > 0 ? *t + clear[lane] : 0;
+                ended[lane] = true;
+                left--;
+                continue;
+            }
+            *t += 0.9 * clear[lane] + STEP;
+            if (*t >= longest) {
+                *t = longest;
+                ended[lane] = true;
+                left--;
+                continue;
+            }
+            clear[lane] = distance_at(terrain, gx + *t * x[lane], gy + *t * y[lane]);
+        }
     }
 }
 
@@ -91,8 +113,8 @@ void skv_shadow_at(const skv_shadow_rays *rays, skv_kernel pressure, const skv_t
 {
     double sums[SKV_WALL_MAPS] = {0}, x = (double)gx, y = (double)gy;
     double d = distance_at(terrain, x, y);
-    for (int i = 0; i < SKV_SHADOW_RAYS; i++)
-        sights[i] = sight(terrain, x, y, d, rays->x[i], rays->y[i], radius_pixels);
+    for (int i = 0; i < SKV_SHADOW_RAYS; i += LANES)
+        find_sights(terrain, x, y, d, rays->x + i, rays->y + i, radius_pixels, sights + i);
     for (int i = 0; values && i < SKV_SHADOW_RAYS; i++)
         add_ray(pressure, rays->x[i], rays->y[i], sights[i] / radius_pixels, sums);
     if (values)

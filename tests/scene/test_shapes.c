@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene/raster.h"
+#include "scene/scan.h"
 #include "scene/shape.h"
 
 #define SIZE 64
@@ -51,10 +52,13 @@ static void test_spans_hold_what_the_shape_contains(void **state)
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
         const skv_shape *s = &shapes[i];
         skv_span spans[8];
-        assert_true(skv_shape_max_spans(s) <= 8);
+        skv_scan scan;
+        skv_scan_edge edges[8];
+        assert_true(skv_scan_edges(s) <= 8);
+        skv_scan_begin(&scan, s, edges);
         for (int k = 0; k < 20000; k++) {
-            double x = dice(&seed) % 65536 / 1000.0, y = dice(&seed) % 65536 / 1000.0;
-            int count = skv_shape_spans(s, y, spans);
+            double x = dice(&seed) % 65536 / 1000.0, y = (k + dice(&seed) % 100 / 100.0) / 300;
+            int count = skv_scan_line(&scan, y, spans);
             bool in_span = false;
             for (int j = 0; j < count; j++) {
                 assert_true(spans[j].begin <= spans[j].end);
