@@ -78,6 +78,13 @@ key 7
 await "tool == 6 and dye == $old"
 key 7
 await "dye == $old + 1 and not shows('Dye: rose')"
+until is "dye == $old"; do # and round to the first
+    await '[dye]'
+    before=$answer
+    key 7
+    await "[dye] != $before"
+done
+await "shows('Dye: rose')"
 
 # 3. A pressure probe: its grip is dragged, its chip has a plot and moves it by keys.
 is 'not worlds[0].probes and not says("Pressure")' || fail "measured before anything was: $answer"
@@ -123,6 +130,13 @@ await 'abs(worlds[0].probes[0].x1 - worlds[0].probes[0].x0 - 0.88) < 0.02 and ab
 go 'grip()'
 xdotool mousedown 1
 go 'middle("Rewind")'
+let_go
+await 'not worlds[0].probes'
+key m
+await 'len(worlds[0].probes) == 1'
+go 'grip()'
+xdotool mousedown 1
+go 'middle("Hand")'
 let_go
 await 'not worlds[0].probes'
 
