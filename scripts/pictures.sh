@@ -36,13 +36,12 @@ take_app() {
     window_size 1000 640
     "$build/skvalp" run dam-break --particles 8000 --seconds 1.25 --snapshot "$work/dam-break.skv" --quiet
     start_app "$work/dam-break.skv"
-    # A picture, for people to look at: nothing depends on these waits.
-    sleep 5
     key space
-    sleep 2
+    await 'paused and not active'
     key r
-    sleep 5
-    import -window "$window" docs/pictures/app.png
+    await 'paused and moment == 0 and not active and windows[0].frames'
+    sleep 2 # headers and buttons fade from one look to another
+    import -window "$(xdotool search --onlyvisible --name Skvalp | head -n 1)" docs/pictures/app.png
     smaller docs/pictures/app.png
     quit_app
 }
