@@ -107,6 +107,17 @@ prepare() {
     fi
 }
 
+# The built-in scenes give the golden hashes, whichever compiler made the program; that clang's solver
+# has the same bits is seen by bits/test_bits_native.
+test_scenes_of_clang() {
+    if logged test-bits-clang bash tests/bits/test_bits_scenes.sh build/clang .; then
+        passed=$((passed + 1))
+        say "clang's program gives the same bits as gcc's ($(elapsed))"
+    else
+        fail "clang's program gives other bits than gcc's ($logs/test-bits-clang.log)"
+    fi
+}
+
 finish() {
     local status=$?
     if ((status && !failed)); then
@@ -139,6 +150,8 @@ for word; do
     *) die "unknown argument $word; try: ./test.sh --help" ;;
     esac
 done
+long=0
+((!whole)) || [[ ${SKV_LONG_TESTS:-0} != 1 ]] || long=1
 asked() { [[ " ${labels[*]} " == *" $1 "* ]]; }
 
 trap finish EXIT
@@ -150,7 +163,7 @@ fi
 if asked web; then
     packages+=("${packages_web[@]}" "${packages_browser[@]}")
 fi
-if ((whole)) && [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
+if ((long)); then
     packages+=("${packages_long[@]}")
 fi
 install_packages "${packages[@]}"
@@ -172,7 +185,7 @@ if asked web && ! install_npm; then
     ((whole)) || die "without npm packages the page cannot be tested"
 fi
 if ((${#released[@]})) && prepare release "-DSKVALP_APP=$app" -- "${targets[@]}"; then
-    ((!whole)) || [[ ${SKV_LONG_TESTS:-0} != 1 ]] || released+=(long)
+    ((!long)) || released+=(long)
     if ((!page)); then
         say "The tests of the page are skipped: its npm packages cannot be had."
         skip_page release "${released[@]}"
@@ -180,9 +193,12 @@ if ((${#released[@]})) && prepare release "-DSKVALP_APP=$app" -- "${targets[@]}"
     run_tests release "${released[@]}"
 fi
 sanitized=(sanitized)
-((!whole)) || [[ ${SKV_LONG_TESTS:-0} != 1 ]] || sanitized+=(sanitized_long)
-# The long forms are long enough without the sanitizers.
+# What follows has no long form, or is long enough without it.
 unset SKV_LONG_TESTS
+if ((long)); then
+    sanitized+=(sanitized_long)
+    ! prepare clang -- skvalp-cli || test_scenes_of_clang
+fi
 if asked sanitized && prepare asan -- "${sanitized[@]/%/_tests}"; then
     run_tests asan "${sanitized[@]}"
 fi

@@ -228,6 +228,7 @@ web_layer_of() {
 # Of each import: the module, what it names (a neighbour's path as it stands there, or a package), and
 # `type` where that is gone once it is built.
 modules_named() {
+    # shellcheck disable=SC2016  # awk's
     find web/page web/src web/tools -regextype posix-extended -regex '.*\.(ts|tsx|js)' -print0 |
         xargs -0 awk -v quote="['\"]" '
             /^[[:space:]]*\/\// { next }

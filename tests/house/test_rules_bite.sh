@@ -117,6 +117,7 @@ bites test_readme.sh "an example that does not compile" "does not compile"
 sed -i '1i build/release/skvalp run no-such-scene' "$work/copy/README.md"
 bites test_readme.sh "a command that fails" "no-such-scene' fails"
 
+# shellcheck disable=SC2016  # the backquotes are the page's
 printf '%s\n' '[nowhere](docs/nowhere.md)' '`src/base/sin.c`' '`skv_world_sin`' '`skvalp lab sin`' \
     '`skvalp run sin`' '`skvalp run pool --sin`' '`sin.of=1`' >>"$work/copy/README.md"
 sed -i 's/model.md#substeps/model.md#sin/' "$work/copy/docs/performance.md"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The host's readers (jsonc-parser, fast-png) and the native ones (jansson, libpng) accept and refuse
 # the same files, with the same code, and build the same worlds: the project's scenes and pictures,
-# what the fuzz targets have kept, and 100 mutations, 5000 with SKV_LONG_TESTS=1. Why a text is no
+# what the fuzz targets have kept, and 100 mutations, 2000 with SKV_LONG_TESTS=1. Why a text is no
 # JSON or a PNG damaged each says in its own words. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_web_files.sh BUILD SOURCE}")
@@ -13,7 +13,7 @@ make_modules
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 count=100
-[[ ${SKV_LONG_TESTS:-0} != 1 ]] || count=5000
+[[ ${SKV_LONG_TESTS:-0} != 1 ]] || count=2000
 
 outcomes() {
     "$@" | sed 's/^3 .*/3/'

@@ -15,7 +15,7 @@
 
 static skv_world_def imaged_def(skv_law law, float spacing)
 {
-    skv_world_def def = fixture_def(law, SKV_SOLVER_FAST, 0, spacing, 2);
+    skv_world_def def = fixture_def(law, SKV_SOLVER_FAST, 0, spacing, 1);
     def.fluid.wall_images = true;
     return def;
 }

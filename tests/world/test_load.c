@@ -44,7 +44,7 @@ static skv_world *make_calm(float spacing, float depth)
 static void a_dam_that_has_broken_takes_fewer(void **unused)
 {
     (void)unused;
-    skv_world *world = fixture_dam(SKV_LAW_CALIBRATED, 0.0095f, 2);
+    skv_world *world = fixture_dam(SKV_LAW_CALIBRATED, 0.0095f, 1);
     int most = skv_world_substeps_per_frame(world);
     for (int f = 0; f < 600; f++) {
         fixture_run(world, 1);
@@ -102,7 +102,7 @@ static void lively_fluids_hold_together(void **unused)
         int iterations;
     } fluids[] = {{0.35f, 4, 2}, {0.35f, 3, 1}, {0.4f, 3.5f, 2}, {0.4f, 4, 4}};
     for (int k = 0; k < 4; k++) {
-        skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.0115f, 2);
+        skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.0115f, 1);
         def.fluid.relaxation = fluids[k].relaxation;
         def.fluid.radius_ratio = fluids[k].radius_ratio;
         def.fluid.iterations = fluids[k].iterations;

@@ -137,7 +137,7 @@ static void both_solvers_agree_at_walls(void **unused)
     /* The calibrated law, with walls by images and without, and the clavet law. */
     for (int kind = 0; kind < 3; kind++) {
         skv_law law = kind == 2 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED;
-        skv_world_def def = fixture_def(law, SKV_SOLVER_REFERENCE, 0, 0.014f, 2);
+        skv_world_def def = fixture_def(law, SKV_SOLVER_REFERENCE, 0, 0.014f, 1);
         def.fluid.wall_images = kind == 1;
         def.fluid.adhesion = 0.5f;
         skv_world *slow, *fast;
@@ -197,7 +197,7 @@ static void momentum_and_mass_are_kept(void **unused)
 static void a_pool_comes_to_rest(void **unused)
 {
     (void)unused;
-    skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.0155f, 2);
+    skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.0155f, 1);
     fixture_fill(world, 0, 0, 1.6f, 0.45f);
     fixture_run(world, 5 * 60);
     skv_stats stats = skv_world_stats(world);
@@ -245,7 +245,7 @@ static void gravity_is_gravity(void **unused)
 static void a_hand_carries_fluid(void **unused)
 {
     (void)unused;
-    skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.0155f, 2);
+    skv_world *world = fixture_tank(SKV_LAW_CALIBRATED, 0.0155f, 1);
     fixture_fill(world, 0, 0, 1.6f, 0.3f);
     fixture_run(world, 60);
     int found[3000];

@@ -59,7 +59,7 @@ static skv_world *pool_on(floor_at *floor, double parameter, bool smooth, float 
     skv_world_def def = skv_default_world_def();
     def.fluid.spacing = 0.0155f;
     def.depth = level;
-    def.threads = 2;
+    def.threads = 1;
     skv_world *world;
     assert_int_equal(skv_terrain_create(&picture, &def.terrain, NULL), SKV_OK);
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
