@@ -54,6 +54,7 @@ done < <(cat "$docs/cli.md" "$docs/share.md")
 ((examples > 0)) || { printf '%s has no examples\n' "$docs"; exit 1; }
 # The cards stand in the program; each experiment's page shows its own as it is printed.
 cards=0
+# shellcheck disable=SC2016  # the backquotes are the page's
 while read -r name; do
     page=$docs/lab/$name.md
     cards=$((cards + 1))
