@@ -5,7 +5,7 @@
 #include <glib.h>
 #include <glib/gi18n.h>
 #include <skvalp/numbers.h>
-#include <skvalp/session.h>
+#include <skvalp/stage.h>
 
 /* Finds the translations: those installed beside the program, or those of its build folder. */
 void play_words_load(void);

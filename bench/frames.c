@@ -1,14 +1,14 @@
-/* Measures a frame of the app, without a window: a session steps and publishes, a face asks for it,
+/* Measures a frame of the app, without a window: a stage steps and publishes, a face asks for it,
  * a renderer issues it.
  *
- * Invariant: only what is named runs between two readings of a clock; the session's thread has
+ * Invariant: only what is named runs between two readings of a clock; the stage's thread has
  * nothing to do when a frame begins.
  */
 #include "bench.h"
 
 #include <math.h>
 #include <skvalp/render.h>
-#include <skvalp/session.h>
+#include <skvalp/stage.h>
 #include <stdlib.h>
 #include <time.h>
 
@@ -56,22 +56,22 @@ static void add_row(bench_report *report, const char *name, int particles, int t
 }
 
 /* The pool, open and awake. */
-static skv_result open_pool(int particles, int threads, skv_session **session, skv_error *error)
+static skv_result open_pool(int particles, int threads, skv_stage **stage, skv_error *error)
 {
     skv_stage_def def = skv_default_stage_def();
     def.threads = threads;
-    skv_result result = skv_session_create(&def, session, error);
+    skv_result result = skv_stage_create(&def, stage, error);
     if (result != SKV_OK)
         return result;
     skv_scene_options options = skv_default_scene_options();
     options.particles = particles;
-    skv_session_set_view(*session, 1280, 720);
-    skv_session_open(*session, "pool", &options);
-    skv_session_wait(*session);
-    skv_session_set_gravity(*session, 0.5, -1);
-    skv_session_wait(*session);
+    skv_stage_set_view(*stage, 0, 1280, 720);
+    skv_stage_open(*stage, "pool", &options);
+    skv_stage_wait(*stage);
+    skv_stage_set_gravity(*stage, 0, 0.5, -1);
+    skv_stage_wait(*stage);
     skv_outcome outcome;
-    while (skv_session_next_outcome(*session, &outcome))
+    while (skv_stage_next_outcome(*stage, &outcome))
         if (outcome.error.code != SKV_OK) {
             *error = outcome.error;
             return error->code;
@@ -79,8 +79,8 @@ static skv_result open_pool(int particles, int threads, skv_session **session, s
     return SKV_OK;
 }
 
-/* Frame by frame: what the session's thread does for it, and then what drawing it costs. */
-static skv_result measure_frames(skv_session *session, series *stepped, series *issued,
+/* Frame by frame: what the stage's thread does for it, and then what drawing it costs. */
+static skv_result measure_frames(skv_stage *stage, series *stepped, series *issued,
                                  skv_error *error)
 {
     skv_offscreen *offscreen = NULL;
@@ -94,11 +94,12 @@ static skv_result measure_frames(skv_session *session, series *stepped, series *
         if (i >= LEAST_FRAMES && bench_seconds(BENCH_CLOCK) - begun > longest_measuring)
             break;
         double clock = bench_seconds(BENCH_CLOCK), processor = bench_seconds(BENCH_PROCESS);
-        skv_session_advance(session, 1.0 / 60, 0);
-        skv_session_wait(session);
+        skv_stage_advance(stage, 1.0 / 60, 0);
+        skv_stage_wait(stage);
         note(stepped, bench_seconds(BENCH_CLOCK) - clock, bench_seconds(BENCH_PROCESS) - processor);
 
-        const skv_picture *picture = skv_session_acquire(session);
+        skv_stage_look(stage);
+        const skv_picture *picture = skv_stage_picture(stage, 0);
         clock = bench_seconds(BENCH_CLOCK);
         processor = bench_seconds(BENCH_THREAD);
         if (offscreen)
@@ -106,38 +107,37 @@ static skv_result measure_frames(skv_session *session, series *stepped, series *
         if (offscreen && i > 0) /* the first makes the textures */
             note(issued, bench_seconds(BENCH_CLOCK) - clock,
                  bench_seconds(BENCH_THREAD) - processor);
-        skv_session_release(session, picture);
     }
     skv_offscreen_destroy(offscreen);
     return result;
 }
 
 /* One turn of the face's loop, with all of its calls; whether gravity to that side shows. */
-static bool take_turn(skv_session *session, double tilt, double *last, series *calls)
+static bool take_turn(skv_stage *stage, double tilt, double *last, series *calls)
 {
     double clock = bench_seconds(BENCH_CLOCK), processor = bench_seconds(BENCH_THREAD);
-    skv_session_advance(session, clock - *last, 0);
+    skv_stage_advance(stage, clock - *last, 0);
     *last = clock;
-    const skv_picture *picture = skv_session_acquire(session);
+    skv_stage_look(stage);
+    const skv_picture *picture = skv_stage_picture(stage, 0);
     bool shows = fabs(picture->tilt_x - tilt) < 0.01;
-    skv_session_release(session, picture);
     note(calls, bench_seconds(BENCH_CLOCK) - clock, bench_seconds(BENCH_THREAD) - processor);
     return shows;
 }
 
 /* From a key, pressed while a step is at work, to the picture that shows it; and the face's calls
  * meanwhile. */
-static void measure_keys(skv_session *session, series *keys, series *calls)
+static void measure_keys(skv_stage *stage, series *keys, series *calls)
 {
     const struct timespec pause = {.tv_nsec = 2000000};
     double last = bench_seconds(BENCH_CLOCK);
     for (int i = 0; i < KEYS; i++) {
         double tilt = i % 2 ? 0.5 : -0.5;
         for (int k = 0; k < 10; k++, nanosleep(&pause, NULL))
-            take_turn(session, tilt, &last, calls);
+            take_turn(stage, tilt, &last, calls);
         double clock = bench_seconds(BENCH_CLOCK), processor = bench_seconds(BENCH_PROCESS);
-        skv_session_set_gravity(session, tilt, -1);
-        while (!take_turn(session, tilt, &last, calls))
+        skv_stage_set_gravity(stage, 0, tilt, -1);
+        while (!take_turn(stage, tilt, &last, calls))
             nanosleep(&pause, NULL);
         note(keys, bench_seconds(BENCH_CLOCK) - clock, bench_seconds(BENCH_PROCESS) - processor);
     }
@@ -146,13 +146,13 @@ static void measure_keys(skv_session *session, series *keys, series *calls)
 static skv_result measure(int particles, int threads, bench_report *report, skv_error *error)
 {
     series stepped = {0}, issued = {0}, keys = {0}, calls = {0};
-    skv_session *session = NULL;
-    skv_result result = open_pool(particles, threads, &session, error);
+    skv_stage *stage = NULL;
+    skv_result result = open_pool(particles, threads, &stage, error);
     if (result == SKV_OK)
-        result = measure_frames(session, &stepped, &issued, error);
+        result = measure_frames(stage, &stepped, &issued, error);
     if (result == SKV_OK)
-        measure_keys(session, &keys, &calls);
-    skv_session_destroy(session);
+        measure_keys(stage, &keys, &calls);
+    skv_stage_destroy(stage);
     add_row(report, "step and publish", particles, report->threads, &stepped);
     add_row(report, "issue", particles, 1, &issued);
     add_row(report, "from a key to its picture", particles, report->threads, &keys);

@@ -1,5 +1,5 @@
 /* A world's state in a file, a snapshot with terrain (docs/snapshot.md), and a replay (docs/
- * session.md), in a file or in a link (docs/share.md), as they are.
+ * stage.md), in a file or in a link (docs/share.md), as they are.
  *
  * Invariant: what is no regular file is not opened, and no more is read than its size.
  */

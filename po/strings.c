@@ -7,7 +7,7 @@
 #include <skvalp/parameters.h>
 #include <skvalp/render.h>
 #include <skvalp/scene.h>
-#include <skvalp/session.h>
+#include <skvalp/stage.h>
 #include <stdio.h>
 #include <string.h>
 

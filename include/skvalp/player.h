@@ -4,7 +4,7 @@
  * A player steps a world in whole frames of 1/60 s and keeps a log of what was done to it: at which
  * frame which command. Start and log give every later moment, bit for bit, so this one log is undo
  * and redo, rewinding, replay files and recordings. No clock and no thread of its own: whoever
- * calls it decides when a frame is due (docs/session.md).
+ * calls it decides when a frame is due (docs/stage.md).
  *
  * A moment lies between two frames. What is at hand after rewinding is played again as it was; the
  * first command given there cuts off what came after, and skv_player_redo brings it back.

@@ -274,7 +274,7 @@ typedef struct skv_tool {
     const char *title; /**< "Hand", in English */
     const char *help;  /**< one sentence */
     char key;          /**< that chooses it */
-    bool dyes;         /**< works with a colour: skv_session_set_dye */
+    bool dyes;         /**< works with a colour: skv_stage_set_dye */
 } skv_tool;
 SKV_API const skv_tool *skv_tool_info(int i);
 

@@ -1,4 +1,4 @@
-/* Recipes: what a scene was made of, in one block of bytes (docs/session.md), so that a replay or a
+/* Recipes: what a scene was made of, in one block of bytes (docs/stage.md), so that a replay or a
  * link can have it made again where its files are not. */
 #ifndef SKV_SCENE_RECIPE_H
 #define SKV_SCENE_RECIPE_H

@@ -5,7 +5,7 @@
 #include <stdatomic.h>
 
 #include "session/player.h"
-#include "skvalp/session.h"
+#include "skvalp/stage.h"
 
 /* What was opened: what pictures say of it. Counted by those that do, on the session's thread. */
 typedef struct skv_opened {

@@ -2,7 +2,7 @@
 #ifndef SKV_SESSION_KEYBOARD_H
 #define SKV_SESSION_KEYBOARD_H
 
-#include "skvalp/session.h"
+#include "skvalp/stage.h"
 
 typedef struct skv_keyboard {
     bool shown; /* it has been used */

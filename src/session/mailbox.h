@@ -5,7 +5,7 @@
 
 #include <stdatomic.h>
 
-#include "skvalp/session.h"
+#include "skvalp/stage.h"
 
 typedef enum skv_message_kind {
     SKV_MESSAGE_OPEN,  /* request */

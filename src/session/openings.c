@@ -100,7 +100,8 @@ void skv_worker_share(skv_worker *worker, bool offered)
     if (!worker->player)
         skv_fail(&error, SKV_ERROR_VALUE, "nothing is open");
     else if (skv_player_share(worker->player, keep_shared, &worker->shared[offered], &error) ==
-             SKV_OK)
+                 SKV_OK &&
+             offered)
         worker->player->shared = worker->player->now;
     skv_worker_report(worker, offered ? SKV_OUTCOME_COMPARE : SKV_OUTCOME_SHARE, &error);
 }

@@ -5,7 +5,7 @@
 #include "session/log.h"
 
 /* What pointers, speeds and gravity are rounded to, so that they pack well: steps that nobody sees
- * (docs/session.md). */
+ * (docs/stage.md). */
 typedef struct skv_steps {
     double length;   /* m: a power of two, below 1/4096 of the world's longer side */
     double speed;    /* m/s: about one such step a frame */

@@ -2,7 +2,7 @@
 #ifndef SKV_SESSION_POINTERS_H
 #define SKV_SESSION_POINTERS_H
 
-#include "skvalp/session.h"
+#include "skvalp/stage.h"
 
 /* The mouse's number may be a finger's, too. */
 typedef struct skv_pointer_id {

@@ -1,4 +1,4 @@
-/* Replays (docs/session.md): writing them, and reading them whoever wrote them. A saved one holds
+/* Replays (docs/stage.md): writing them, and reading them whoever wrote them. A saved one holds
  * the state that it began with; one to be shared only the scene, from which that is made again.
  *
  * Invariant: a log that skv_player_load has let through consists of whole records in order; what

@@ -1,9 +1,9 @@
-/* The face's side of a session: every call leaves a message, or reads what was published.
+/* The face's side of a world: every call leaves a message, or reads what was published.
  *
  * Invariant: nothing here waits for the worker, but for skv_session_wait and skv_session_destroy;
  * and no message that must not be lost is: if there is no room, all pointers are let go.
  */
-#include "skvalp/session.h"
+#include "session/session.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,14 +12,10 @@
 #include "base/defs.h"
 #include "base/memory.h"
 #include "scene/recipe.h"
-#include "session/face.h"
 
 #define DEFAULT_WORLD_WIDTH  1.6
 #define DEFAULT_WORLD_HEIGHT 0.9
 #define LONGEST_PAUSE        1.0 /* s: who calls less often was away */
-#define STRONGEST_TILT       2.0
-#define FASTEST_PUSH         10.0 /* m/s */
-#define WIDEST_BRUSH         100.0
 
 enum { STAGE_COOKIE = 0x5354 };
 
@@ -61,8 +57,6 @@ skv_result skv_session_create(const skv_stage_def *def, skv_session **out, skv_e
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
     skv_worker *worker = &session->worker;
     skv_worker_start(worker, def);
-    session->speed = 1;
-    session->dye = worker->tools.dye;
     session->camera = skv_camera_fit(1280, 720, DEFAULT_WORLD_WIDTH, DEFAULT_WORLD_HEIGHT);
     skv_result result = skv_pool_create(def->threads, &worker->pool, error);
     if (result == SKV_OK) {
@@ -148,21 +142,6 @@ static void post_kind(skv_session *session, skv_message_kind kind)
     skv_session_post(session, &(skv_message){.kind = kind});
 }
 
-static void post_number(skv_session *session, skv_message_kind kind, int number)
-{
-    skv_message message = {.kind = kind};
-    message.number = number;
-    skv_session_post(session, &message);
-}
-
-static void post_vector(skv_session *session, skv_message_kind kind, double x, double y)
-{
-    skv_message message = {.kind = kind};
-    message.x = x;
-    message.y = y;
-    skv_session_post(session, &message);
-}
-
 void skv_session_fail(skv_session *session, skv_outcome_kind kind, skv_result code,
                       const char *cause, const char *name)
 {
@@ -217,36 +196,21 @@ void skv_session_save(skv_session *session, const char *path)
     post_request(session, SKV_MESSAGE_SAVE, SKV_OUTCOME_SAVE, &request);
 }
 
-void skv_session_share(skv_session *session)
+bool skv_session_share(skv_session *session, bool offer)
 {
-    SKV_ASSERT(session);
-    post_kind(session, SKV_MESSAGE_SHARE);
-}
-
-bool skv_session_offer(skv_session *session)
-{
-    return skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SHARE, .number = 1});
+    return skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SHARE, .number = offer});
 }
 
 /* Taken out meanwhile, so that the worker cannot free it; there may be newer bytes by then. */
-static bool read_shared(_Atomic(skv_shared *) *place, skv_write *write, void *user)
+bool skv_session_read_shared(skv_session *session, bool offer, skv_write *write, void *user)
 {
+    SKV_ASSERT_OR(session && write, false);
+    _Atomic(skv_shared *) *place = &session->worker.shared[offer];
     skv_shared *shared = atomic_exchange(place, NULL), *newer = NULL;
     bool written = shared && write(shared->bytes, shared->size, user);
     if (shared && !atomic_compare_exchange_strong(place, &newer, shared))
         skv_free(shared);
     return written;
-}
-
-bool skv_session_read_shared(skv_session *session, skv_write *write, void *user)
-{
-    SKV_ASSERT_OR(session && write, false);
-    return read_shared(&session->worker.shared[0], write, user);
-}
-
-bool skv_session_read_offered(skv_session *session, skv_write *write, void *user)
-{
-    return read_shared(&session->worker.shared[1], write, user);
 }
 
 bool skv_session_next_outcome(skv_session *session, skv_outcome *report)
@@ -385,54 +349,6 @@ bool skv_session_paused(const skv_session *session)
     return atomic_load(&session->worker.paused);
 }
 
-void skv_session_step_once(skv_session *session)
-{
-    SKV_ASSERT(session);
-    post_kind(session, SKV_MESSAGE_STEP);
-}
-
-void skv_session_set_speed(skv_session *session, double speed)
-{
-    SKV_ASSERT(session && isfinite(speed));
-    session->speed = fmin(fmax(speed, 0.05), 2);
-    post_vector(session, SKV_MESSAGE_SPEED, session->speed, 0);
-}
-
-double skv_session_speed(const skv_session *session)
-{
-    SKV_ASSERT_OR(session, 1);
-    return session->speed;
-}
-
-void skv_session_seek(skv_session *session, int64_t frame)
-{
-    SKV_ASSERT(session);
-    skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SEEK, .frame = frame});
-}
-
-void skv_session_reset(skv_session *session)
-{
-    skv_session_seek(session, 0);
-}
-
-void skv_session_replay(skv_session *session)
-{
-    SKV_ASSERT(session);
-    post_kind(session, SKV_MESSAGE_REPLAY);
-}
-
-void skv_session_undo(skv_session *session)
-{
-    SKV_ASSERT(session);
-    post_kind(session, SKV_MESSAGE_UNDO);
-}
-
-void skv_session_redo(skv_session *session)
-{
-    SKV_ASSERT(session);
-    post_kind(session, SKV_MESSAGE_REDO);
-}
-
 /* ---- Pictures -------------------------------------------------------------------------------- */
 
 const skv_picture *skv_session_acquire(skv_session *session)
@@ -447,20 +363,8 @@ void skv_session_release(skv_session *session, const skv_picture *picture)
     skv_gallery_release(&session->worker.gallery, picture);
 }
 
-/* ---- Gravity and parameters ------------------------------------------------------------------ */
-
-void skv_session_set_gravity(skv_session *session, double x, double y)
-{
-    SKV_ASSERT(session && isfinite(x) && isfinite(y));
-    double length = hypot(x, y), cut = length > STRONGEST_TILT ? STRONGEST_TILT / length : 1;
-    post_vector(session, SKV_MESSAGE_GRAVITY, x * cut, y * cut);
-}
-
-void skv_session_push(skv_session *session, double vx, double vy)
-{
-    SKV_ASSERT(session && fabs(vx) <= FASTEST_PUSH && fabs(vy) <= FASTEST_PUSH);
-    post_vector(session, SKV_MESSAGE_PUSH, vx, vy);
-}
+/* ---- Edits ------------------------------------------------------------------------------------
+ */
 
 void skv_session_edit(skv_session *session, const skv_command *command)
 {
@@ -484,39 +388,8 @@ void skv_session_set(skv_session *session, const char *path, const char *text)
     }
 }
 
-/* ---- Tools and pointers ---------------------------------------------------------------------- */
-
-void skv_session_set_tool(skv_session *session, int tool)
-{
-    SKV_ASSERT(session && skv_tool_info(tool));
-    session->tool = tool;
-    post_number(session, SKV_MESSAGE_TOOL, tool);
-}
-
-int skv_session_tool(const skv_session *session)
-{
-    SKV_ASSERT_OR(session, 0);
-    return session->tool;
-}
-
-void skv_session_set_brush(skv_session *session, double radius)
-{
-    SKV_ASSERT(session && radius >= 0 && radius <= WIDEST_BRUSH);
-    post_vector(session, SKV_MESSAGE_BRUSH, radius, 0);
-}
-
-void skv_session_set_dye(skv_session *session, int dye)
-{
-    SKV_ASSERT(session && skv_dye_name(dye));
-    session->dye = dye;
-    post_number(session, SKV_MESSAGE_DYE, dye);
-}
-
-int skv_session_dye(const skv_session *session)
-{
-    SKV_ASSERT_OR(session, 0);
-    return session->dye;
-}
+/* ---- Pointers ---------------------------------------------------------------------------------
+ */
 
 static int find_down(const skv_session *session, const skv_pointer_event *event)
 {
@@ -565,12 +438,6 @@ void skv_session_cancel_pointers(skv_session *session)
     post_kind(session, SKV_MESSAGE_CANCEL);
 }
 
-int skv_session_pointer_count(const skv_session *session)
-{
-    SKV_ASSERT_OR(session, 0);
-    return session->down_count;
-}
-
 void skv_session_keyboard(skv_session *session, int right, int up, bool down)
 {
     SKV_ASSERT(session);
@@ -578,4 +445,26 @@ void skv_session_keyboard(skv_session *session, int right, int up, bool down)
     if (skv_keyboard_press(&session->keyboard, right, up, down, session->camera.width,
                            session->camera.height, &event))
         skv_session_pointer(session, &event);
+}
+
+/* ---- Led by the time of two --------------------------------------------------------------------
+ */
+
+void skv_session_grant(skv_session *session, int frames, double factor)
+{
+    skv_message message = {.kind = SKV_MESSAGE_PLAY};
+    message.play.frames = frames;
+    message.play.factor = factor;
+    if (skv_session_post(session, &message))
+        session->granted += (unsigned)frames;
+}
+
+int skv_session_owed(const skv_session *session)
+{
+    return (int)(session->granted - atomic_load(&session->worker.played));
+}
+
+bool skv_session_is_settled(const skv_session *session)
+{
+    return atomic_load(&session->worker.posted) == atomic_load(&session->worker.settled);
 }

@@ -107,13 +107,13 @@ void skv_stage_save(skv_stage *stage, const char *path)
 void skv_stage_share(skv_stage *stage)
 {
     SKV_ASSERT(stage);
-    skv_session_share(stage->worlds[0]);
+    skv_session_share(stage->worlds[0], false);
 }
 
 bool skv_stage_read_shared(skv_stage *stage, skv_write *write, void *user)
 {
     SKV_ASSERT_OR(stage, false);
-    return skv_session_read_shared(stage->worlds[0], write, user);
+    return skv_session_read_shared(stage->worlds[0], false, write, user);
 }
 
 /* ---- Two worlds ------------------------------------------------------------------------------ */
@@ -126,7 +126,7 @@ void skv_stage_compare(skv_stage *stage, const skv_scene_options *options)
     skv_request request = {.name = "a second world", .options = *options};
     skv_free(stage->wanted);
     stage->wanted = skv_request_copy(&request);
-    if (stage->wanted && skv_session_offer(stage->worlds[0]))
+    if (stage->wanted && skv_session_share(stage->worlds[0], true))
         stage->offers++;
     else
         skv_session_fail(stage->worlds[0], SKV_OUTCOME_COMPARE, SKV_ERROR_MEMORY, "out of memory",
@@ -162,7 +162,7 @@ static bool take_offer(skv_stage *stage, skv_outcome *report)
     if (last && report->error.code == SKV_OK) {
         drop_next(stage);
         if (skv_session_create(&stage->def, &stage->next, &report->error) == SKV_OK)
-            skv_session_read_offered(stage->worlds[0], open_next, stage);
+            skv_session_read_shared(stage->worlds[0], true, open_next, stage);
     }
     return last && report->error.code != SKV_OK;
 }

@@ -2,9 +2,8 @@
 #ifndef SKV_SESSION_STAGE_H
 #define SKV_SESSION_STAGE_H
 
-#include "session/face.h"
-#include "session/led.h"
 #include "session/pace.h"
+#include "session/session.h"
 #include "skvalp/fingers.h"
 
 struct skv_stage {

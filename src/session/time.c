@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "base/assert.h"
-#include "session/led.h"
 #include "session/stage.h"
 
 /* What can be seen of a world's time. */
@@ -27,17 +26,16 @@ void skv_stage_join(skv_stage *stage)
 {
     stage->pace = skv_pace_start();
     stage->introduced = false;
-    for (int i = 0; i < 2; i++) {
-        /* A finger that is down would take over from the replay at its start. */
+    /* A finger that is down would take over from the replay at its start. */
+    for (int i = 0; i < 2; i++)
         skv_session_cancel_pointers(stage->worlds[i]);
-        skv_session_set_led(stage->worlds[i], true);
-        skv_session_replay_shared(stage->worlds[i]);
-    }
+    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_LED, .number = true});
+    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_REPLAY, .number = true});
 }
 
 void skv_stage_part(skv_stage *stage)
 {
-    skv_session_set_led(stage->worlds[0], false);
+    skv_session_post(stage->worlds[0], &(skv_message){.kind = SKV_MESSAGE_LED});
 }
 
 /* Whether both have done what was asked of them; where they are, then. */
@@ -54,6 +52,22 @@ static bool have_settled(const skv_stage *stage, look seen[2])
     return true;
 }
 
+/* Adds an instrument of the first to the second, unless that was done for both. */
+static void take_probe(skv_stage *stage, const skv_probe *probe, const skv_picture *own)
+{
+    skv_message message = {.kind = SKV_MESSAGE_PROBE_ADD};
+    message.probe.id = probe->id;
+    message.probe.def = probe->def;
+    message.probe.watched = probe->samples > 0;
+    bool known = false;
+    for (int i = 0; i < own->probe_count; i++)
+        known = known || own->probes[i].id == probe->id;
+    if (!known)
+        skv_session_post(stage->worlds[1], &message);
+    message.kind = SKV_MESSAGE_PROBE_WATCH;
+    skv_session_post(stage->worlds[1], &message);
+}
+
 /* Once what was asked of each alone is done: only then does the first's picture show all its
  * instruments. False before. */
 static bool introduce(skv_stage *stage)
@@ -64,7 +78,10 @@ static bool introduce(skv_stage *stage)
     if (!have_settled(stage, seen))
         return false;
     const skv_picture *picture = skv_session_acquire(stage->worlds[0]);
-    skv_session_take_probes(stage->worlds[1], picture);
+    const skv_picture *own = skv_session_acquire(stage->worlds[1]);
+    for (int i = 0; i < picture->probe_count; i++)
+        take_probe(stage, &picture->probes[i], own);
+    skv_session_release(stage->worlds[1], own);
     skv_session_release(stage->worlds[0], picture);
     stage->introduced = true;
     return true;
@@ -79,7 +96,8 @@ static bool align(skv_stage *stage)
     if (!have_settled(stage, seen) || seen[0].moment == seen[1].moment)
         return true;
     int later = seen[1].moment > seen[0].moment;
-    skv_session_seek(stage->worlds[later], seen[!later].moment);
+    skv_session_post(stage->worlds[later],
+                     &(skv_message){.kind = SKV_MESSAGE_SEEK, .frame = seen[!later].moment});
     return false;
 }
 
@@ -98,7 +116,7 @@ static void grant(skv_stage *stage, double seconds, double drawing)
 {
     look a = look_at(stage->worlds[0]), b = look_at(stage->worlds[1]);
     bool beside =
-        skv_session_has_thread(stage->worlds[0]) && skv_session_has_thread(stage->worlds[1]);
+        stage->worlds[0]->worker.def.own_thread && stage->worlds[1]->worker.def.own_thread;
     double cost = beside ? fmax(a.step_ms, b.step_ms) : a.step_ms + b.step_ms;
     stage->pace.speed = stage->speed;
     stage->pace.step_cost = cost / 1000;
@@ -141,8 +159,8 @@ static void undo_both(skv_stage *stage)
 {
     look a = look_at(stage->worlds[0]), b = look_at(stage->worlds[1]);
     int64_t to = a.undo_to > b.undo_to ? a.undo_to : b.undo_to;
-    for (int i = 0; i < 2 && to >= 0; i++)
-        skv_session_go_back(stage->worlds[i], to);
+    if (to >= 0)
+        skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_GO_BACK, .frame = to});
 }
 
 /* An edit in one of them has ended what can be redone, in both. */
@@ -230,7 +248,7 @@ void skv_stage_undo(skv_stage *stage)
     if (stage->count == 2)
         undo_both(stage);
     else
-        skv_session_undo(stage->worlds[0]);
+        skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_UNDO});
 }
 
 void skv_stage_redo(skv_stage *stage)
@@ -239,5 +257,5 @@ void skv_stage_redo(skv_stage *stage)
     if (stage->count == 2)
         redo_both(stage);
     else
-        skv_session_redo(stage->worlds[0]);
+        skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_REDO});
 }

@@ -11,7 +11,7 @@
 #include "base/assert.h"
 #include "skvalp/base.h"
 
-/* What a hand does (docs/session.md): it carries water at several metres a second. */
+/* What a hand does (docs/stage.md): it carries water at several metres a second. */
 #define HAND_ATTRACTION 300.0f /* m/s^2 */
 #define HAND_FRICTION   0.0f   /* 1/s */
 #define HAND_FOLLOW     40.0f  /* 1/s */

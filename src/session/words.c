@@ -1,6 +1,6 @@
 /* What a picture shows, in words. */
 #include "base/assert.h"
-#include "skvalp/session.h"
+#include "skvalp/stage.h"
 
 /* "2 960": groups of three digits, with thin spaces that keep together. */
 static void write_count(int count, char *text, size_t size)

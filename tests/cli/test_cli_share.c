@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include <skvalp/link.h>
-#include <skvalp/session.h>
+#include <skvalp/stage.h>
 
 #include "program.h"
 #include "support/fixture.h"
@@ -20,9 +20,9 @@
 /* ---- A person ----------------------------------------------------------------------------------
  */
 
-/* A session that works within its calls, on a pool of 1.6 m shown with 1000 pixels a metre. */
+/* A stage that works within its calls, on a pool of 1.6 m shown with 1000 pixels a metre. */
 typedef struct game {
-    skv_session *session;
+    skv_stage *stage;
     double time;
     uint32_t dice;
 } game;
@@ -41,27 +41,28 @@ static game begin(const char *scene, int particles)
     def.threads = 1;
     def.own_thread = false;
     def.clock = still;
-    assert_int_equal(skv_session_create(&def, &g.session, NULL), SKV_OK);
-    skv_session_set_view(g.session, 1600, 900);
-    skv_session_open(g.session, scene, &options);
+    assert_int_equal(skv_stage_create(&def, &g.stage, NULL), SKV_OK);
+    skv_stage_set_view(g.stage, 0, 1600, 900);
+    skv_stage_open(g.stage, scene, &options);
     return g;
 }
 
 static void pass(game *g, double seconds)
 {
     for (int i = 0; i < (int)(60 * seconds + 0.5); i++) {
-        skv_session_advance(g->session, 1.0 / 60, 0);
+        skv_stage_advance(g->stage, 1.0 / 60, 0);
         g->time += 1.0 / 60;
     }
 }
 
 static void point(game *g, skv_phase phase, double px, double py)
 {
-    skv_session_pointer(g->session, &(skv_pointer_event){.phase = phase,
-                                                         .device = SKV_DEVICE_MOUSE,
-                                                         .px = floor(px + 0.5),
-                                                         .py = floor(py + 0.5),
-                                                         .time = g->time});
+    skv_stage_pointer(g->stage, 0,
+                      &(skv_pointer_event){.phase = phase,
+                                           .device = SKV_DEVICE_MOUSE,
+                                           .px = floor(px + 0.5),
+                                           .py = floor(py + 0.5),
+                                           .time = g->time});
 }
 
 /* Nobody holds still: a pixel or two to either side. */
@@ -75,7 +76,7 @@ static double tremor(game *g)
 static void drag(game *g, int tool, double x0, double y0, double x1, double y1, double seconds)
 {
     int steps = (int)(60 * seconds);
-    skv_session_set_tool(g->session, tool);
+    skv_stage_set_tool(g->stage, tool);
     point(g, SKV_PHASE_DOWN, x0, y0);
     for (int i = 1; i <= steps; i++) {
         double t = (double)i / steps, s = t * t * t * (10 - 15 * t + 6 * t * t);
@@ -132,22 +133,22 @@ static text share(game *g)
 {
     text link = {.size = 0};
     skv_outcome outcome;
-    while (skv_session_next_outcome(g->session, &outcome))
+    while (skv_stage_next_outcome(g->stage, &outcome))
         continue;
-    skv_session_share(g->session);
-    assert_true(skv_session_next_outcome(g->session, &outcome));
+    skv_stage_share(g->stage);
+    assert_true(skv_stage_next_outcome(g->stage, &outcome));
     assert_int_equal(outcome.kind, SKV_OUTCOME_SHARE);
     assert_string_equal(outcome.error.text, "");
-    assert_true(skv_session_read_shared(g->session, make_link, &link));
+    assert_true(skv_stage_read_shared(g->stage, make_link, &link));
     assert_int_equal(link.result, SKV_OK);
     return link;
 }
 
 static uint64_t hash_of(game *g)
 {
-    const skv_picture *picture = skv_session_acquire(g->session);
+    skv_stage_look(g->stage);
+    const skv_picture *picture = skv_stage_picture(g->stage, 0);
     uint64_t hash = fixture_hash(&picture->frame.particles);
-    skv_session_release(g->session, picture);
     return hash;
 }
 
@@ -166,9 +167,9 @@ static void expect_end(const char *folder, const char *link, int64_t frames, uin
 
 static int64_t moment(game *g)
 {
-    const skv_picture *picture = skv_session_acquire(g->session);
+    skv_stage_look(g->stage);
+    const skv_picture *picture = skv_stage_picture(g->stage, 0);
     int64_t at = picture->moment;
-    skv_session_release(g->session, picture);
     return at;
 }
 
@@ -180,19 +181,19 @@ static void test_the_other_end_is_the_same(void **state)
     drag(&g, HAND, 300, 800, 900, 300, 0.7);
     drag(&g, WALL, 700, 500, 1000, 550, 0.4);
     drag(&g, WATER, 400, 150, 600, 200, 0.5);
-    skv_session_undo(g.session); /* the water */
-    skv_session_set_gravity(g.session, 0.6, -0.8);
-    skv_session_set(g.session, "fluid.viscosity", "0.002");
-    skv_session_push(g.session, 0.3, 1);
+    skv_stage_undo(g.stage); /* the water */
+    skv_stage_set_gravity(g.stage, 0, 0.6, -0.8);
+    skv_stage_set(g.stage, 0, "fluid.viscosity", "0.002");
+    skv_stage_push(g.stage, 0, 0.3, 1);
     pass(&g, 0.5);
     text link = share(&g);
     expect_end(folder, link.bytes, moment(&g), hash_of(&g));
     /* Of a moment in the past: what came after is not in it. */
-    skv_session_seek(g.session, 40);
+    skv_stage_seek(g.stage, 40);
     text past = share(&g);
     assert_true(strlen(past.bytes) < strlen(link.bytes));
     expect_end(folder, past.bytes, 40, hash_of(&g));
-    skv_session_destroy(g.session);
+    skv_stage_destroy(g.stage);
 }
 
 /* What replay says of another world, and of no link at all. */
@@ -202,7 +203,7 @@ static void test_what_is_not_the_same(void **state)
     game g = begin("pool", 300);
     pass(&g, 0.5);
     text link = share(&g);
-    skv_session_destroy(g.session);
+    skv_stage_destroy(g.stage);
     link.bytes[strlen(link.bytes) / 2] ^= 1;
     program_result result = SKVALP(folder, "replay", link.bytes);
     assert_int_equal(result.status, 2);
@@ -224,10 +225,10 @@ static void test_share_command(void **state)
     uint64_t hash = hash_of(&g);
     int64_t frames = moment(&g);
     snprintf(path, sizeof path, "%s/game.skvr", folder);
-    skv_session_save(g.session, path);
+    skv_stage_save(g.stage, path);
     snprintf(path, sizeof path, "%s/state.skv", folder);
-    skv_session_save(g.session, path);
-    skv_session_destroy(g.session);
+    skv_stage_save(g.stage, path);
+    skv_stage_destroy(g.stage);
     program_result result = SKVALP(folder, "share", "game.skvr", "--quiet");
     assert_int_equal(result.status, 0);
     assert_int_equal(count_lines(result.out), 1);
@@ -259,12 +260,12 @@ static void test_links_are_short(void **state)
     for (int i = 1; i < 6; i++)
         play_ten_seconds(&g);
     text minute = share(&g);
-    skv_session_destroy(g.session);
+    skv_stage_destroy(g.stage);
     g = begin("pool", 100);
     for (int i = 0; i < 30; i++)
         drag(&g, HAND, 300 + 40 * (i % 20), 800, 1300 - 30 * (i % 11), 300, 2);
     text busy = share(&g);
-    skv_session_destroy(g.session);
+    skv_stage_destroy(g.stage);
     printf(
         "links: %zu characters (%zu bytes) for 10 s, %zu (%zu) for 60 s, %zu (%zu) for 60 s with "
         "the hand\n",

@@ -62,7 +62,7 @@ layer_of() {
     skvalp/acting.h | skvalp/area.h | skvalp/fluid.h | skvalp/frame.h | skvalp/parameters.h) of=world ;;
     skvalp/particles.h | skvalp/query.h | skvalp/snapshot.h) of=world ;;
     skvalp/mark.h) of=camera ;;
-    skvalp/pair.h | skvalp/player.h | skvalp/stage.h) of=session ;;
+    skvalp/player.h | skvalp/stage.h) of=session ;;
     skvalp/fingers.h | skvalp/numbers.h | skvalp/stopwatch.h | skvalp/tilt.h) of=session ;;
     skvalp/*.h)
         of=${name#skvalp/}

@@ -1,23 +1,122 @@
-/* Sessions for tests. Invariant: after each call here everything asked for has been done. */
+/* Stages for tests, by a clock that stands still, so that nothing depends on the machine. */
 #include "support.h"
 
-#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 #include <cmocka.h>
 
 #include "support/fixture.h"
 
-static double still(void)
+double stage_still(void)
 {
     return 0;
 }
 
-skv_player *session_open_player(size_t history)
+skv_stage *stage_make(bool own_thread, double (*clock)(void))
+{
+    skv_stage *stage;
+    skv_stage_def def = skv_default_stage_def();
+    def.threads = 1;
+    def.own_thread = own_thread;
+    def.clock = clock;
+    assert_int_equal(skv_stage_create(&def, &stage, NULL), SKV_OK);
+    skv_stage_set_view(stage, 0, 1600, 900);
+    return stage;
+}
+
+skv_stage *stage_open_pool(int particles, bool own_thread)
+{
+    skv_stage *stage = stage_make(own_thread, stage_still);
+    skv_outcome outcome;
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = particles;
+    skv_stage_open(stage, "pool", &options);
+    skv_stage_wait(stage);
+    assert_true(skv_stage_next_outcome(stage, &outcome));
+    assert_string_equal(outcome.error.text, "");
+    return stage;
+}
+
+const skv_picture *stage_look(skv_stage *stage, int side)
+{
+    skv_stage_wait(stage);
+    skv_stage_look(stage);
+    return skv_stage_picture(stage, side);
+}
+
+uint64_t stage_hash(skv_stage *stage, int side)
+{
+    return fixture_hash(&stage_look(stage, side)->frame.particles);
+}
+
+int64_t stage_moment(skv_stage *stage)
+{
+    int64_t at = stage_look(stage, 0)->moment;
+    assert_int_equal(skv_stage_picture(stage, 1)->moment, at);
+    return at;
+}
+
+void stage_pass(skv_stage *stage, double seconds)
+{
+    skv_stage_advance(stage, seconds, 0);
+    skv_stage_wait(stage);
+}
+
+void stage_pass_frames(skv_stage *stage, int frames)
+{
+    for (int i = 0; i < frames; i++)
+        stage_pass(stage, 1.0 / 60);
+}
+
+skv_outcome stage_compared(skv_stage *stage)
+{
+    skv_outcome outcome;
+    do
+        skv_stage_wait(stage);
+    while (!skv_stage_next_outcome(stage, &outcome));
+    assert_int_equal(outcome.kind, SKV_OUTCOME_COMPARE);
+    if (skv_stage_sides(stage) == 2)
+        skv_stage_set_view(stage, 1, 1600, 900);
+    return outcome;
+}
+
+void stage_ask_compare(skv_stage *stage, int particles, const char *path, const char *value)
+{
+    skv_setting setting = {path, value};
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = particles;
+    options.settings = &setting;
+    options.setting_count = path ? 1 : 0;
+    skv_stage_compare(stage, &options);
+    skv_stage_wait(stage);
+}
+
+void stage_compare(skv_stage *stage, int particles, const char *path, const char *value)
+{
+    stage_ask_compare(stage, particles, path, value);
+    assert_string_equal(stage_compared(stage).error.text, "");
+    assert_int_equal(skv_stage_sides(stage), 2);
+}
+
+void stage_point(skv_stage *stage, int side, skv_phase phase, double px, double py, double time)
+{
+    skv_stage_pointer(stage, side,
+                      &(skv_pointer_event){.phase = phase, .px = px, .py = py, .time = time});
+    skv_stage_wait(stage);
+}
+
+void stage_draw_wall(skv_stage *stage, int side, double px)
+{
+    skv_stage_set_tool(stage, 1);
+    stage_point(stage, side, SKV_PHASE_DOWN, px, 300, 0);
+    stage_point(stage, side, SKV_PHASE_MOVE, px + 100, 350, 0.1);
+    stage_point(stage, side, SKV_PHASE_UP, px + 100, 350, 0.2);
+}
+
+skv_player *open_player(size_t history)
 {
     skv_scene_options options = skv_default_scene_options();
     options.particles = 300;
@@ -32,85 +131,52 @@ skv_player *session_open_player(size_t history)
     return player;
 }
 
-int session_setup(void **state)
+int stage_setup(void **state)
 {
-    *state = session_open_pool(200, false);
+    *state = stage_open_pool(200, false);
     return 0;
 }
 
-int session_setup_thread(void **state)
+int stage_setup_thread(void **state)
 {
-    *state = session_open_pool(200, true);
+    *state = stage_open_pool(200, true);
     return 0;
 }
 
-int session_teardown(void **state)
+int stage_teardown(void **state)
 {
-    skv_session_destroy(*state);
+    skv_stage_destroy(*state);
     return 0;
 }
 
-skv_session *session_open_pool(int particles, bool own_thread)
+void stage_copy(skv_stage *stage, skv_picture *picture)
 {
-    skv_session *session = NULL;
-    skv_stage_def def = skv_default_stage_def();
-    skv_scene_options options = skv_default_scene_options();
-    options.particles = particles;
-    def.threads = 1;
-    def.own_thread = own_thread;
-    def.clock = still;
-    assert_int_equal(skv_session_create(&def, &session, NULL), SKV_OK);
-    skv_session_set_view(session, 1600, 900);
-    skv_session_open(session, "pool", &options);
-    skv_session_wait(session);
-    skv_outcome report;
-    assert_int_equal(session_report(session, &report), SKV_OK);
-    return session;
+    skv_stage_look(stage);
+    *picture = *skv_stage_picture(stage, 0);
 }
 
-void session_look(skv_session *session, skv_picture *picture)
+int stage_advance(skv_stage *stage, double seconds)
 {
-    const skv_picture *newest = skv_session_acquire(session);
-    *picture = *newest;
-    skv_session_release(session, newest);
+    int64_t before = stage_moment(stage);
+    skv_stage_advance(stage, seconds, 0);
+    skv_stage_wait(stage);
+    return (int)(stage_moment(stage) - before);
 }
 
-int64_t session_moment(skv_session *session)
+void stage_touch(skv_stage *stage, skv_phase phase, skv_device device, uint64_t pointer, double px,
+                 double py, double time)
 {
-    skv_picture picture;
-    session_look(session, &picture);
-    return picture.moment;
+    skv_stage_pointer(stage, 0,
+                      &(skv_pointer_event){.phase = phase,
+                                           .device = device,
+                                           .pointer = pointer,
+                                           .px = px,
+                                           .py = py,
+                                           .time = time});
+    skv_stage_wait(stage);
 }
 
-int session_advance(skv_session *session, double seconds)
+int stage_report(skv_stage *stage, skv_outcome *report)
 {
-    int64_t before = session_moment(session);
-    skv_session_advance(session, seconds, 0);
-    skv_session_wait(session);
-    return (int)(session_moment(session) - before);
-}
-
-uint64_t session_hash(skv_session *session)
-{
-    const skv_picture *picture = skv_session_acquire(session);
-    uint64_t hash = fixture_hash(&picture->frame.particles);
-    skv_session_release(session, picture);
-    return hash;
-}
-
-void session_point(skv_session *session, skv_phase phase, skv_device device, uint64_t pointer,
-                   double px, double py, double time)
-{
-    skv_session_pointer(session, &(skv_pointer_event){.phase = phase,
-                                                      .device = device,
-                                                      .pointer = pointer,
-                                                      .px = px,
-                                                      .py = py,
-                                                      .time = time});
-    skv_session_wait(session);
-}
-
-int session_report(skv_session *session, skv_outcome *report)
-{
-    return skv_session_next_outcome(session, report) ? (int)report->error.code : -1;
+    return skv_stage_next_outcome(stage, report) ? (int)report->error.code : -1;
 }

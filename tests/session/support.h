@@ -1,34 +1,48 @@
-/* What the session's tests share: a session that works within its calls, by a clock that stands
- * still, so that nothing depends on the machine. */
+/* What the stage's tests share. Invariant: after each call here but stage_make all that was asked
+ * for has been done. */
 #ifndef SKV_TESTS_SESSION_SUPPORT_H
 #define SKV_TESTS_SESSION_SUPPORT_H
 
-#include <skvalp/session.h>
+#include <skvalp/stage.h>
 
-/* A pool of some particles in a view of 1600 x 900 pixels: 1000 of them are a metre. */
-skv_session *session_open_pool(int particles, bool own_thread);
+double stage_still(void);
+skv_stage *stage_make(bool own_thread, double (*clock)(void));
+
+/* A stage with a pool in a view of 1600 x 900 pixels: 1000 of them are a metre. */
+skv_stage *stage_open_pool(int particles, bool own_thread);
+const skv_picture *stage_look(skv_stage *stage, int side);
+uint64_t stage_hash(skv_stage *stage, int side);
+
+/* All worlds are at one moment; which. */
+int64_t stage_moment(skv_stage *stage);
+void stage_pass(skv_stage *stage, double seconds);
+void stage_pass_frames(skv_stage *stage, int frames);
+
+/* What was to be compared is there, or is not. */
+skv_outcome stage_compared(skv_stage *stage);
+void stage_ask_compare(skv_stage *stage, int particles, const char *path, const char *value);
+void stage_compare(skv_stage *stage, int particles, const char *path, const char *value);
+void stage_point(skv_stage *stage, int side, skv_phase phase, double px, double py, double time);
+void stage_draw_wall(skv_stage *stage, int side, double px);
 
 /* A player of 300 particles in a pool; `history` in bytes, 0: as by default. */
-skv_player *session_open_player(size_t history);
+skv_player *open_player(size_t history);
 
 /* Set up and tear down tests of such a pool of 200 particles. */
-int session_setup(void **state);
-int session_setup_thread(void **state);
-int session_teardown(void **state);
+int stage_setup(void **state);
+int stage_setup_thread(void **state);
+int stage_teardown(void **state);
 
 /* Lets real time pass, and waits; returns the frames stepped. */
-int session_advance(skv_session *session, double seconds);
+int stage_advance(skv_stage *stage, double seconds);
 
-/* Facts of the newest picture. */
-int64_t session_moment(skv_session *session);
-uint64_t session_hash(skv_session *session);
-void session_look(skv_session *session, skv_picture *picture); /* all but what it points at */
+void stage_copy(skv_stage *stage, skv_picture *picture); /* all but what it points at */
 
 /* A pointer of a device, at a view pixel. */
-void session_point(skv_session *session, skv_phase phase, skv_device device, uint64_t pointer,
-                   double px, double py, double time);
+void stage_touch(skv_stage *stage, skv_phase phase, skv_device device, uint64_t pointer, double px,
+                 double py, double time);
 
 /* The next report's result; -1 if there is none. */
-int session_report(skv_session *session, skv_outcome *report);
+int stage_report(skv_stage *stage, skv_outcome *report);
 
 #endif

@@ -1,5 +1,5 @@
 /* Commands of a face: one step of undo each; what is refused leaves no trace; parameters follow
- * time. A session with all work done within the calls, and one on a thread of its own. */
+ * time. A stage with all work done within the calls, and one on a thread of its own. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +18,7 @@
 static void test_edits_bring_their_mark(void **state)
 {
     (void)state;
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     for (int i = 0; i < 4; i++)
         assert_int_equal(skv_player_step(player, NULL), SKV_OK);
     uint64_t before = skv_world_hash(skv_player_world(player));
@@ -38,11 +38,11 @@ static void test_edits_bring_their_mark(void **state)
     skv_player_destroy(player);
 }
 
-static void expect_parameter(skv_session *session, const char *path, const char *wanted)
+static void expect_parameter(skv_stage *stage, const char *path, const char *wanted)
 {
     skv_picture picture;
     char text[64];
-    session_look(session, &picture);
+    stage_copy(stage, &picture);
     assert_int_equal(skv_world_def_get(&picture.parameters, path, text, sizeof text, NULL), SKV_OK);
     assert_string_equal(text, wanted);
 }
@@ -50,22 +50,22 @@ static void expect_parameter(skv_session *session, const char *path, const char 
 /* An edit that is refused leaves nothing to undo; those before it can be. */
 static void test_edits(void **state)
 {
-    skv_session *session = *state;
+    skv_stage *stage = *state;
     skv_outcome report;
     skv_picture picture;
     skv_command tap = {.kind = SKV_COMMAND_EMIT};
     tap.source = (skv_emitter){.x = 0.4f, .y = 0.8f, .vy = -1, .width = 0.02f};
     for (int i = 0; i <= SKV_MAX_EMITTERS; i++)
-        skv_session_edit(session, &tap);
-    skv_session_wait(session);
-    assert_int_equal(session_report(session, &report), SKV_ERROR_LIMIT);
+        skv_stage_edit(stage, 0, &tap);
+    skv_stage_wait(stage);
+    assert_int_equal(stage_report(stage, &report), SKV_ERROR_LIMIT);
     assert_int_equal(report.kind, SKV_OUTCOME_EDIT);
-    session_look(session, &picture);
+    stage_copy(stage, &picture);
     assert_int_equal(picture.mark_count, SKV_MAX_EMITTERS);
     for (int left = SKV_MAX_EMITTERS - 1; left >= 0; left--) {
-        skv_session_undo(session);
-        skv_session_wait(session);
-        session_look(session, &picture);
+        skv_stage_undo(stage);
+        skv_stage_wait(stage);
+        stage_copy(stage, &picture);
         assert_int_equal(picture.mark_count, left);
         assert_int_equal(picture.can_undo, left > 0);
     }
@@ -84,7 +84,7 @@ static const skv_force *forces(skv_player *player, int wanted)
 static void test_forces(void **state)
 {
     (void)state;
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     skv_command change = {.kind = SKV_COMMAND_FORCE, .force.place = -1};
     for (int i = 0; i < 3; i++) {
         change.force.force = (skv_force){.area = skv_circle(0.3f, 0.2f, 0.1f), .ax = (float)i};
@@ -125,49 +125,49 @@ static void test_forces(void **state)
 
 static void test_parameters_and_pushes(void **state)
 {
-    skv_session *session = *state;
+    skv_stage *stage = *state;
     skv_outcome report;
     skv_picture picture;
-    uint64_t start = session_hash(session);
-    skv_session_set(session, "fluid.density", "900");
-    skv_session_wait(session);
-    session_look(session, &picture);
+    uint64_t start = stage_hash(stage, 0);
+    skv_stage_set(stage, 0, "fluid.density", "900");
+    skv_stage_wait(stage);
+    stage_copy(stage, &picture);
     assert_true(picture.frame.density == 900 && picture.can_undo && !picture.can_redo);
-    skv_session_set(session, "fluid.density", "heavy");
-    skv_session_wait(session);
-    assert_true(skv_session_next_outcome(session, &report));
+    skv_stage_set(stage, 0, "fluid.density", "heavy");
+    skv_stage_wait(stage);
+    assert_true(skv_stage_next_outcome(stage, &report));
     assert_int_equal(report.kind, SKV_OUTCOME_EDIT);
     assert_non_null(strstr(report.error.text, "fluid.density"));
-    expect_parameter(session, "fluid.density", "900");
-    skv_session_undo(session); /* the one that was refused left no mark */
-    skv_session_wait(session);
-    session_look(session, &picture);
+    expect_parameter(stage, "fluid.density", "900");
+    skv_stage_undo(stage); /* the one that was refused left no mark */
+    skv_stage_wait(stage);
+    stage_copy(stage, &picture);
     assert_true(picture.frame.density == 1000 && !picture.can_undo && picture.can_redo);
-    expect_parameter(session, "fluid.density", "1000");
-    skv_session_redo(session);
-    skv_session_wait(session);
-    expect_parameter(session, "fluid.density", "900");
-    skv_session_undo(session);
-    skv_session_wait(session);
+    expect_parameter(stage, "fluid.density", "1000");
+    skv_stage_redo(stage);
+    skv_stage_wait(stage);
+    expect_parameter(stage, "fluid.density", "900");
+    skv_stage_undo(stage);
+    skv_stage_wait(stage);
     /* Gravity is a parameter, and the ball follows; what was asked for before is not forgotten. */
-    skv_session_set_gravity(session, 1, 0);
-    skv_session_set(session, "gravity.y", "-4.905");
-    skv_session_wait(session);
-    session_look(session, &picture);
+    skv_stage_set_gravity(stage, 0, 1, 0);
+    skv_stage_set(stage, 0, "gravity.y", "-4.905");
+    skv_stage_wait(stage);
+    stage_copy(stage, &picture);
     assert_true(fabs(picture.tilt_x - 1) < 1e-6 && fabs(picture.tilt_y + 0.5) < 1e-6);
-    skv_session_undo(session);
-    skv_session_wait(session);
-    session_look(session, &picture);
+    skv_stage_undo(stage);
+    skv_stage_wait(stage);
+    stage_copy(stage, &picture);
     assert_true(fabs(picture.tilt_x - 1) < 1e-6 && picture.tilt_y == 0 && !picture.can_undo);
     /* What is too long to be a parameter is refused, too. */
     char path[100];
     memset(path, 'a', sizeof path - 1);
     path[sizeof path - 1] = '\0';
-    skv_session_set(session, path, "1");
-    assert_int_equal(session_report(session, &report), SKV_ERROR_VALUE);
-    skv_session_push(session, 0, 2);
-    skv_session_wait(session);
-    assert_int_not_equal(session_hash(session), start);
+    skv_stage_set(stage, 0, path, "1");
+    assert_int_equal(stage_report(stage, &report), SKV_ERROR_VALUE);
+    skv_stage_push(stage, 0, 0, 2);
+    skv_stage_wait(stage);
+    assert_int_not_equal(stage_hash(stage, 0), start);
 }
 
 /* Another text for a field, which a world takes: between its bounds, another choice. */
@@ -191,7 +191,7 @@ static void other_value(const skv_field *field, const char *now, char text[64])
  * one step an edit. */
 static void test_every_parameter_follows_undo(void **state)
 {
-    skv_session *session = *state;
+    skv_stage *stage = *state;
     const skv_field *field;
     int count = 0;
     for (int i = 0; (field = skv_world_field(i)); i++) {
@@ -200,34 +200,34 @@ static void test_every_parameter_follows_undo(void **state)
         skv_outcome report;
         if (!skv_world_can_change(field->path))
             continue;
-        session_advance(session, 1.0 / 60);
-        session_look(session, &picture);
+        stage_advance(stage, 1.0 / 60);
+        stage_copy(stage, &picture);
         skv_world_def_get(&picture.parameters, field->path, before, sizeof before, NULL);
         other_value(field, before, wanted);
-        skv_session_set(session, field->path, wanted);
-        skv_session_wait(session);
-        if (skv_session_next_outcome(session, &report))
+        skv_stage_set(stage, 0, field->path, wanted);
+        skv_stage_wait(stage);
+        if (skv_stage_next_outcome(stage, &report))
             fail_msg("%s", report.error.text);
-        expect_parameter(session, field->path, wanted);
-        session_advance(session, 1.0 / 60);
-        skv_session_undo(session);
-        skv_session_wait(session);
-        expect_parameter(session, field->path, before);
-        session_look(session, &picture);
+        expect_parameter(stage, field->path, wanted);
+        stage_advance(stage, 1.0 / 60);
+        skv_stage_undo(stage);
+        skv_stage_wait(stage);
+        expect_parameter(stage, field->path, before);
+        stage_copy(stage, &picture);
         assert_true(!picture.can_undo && picture.can_redo);
-        skv_session_redo(session);
-        skv_session_wait(session);
-        expect_parameter(session, field->path, wanted);
-        skv_session_undo(session);
-        skv_session_wait(session);
+        skv_stage_redo(stage);
+        skv_stage_wait(stage);
+        expect_parameter(stage, field->path, wanted);
+        skv_stage_undo(stage);
+        skv_stage_wait(stage);
         count++;
     }
     assert_true(count > 15);
 }
 
 #define BOTH(test)                                                                                 \
-    cmocka_unit_test_setup_teardown(test, session_setup, session_teardown),                        \
-        cmocka_unit_test_setup_teardown(test, session_setup_thread, session_teardown)
+    cmocka_unit_test_setup_teardown(test, stage_setup, stage_teardown),                            \
+        cmocka_unit_test_setup_teardown(test, stage_setup_thread, stage_teardown)
 
 int main(void)
 {

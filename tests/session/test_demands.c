@@ -25,7 +25,7 @@ static kept save(const skv_player *player)
 /* A replay of two frames, with so many commands before its first. */
 static kept make_replay(int commands)
 {
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     for (int i = 0; i < commands; i++) {
         skv_command command = {.kind = SKV_COMMAND_GRAVITY,
                                .vector = {0.001f * (float)(i % 7), -9}};
@@ -125,7 +125,7 @@ static bool ask_linked(const char *bytes, size_t size, void *user)
 static void a_scene_s_particles_are_counted(void **unused)
 {
     (void)unused;
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     skv_demands demands;
     assert_int_equal(skv_player_share(player, ask_linked, &demands, NULL), SKV_OK);
     assert_int_equal(demands.particles, 300);
@@ -133,37 +133,37 @@ static void a_scene_s_particles_are_counted(void **unused)
     skv_player_destroy(player);
 }
 
-static void open_cautiously(skv_session *session, kept saved, const char *format)
+static void open_cautiously(skv_stage *stage, kept saved, const char *format)
 {
     skv_scene_options options = skv_default_scene_options();
     options.cautious = true;
-    skv_session_open_memory(session, saved.bytes, saved.size, format, "a.skvr", &options);
+    skv_stage_open_memory(stage, saved.bytes, saved.size, format, "a.skvr", &options);
 }
 
 static void what_asks_for_much_is_opened_when_asked_for_twice(void **state)
 {
-    skv_session *session = *state;
+    skv_stage *stage = *state;
     skv_outcome report;
     kept endless = make_endless(), crowd = make_crowd(3000);
-    while (session_report(session, &report) != -1)
+    while (stage_report(stage, &report) != -1)
         continue;
     for (int round = 0; round < 2; round++) {
-        open_cautiously(session, endless, "skvr");
-        assert_int_equal(session_report(session, &report), SKV_ERROR_LIMIT);
+        open_cautiously(stage, endless, "skvr");
+        assert_int_equal(stage_report(stage, &report), SKV_ERROR_LIMIT);
         assert_string_equal(report.error.text,
                             "a.skvr: it plays for 1193046 minutes, 4294967295 frames; open it once "
                             "more if that is wanted");
         /* Something else between, and one is asked again. */
-        open_cautiously(session, crowd, "skv");
-        assert_int_equal(session_report(session, &report), SKV_ERROR_LIMIT);
+        open_cautiously(stage, crowd, "skv");
+        assert_int_equal(stage_report(stage, &report), SKV_ERROR_LIMIT);
     }
     for (int again = 0; again < 2; again++) {
-        open_cautiously(session, crowd, "skv");
-        assert_int_equal(session_report(session, &report), SKV_OK);
+        open_cautiously(stage, crowd, "skv");
+        assert_int_equal(stage_report(stage, &report), SKV_OK);
     }
     /* What one has made oneself is not asked about. */
-    skv_session_open_memory(session, endless.bytes, endless.size, "skvr", "a.skvr", NULL);
-    assert_int_equal(session_report(session, &report), SKV_OK);
+    skv_stage_open_memory(stage, endless.bytes, endless.size, "skvr", "a.skvr", NULL);
+    assert_int_equal(stage_report(stage, &report), SKV_OK);
     free(endless.bytes);
     free(crowd.bytes);
 }
@@ -200,7 +200,7 @@ int main(void)
         cmocka_unit_test(what_it_asks_for_is_known),
         cmocka_unit_test(a_scene_s_particles_are_counted),
         cmocka_unit_test_setup_teardown(what_asks_for_much_is_opened_when_asked_for_twice,
-                                        session_setup, session_teardown),
+                                        stage_setup, stage_teardown),
         cmocka_unit_test(a_frame_with_many_commands_comes_in_pieces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -19,7 +19,7 @@
 #include <skvalp/experiments.h>
 #include <skvalp/measure.h>
 #include <skvalp/query.h>
-#include <skvalp/session.h>
+#include <skvalp/stage.h>
 
 /* Makes the call; if memory failed it must say so, and a second call must succeed. */
 #define TWICE(call)                                                                                \
@@ -115,13 +115,13 @@ static void test_every_allocation_fails_once(void **state)
 }
 
 /* The same for what the faces hold. What fails is reported, and asked for again. */
-static void open_surely(skv_session *session, const char *name, const skv_scene_options *options)
+static void open_surely(skv_stage *stage, const char *name, const skv_scene_options *options)
 {
     for (int i = 0; i < 2; i++) {
         skv_outcome report = {0};
-        skv_session_open(session, name, options);
-        skv_session_wait(session);
-        while (skv_session_next_outcome(session, &report))
+        skv_stage_open(stage, name, options);
+        skv_stage_wait(stage);
+        while (skv_stage_next_outcome(stage, &report))
             assert_int_equal(report.kind, SKV_OUTCOME_OPEN);
         if (report.error.code == SKV_OK)
             return;
@@ -131,25 +131,25 @@ static void open_surely(skv_session *session, const char *name, const skv_scene_
 }
 
 /* Some frames, an edit, and back. */
-static void play_surely(skv_session *session)
+static void play_surely(skv_stage *stage)
 {
     skv_outcome report;
-    skv_session_set_paused(session, false);
+    skv_stage_set_paused(stage, false);
     for (int i = 0; i < 6; i++) {
-        skv_session_advance(session, 4.0 / 60, 0);
+        skv_stage_advance(stage, 4.0 / 60, 0);
         if (i == 3)
-            skv_session_set(session, "fluid.density", "900");
+            skv_stage_set(stage, 0, "fluid.density", "900");
     }
-    skv_session_undo(session);
-    skv_session_redo(session);
-    skv_session_wait(session);
-    while (skv_session_next_outcome(session, &report))
+    skv_stage_undo(stage);
+    skv_stage_redo(stage);
+    skv_stage_wait(stage);
+    while (skv_stage_next_outcome(stage, &report))
         assert_int_equal(report.error.code, SKV_ERROR_MEMORY);
 }
 
 static uint64_t play(void)
 {
-    skv_session *session = NULL;
+    skv_stage *stage = NULL;
     skv_scene_options options = skv_default_scene_options();
     skv_stage_def def = skv_default_stage_def();
     /* Coarse walls are made in no time. */
@@ -159,18 +159,18 @@ static uint64_t play(void)
     options.setting_count = 1;
     def.own_thread = false;
     def.threads = 1;
-    TWICE(skv_session_create(&def, &session, error));
-    open_surely(session, "dam-break", &options);
-    play_surely(session);
-    open_surely(session, "pool", &options);
-    play_surely(session);
-    open_surely(session, "pool", &options);
-    while (session_moment(session) < 2) {
-        skv_session_set_paused(session, false);
-        skv_session_advance(session, 1.0 / 60, 0);
+    TWICE(skv_stage_create(&def, &stage, error));
+    open_surely(stage, "dam-break", &options);
+    play_surely(stage);
+    open_surely(stage, "pool", &options);
+    play_surely(stage);
+    open_surely(stage, "pool", &options);
+    while (stage_moment(stage) < 2) {
+        skv_stage_set_paused(stage, false);
+        skv_stage_advance(stage, 1.0 / 60, 0);
     }
-    uint64_t hash = session_hash(session);
-    skv_session_destroy(session);
+    uint64_t hash = stage_hash(stage, 0);
+    skv_stage_destroy(stage);
     return hash;
 }
 

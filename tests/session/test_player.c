@@ -125,7 +125,7 @@ static void test_every_moment_comes_back(void **state)
 {
     (void)state;
     uint64_t hashes[FRAMES + 1];
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     hashes[0] = hash(player);
     play(player, 0, FRAMES, hashes);
     assert_int_equal(skv_player_end(player), FRAMES);
@@ -151,7 +151,7 @@ static void test_another_future(void **state)
 {
     (void)state;
     uint64_t hashes[FRAMES + 1];
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     play(player, 0, FRAMES, hashes);
     seek(player, 90);
     assert_false(skv_player_can_redo(player));
@@ -182,7 +182,7 @@ static void test_undo_and_redo(void **state)
 {
     (void)state;
     uint64_t hashes[FRAMES + 1];
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     play(player, 0, FRAMES, hashes);
     const int marks[] = {130, 100, 5};
     for (int i = 0; i < 3; i++) {
@@ -222,7 +222,7 @@ static void test_undo_and_redo(void **state)
 static void test_what_is_refused_is_not_logged(void **state)
 {
     (void)state;
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     skv_error error = {0};
     skv_command bad = {.kind = SKV_COMMAND_SET};
     strcpy(bad.set.path, "fluid.viscosity");
@@ -246,7 +246,7 @@ static void test_history_keeps_its_limit(void **state)
     (void)state;
     enum { LIMIT = 100000 };
     uint64_t hashes[FRAMES + 1];
-    skv_player *player = session_open_player(LIMIT);
+    skv_player *player = open_player(LIMIT);
     hashes[0] = hash(player);
     for (int f = 0; f < FRAMES; f++) {
         play(player, f, f + 1, hashes);
@@ -281,7 +281,7 @@ static void test_a_replay_goes_the_same_way(void **state)
 {
     (void)state;
     uint64_t hashes[FRAMES + 1];
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     play(player, 0, FRAMES, hashes);
     assert_int_equal(skv_player_save(player, refuse, NULL, NULL), SKV_ERROR_FILE);
     kept saved = save(player);
@@ -324,7 +324,7 @@ static void test_what_is_shared_goes_the_same_way(void **state)
     (void)state;
     uint64_t hashes[FRAMES + 1];
     skv_player *player, *other;
-    player = session_open_player(0);
+    player = open_player(0);
     play(player, 0, FRAMES, hashes);
     kept saved = save(player), shared = share(player);
     assert_true(shared.size < 2000 && saved.size > 10000);
@@ -362,7 +362,7 @@ static void test_packing_loses_nothing(void **state)
 {
     (void)state;
     static const float odd[] = {0.1f, -0.0f, 1e-40f, 999.9f, -77.7f, 0.0001220703125f, 5, 0.1f};
-    skv_player *player = session_open_player(0), *other;
+    skv_player *player = open_player(0), *other;
     for (int i = 0; i < 8; i++) {
         skv_command command = {.kind = SKV_COMMAND_TAKE};
         command.water =
@@ -390,7 +390,7 @@ static void test_packing_loses_nothing(void **state)
 static void test_a_state_is_a_replay_of_nothing(void **state)
 {
     (void)state;
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     play(player, 0, 30, NULL);
     const skv_world *world = skv_player_world(player);
     size_t size = skv_world_snapshot_size(world, true);
@@ -428,7 +428,7 @@ static void expect_refused(const char *bytes, size_t size, const char *why)
 static void test_hostile_replays_are_refused(void **state)
 {
     (void)state;
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     play(player, 0, 90, NULL);
     kept saved = save(player);
     skv_player_destroy(player);
@@ -449,7 +449,7 @@ static void test_sleepers_come_back(void **state)
     (void)state;
     enum { LONG = 900 };
     static uint64_t hashes[LONG + 1];
-    skv_player *player = session_open_player(0);
+    skv_player *player = open_player(0);
     const skv_world *world = skv_player_world(player);
     skv_command thick = {.kind = SKV_COMMAND_SET}, push = {.kind = SKV_COMMAND_PUSH};
     strcpy(thick.set.path, "fluid.viscosity");
@@ -500,7 +500,7 @@ static void test_half_a_minute_fits(void **state)
 static void test_a_random_walk(void **state)
 {
     (void)state;
-    skv_player *player = session_open_player(400000);
+    skv_player *player = open_player(400000);
     uint32_t random = 1;
     skv_error error = {0};
     for (int turn = 0; turn < 1500; turn++) {

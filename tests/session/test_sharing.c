@@ -1,4 +1,4 @@
-/* What a session shares goes the same way in another player, and the session says whether it did.
+/* What a stage shares goes the same way in another player, and the stage says whether it did.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,20 +13,20 @@
 #include "support/kept.h"
 
 /* Opens what was shared, lets it play past its end, and returns whether it went as recorded. */
-static bool plays_as_recorded(skv_session *session, const kept *shared, int64_t frames)
+static bool plays_as_recorded(skv_stage *stage, const kept *shared, int64_t frames)
 {
     skv_picture picture;
     skv_outcome outcome;
-    skv_session_open_memory(session, shared->bytes, shared->size, "skvr", "link", NULL);
-    skv_session_wait(session);
-    assert_int_equal(session_report(session, &outcome), SKV_OK);
-    session_look(session, &picture);
+    skv_stage_open_memory(stage, shared->bytes, shared->size, "skvr", "link", NULL);
+    skv_stage_wait(stage);
+    assert_int_equal(stage_report(stage, &outcome), SKV_OK);
+    stage_copy(stage, &picture);
     assert_string_equal(picture.name, "pool");
     assert_int_equal(picture.end, frames);
     assert_true(picture.following == (frames > 0));
     for (int64_t i = 0; i < frames + 5; i++)
-        session_advance(session, 1.0 / 60);
-    session_look(session, &picture);
+        stage_advance(stage, 1.0 / 60);
+    stage_copy(stage, &picture);
     assert_true(!picture.following && !picture.seeking);
     assert_true(picture.moment >= frames);
     assert_true(picture.as_recorded != picture.mismatch);
@@ -37,29 +37,29 @@ static bool plays_as_recorded(skv_session *session, const kept *shared, int64_t 
 static void share_twice(bool own_thread)
 {
     kept shared = {0};
-    skv_session *session = session_open_pool(300, own_thread);
+    skv_stage *stage = stage_open_pool(300, own_thread);
     skv_outcome outcome;
-    assert_false(skv_session_read_shared(session, kept_add, &shared));
+    assert_false(skv_stage_read_shared(stage, kept_add, &shared));
     for (int frames = 0; frames <= 20; frames += 20) {
-        skv_session_push(session, 0.2, 0);
+        skv_stage_push(stage, 0, 0.2, 0);
         for (int i = 0; i < frames; i++)
-            session_advance(session, 1.0 / 60);
-        skv_session_share(session);
-        skv_session_wait(session);
-        assert_int_equal(session_report(session, &outcome), SKV_OK);
+            stage_advance(stage, 1.0 / 60);
+        skv_stage_share(stage);
+        skv_stage_wait(stage);
+        assert_int_equal(stage_report(stage, &outcome), SKV_OK);
         assert_int_equal(outcome.kind, SKV_OUTCOME_SHARE);
-        assert_true(skv_session_read_shared(session, kept_add, &shared));
+        assert_true(skv_stage_read_shared(stage, kept_add, &shared));
         kept_clear(&shared); /* and again, as often as wanted */
-        assert_true(skv_session_read_shared(session, kept_add, &shared));
-        assert_true(plays_as_recorded(session, &shared, frames));
+        assert_true(skv_stage_read_shared(stage, kept_add, &shared));
+        assert_true(plays_as_recorded(stage, &shared, frames));
         shared.bytes[shared.size - 1] ^= 1; /* of the hash */
         skv_envelope_seal((uint8_t *)shared.bytes, shared.size);
-        assert_false(plays_as_recorded(session, &shared, frames));
+        assert_false(plays_as_recorded(stage, &shared, frames));
         kept_clear(&shared);
-        skv_session_reset(session);
-        skv_session_wait(session);
+        skv_stage_seek(stage, 0);
+        skv_stage_wait(stage);
     }
-    skv_session_destroy(session);
+    skv_stage_destroy(stage);
 }
 
 static void test_sharing(void **state)

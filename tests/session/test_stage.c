@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "session/stage.h"
-#include "stage_support.h"
+#include "session/support.h"
 #include "support/kept.h"
 #include "terrain/terrain.h"
 
@@ -48,7 +48,7 @@ static void test_apart_again(void **state)
     stage_compare(stage, 0, NULL, NULL);
     stage_pass_frames(stage, 3);
     /* Led apart by hand: they come together again. */
-    skv_session_step_once(stage->worlds[0]);
+    skv_session_post(stage->worlds[0], &(skv_message){.kind = SKV_MESSAGE_STEP});
     stage_pass(stage, 1.0 / 60);
     stage_pass(stage, 1.0 / 60);
     int64_t before = stage_moment(stage);
@@ -152,6 +152,26 @@ static void expect_same_probes(skv_stage *stage, int count)
         assert_non_null(other);
         assert_true(other->def.x0 == a->probes[i].def.x0);
     }
+}
+
+/* A link that is made while a second world opens moves nothing. */
+static void test_a_link_meanwhile(void **state)
+{
+    (void)state;
+    skv_stage *stage = stage_open_pool(200, true);
+    kept link = {0};
+    skv_outcome outcome;
+    stage_pass_frames(stage, 12);
+    stage_ask_compare(stage, 0, NULL, NULL);
+    stage_pass_frames(stage, 9);
+    skv_stage_share(stage);
+    skv_stage_wait(stage);
+    assert_true(skv_stage_next_outcome(stage, &outcome) && outcome.kind == SKV_OUTCOME_SHARE);
+    assert_string_equal(stage_compared(stage).error.text, "");
+    assert_true(stage_look(stage, 0)->end == 12 && skv_stage_picture(stage, 1)->end == 12);
+    assert_true(skv_stage_read_shared(stage, kept_add, &link) && link.size > 0);
+    kept_clear(&link);
+    skv_stage_destroy(stage);
 }
 
 /* Whenever it was asked for: before, while nothing waits for it, or at once. */
@@ -366,6 +386,7 @@ int main(void)
         cmocka_unit_test(test_apart_again),
         cmocka_unit_test(test_what_is_asked_for_beside),
         cmocka_unit_test(test_both_begin_with_what_was_shared),
+        cmocka_unit_test(test_a_link_meanwhile),
         cmocka_unit_test(test_instruments_are_both_s),
         cmocka_unit_test(test_linked_or_apart),
         cmocka_unit_test(test_any_numbers),

@@ -1,4 +1,4 @@
-/* The threads of a session: all of its worlds share one pool. A new world is made while the old one
+/* The threads of a stage: all of its worlds share one pool. A new world is made while the old one
  * is still there, so on a system that grants only so many threads one pool a world would leave the
  * second scene without. */
 #define _GNU_SOURCE /* RTLD_NEXT */
@@ -27,12 +27,12 @@ int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*
     return granted-- > 0 ? create(thread, attributes, run, argument) : EAGAIN;
 }
 
-static void open_scene(skv_session *session, const char *name)
+static void open_scene(skv_stage *stage, const char *name)
 {
     skv_outcome report;
-    skv_session_open(session, name, NULL);
-    skv_session_wait(session);
-    assert_true(skv_session_next_outcome(session, &report));
+    skv_stage_open(stage, name, NULL);
+    skv_stage_wait(stage);
+    assert_true(skv_stage_next_outcome(stage, &report));
     assert_int_equal(report.error.code, SKV_OK);
 }
 
@@ -47,42 +47,42 @@ static skv_stage_def three_threads(bool own_thread)
 static void test_scenes_follow_each_other_on_the_same_threads(void **state)
 {
     (void)state;
-    skv_session *session;
+    skv_stage *stage;
     skv_error error = {0};
     skv_stage_def def = three_threads(true);
     granted = 3;
-    assert_int_equal(skv_session_create(&def, &session, &error), SKV_OK);
+    assert_int_equal(skv_stage_create(&def, &stage, &error), SKV_OK);
     assert_int_equal(granted, 0);
-    open_scene(session, "pool");
-    open_scene(session, "dam-break");
-    skv_session_reset(session);
-    assert_int_equal(session_advance(session, 1.0 / 60), 1);
-    skv_session_destroy(session);
+    open_scene(stage, "pool");
+    open_scene(stage, "dam-break");
+    skv_stage_seek(stage, 0);
+    assert_int_equal(stage_advance(stage, 1.0 / 60), 1);
+    skv_stage_destroy(stage);
 }
 
 static void test_too_few_threads_are_told(void **state)
 {
     (void)state;
-    skv_session *session;
+    skv_stage *stage;
     skv_error error = {0};
     skv_stage_def def = three_threads(false);
     granted = 1;
-    assert_int_equal(skv_session_create(&def, &session, &error), SKV_ERROR_LIMIT);
-    assert_null(session);
+    assert_int_equal(skv_stage_create(&def, &stage, &error), SKV_ERROR_LIMIT);
+    assert_null(stage);
     assert_non_null(strstr(error.text, "thread 3 of 3"));
 }
 
-/* Without a thread of its own a session does all within its calls. */
+/* Without a thread of its own a stage does all within its calls. */
 static void test_a_session_without_its_thread(void **state)
 {
     (void)state;
-    skv_session *session;
+    skv_stage *stage;
     skv_stage_def def = three_threads(true);
     granted = 2;
-    assert_int_equal(skv_session_create(&def, &session, NULL), SKV_OK);
-    open_scene(session, "pool");
-    assert_int_equal(session_advance(session, 1.0 / 60), 1);
-    skv_session_destroy(session);
+    assert_int_equal(skv_stage_create(&def, &stage, NULL), SKV_OK);
+    open_scene(stage, "pool");
+    assert_int_equal(stage_advance(stage, 1.0 / 60), 1);
+    skv_stage_destroy(stage);
 }
 
 /* Worlds of one pool give the bits that each gives alone, and outlive each other in any order. */

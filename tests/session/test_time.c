@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "session/stage.h"
-#include "stage_support.h"
+#include "session/support.h"
 
 /* Alone, too: what was done is done again, and goes on. */
 static void test_played_again(void **state)

@@ -129,20 +129,20 @@ export function makeJobs(library, count, { print, read }) {
         }
     }
 
-    /** Plays with a scene through a session, as a face does, and saves that as a replay. */
+    /** Plays with a scene on a stage, as a face does, and saves that as a replay. */
     function game(name, path) {
         const def = c.skv_default_stage_def();
         def.threads = count;
         def.own_thread = false;
         def.clock = instance.exports.skv_wasm_clock();
-        const session = library.create((out, error) => c.skv_session_create(def, out, error));
+        const stage = library.create((out, error) => c.skv_stage_create(def, out, error));
         const options = c.skv_default_scene_options();
         options.particles = 500;
-        c.skv_session_set_view(session, 640, 360);
-        c.skv_session_open(session, name, options);
+        c.skv_stage_set_view(stage, 0, 640, 360);
+        c.skv_stage_open(stage, name, options);
         const outcome = library.make('skv_outcome');
         const settle = () => {
-            while (c.skv_session_next_outcome(session, outcome)) {
+            while (c.skv_stage_next_outcome(stage, outcome)) {
                 if (outcome.error.code !== 0) {
                     throw new Error(outcome.error.text);
                 }
@@ -152,22 +152,22 @@ export function makeJobs(library, count, { print, read }) {
         const event = library.make('skv_pointer_event');
         const pointer = (phase, px, py, time) => {
             Object.assign(event, { phase, px, py, time, device: library.constants.SKV_DEVICE_FINGER });
-            c.skv_session_pointer(session, event);
+            c.skv_stage_pointer(stage, 0, event);
         };
         const { SKV_PHASE_DOWN: down, SKV_PHASE_MOVE: move, SKV_PHASE_UP: up } = library.constants;
         pointer(down, 200, 300, 0);
         for (let i = 1; i <= 40; i++) {
             pointer(move, 200 + 4 * i, 300 - 3 * i, i / 60);
-            c.skv_session_step_once(session);
+            c.skv_stage_step_once(stage);
         }
         pointer(up, 360, 180, 41 / 60);
-        c.skv_session_set_gravity(session, 0.5, -0.5);
+        c.skv_stage_set_gravity(stage, 0, 0.5, -0.5);
         for (let i = 0; i < 20; i++) {
-            c.skv_session_step_once(session);
+            c.skv_stage_step_once(stage);
         }
-        c.skv_session_save(session, path);
+        c.skv_stage_save(stage, path);
         settle();
-        c.skv_session_destroy(session);
+        c.skv_stage_destroy(stage);
     }
 
     /** As `web_reference files`. */

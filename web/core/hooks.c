@@ -3,7 +3,7 @@
  * pointer of a kind serves all of the host's functions.
  */
 #include "skvalp/experiments.h"
-#include "skvalp/session.h"
+#include "skvalp/stage.h"
 
 #define HOST(name)   __attribute__((import_module("host"), import_name(#name)))
 #define EXPORT(name) __attribute__((export_name(#name)))
