@@ -24,6 +24,7 @@ typedef struct builder {
     skv_scene *scene;
     bool pictured;
     const char *picture_label;
+    skv_taps taps;
     skv_error *error;
 } builder;
 
@@ -142,8 +143,8 @@ static skv_result fail_unfit(const builder *c, skv_result code, const char *mess
     return fail_picture(c, code, named.text);
 }
 
-/* Takes size, coverage and paint over from a picture. */
-static skv_result build_picture(builder *c, const skv_image *image)
+/* Takes size, coverage and paint over from a picture, which has served then, and finds its taps. */
+static skv_result build_picture(builder *c, skv_image *image)
 {
     static const skv_field_id own[] = {SKV_F_WORLD_HEIGHT, SKV_F_WORLD_PIXEL};
     for (int i = 0; i < 2; i++) {
@@ -163,7 +164,13 @@ static skv_result build_picture(builder *c, const skv_image *image)
     scene->paint = painting.paint;
     for (int i = 0; i < 4; i++)
         scene->marked[i] = painting.count[i];
-    return scale_picture(c);
+    skv_free(image->pixels);
+    image->pixels = NULL;
+    result = scale_picture(c);
+    if (result != SKV_OK)
+        return result;
+    result = skv_scene_find_taps(scene, c->picture_label, &c->taps, &cause);
+    return result == SKV_OK ? SKV_OK : fail_picture(c, result, cause.text);
 }
 
 /* Whole pixels of a side; the pixel size fits the width exactly. */
@@ -493,7 +500,7 @@ static void note_taps(skv_scene *scene)
 static skv_result build_taps(builder *c)
 {
     skv_error cause;
-    skv_result result = skv_scene_build_taps(c->scene, c->picture_label, &cause);
+    skv_result result = skv_scene_add_emitters(c->scene, &c->taps, c->picture_label, &cause);
     if (result != SKV_OK)
         return fail_picture(c, result, cause.text);
     note_taps(c->scene);
@@ -502,7 +509,7 @@ static skv_result build_taps(builder *c)
 
 /* ---- All of it ------------------------------------------------------------------------------- */
 
-static skv_result build(builder *c, const skv_image *picture)
+static skv_result build(builder *c, skv_image *picture)
 {
     skv_result result = build_texts(c);
     if (result == SKV_OK)
@@ -528,8 +535,8 @@ static skv_result build(builder *c, const skv_image *picture)
     return result;
 }
 
-skv_result skv_scene_build(const skv_draft *draft, const skv_image *picture,
-                           const char *picture_label, skv_scene **scene, skv_error *error)
+skv_result skv_scene_build(const skv_draft *draft, skv_image *picture, const char *picture_label,
+                           skv_scene **scene, skv_error *error)
 {
     builder c = {.draft = draft,
                  .value = draft->values.value,

@@ -38,10 +38,10 @@ struct skv_scene {
     size_t recipe_size;
 };
 
-/* Makes the scene that a draft's values describe, over a picture (null: none), which stays the
- * caller's. On failure `*scene` is null. */
-skv_result skv_scene_build(const skv_draft *draft, const skv_image *picture,
-                           const char *picture_label, skv_scene **scene, skv_error *error);
+/* Makes the scene that a draft's values describe, over a picture (null: none), whose pixels it
+ * frees when they have served. On failure `*scene` is null. */
+skv_result skv_scene_build(const skv_draft *draft, skv_image *picture, const char *picture_label,
+                           skv_scene **scene, skv_error *error);
 
 /* Makes what acts on the fluid in a scene of a given size, from a draft's values; and sets it in a
  * world. */

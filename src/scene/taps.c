@@ -18,67 +18,93 @@
 #define MOST_ROUND    1.5  /* length over thickness: less is a dot */
 #define SAME_ROOM     3.0  /* pixels: a difference that does not tell */
 
-/* One area. */
-typedef struct area {
-    int count;           /* pixels */
-    double x, y;         /* sums of their centres, pixels */
-    double xx, yy, xy;   /* ... and of the products */
-    int lowest, highest; /* rows */
-} area;
-
-/* What is needed to find areas: the pixels still to be looked at, and of the present area the
- * leftmost and rightmost pixel of each row. */
+/* What is needed to find areas: the pixels still to be looked at, places from which their rows are
+ * to be followed, and of the present area the leftmost and rightmost pixel of each row. */
 typedef struct finder {
     const skv_scene *scene;
     uint8_t *paint; /* a copy, from which areas are taken */
     int *stack;
+    int depth, room; /* of the stack */
     int *left, *right;
 } finder;
 
-static void take_pixel(finder *f, area *a, int place)
+static bool push(finder *f, int place)
 {
-    int x = place % f->scene->width, y = place / f->scene->width;
-    double cx = x + 0.5, cy = y + 0.5;
-    if (a->count == 0 || y > a->highest) {
-        f->left[y] = f->right[y] = x;
-        a->highest = y;
-        if (a->count == 0)
-            a->lowest = y;
-    } else if (y < a->lowest) {
-        f->left[y] = f->right[y] = x;
-        a->lowest = y;
+    if (f->depth == f->room) {
+        int room = f->room ? 2 * f->room : 1024;
+        int *stack = skv_calloc((size_t)room, sizeof *stack);
+        if (!stack)
+            return false;
+        if (f->depth > 0)
+            memcpy(stack, f->stack, (size_t)f->depth * sizeof *stack);
+        skv_free(f->stack);
+        f->stack = stack;
+        f->room = room;
     }
-    f->left[y] = x < f->left[y] ? x : f->left[y];
-    f->right[y] = x > f->right[y] ? x : f->right[y];
-    a->count++;
-    a->x += cx;
-    a->y += cy;
-    a->xx += cx * cx;
-    a->yy += cy * cy;
-    a->xy += cx * cy;
+    f->stack[f->depth++] = place;
+    return true;
 }
 
-/* Takes the area around a pixel out of the paint. Each pixel is put onto the stack once. */
-static area take_area(finder *f, int place)
+/* Adds the pixels of row y from `first` to `last`. */
+static void take_run(finder *f, skv_tap_area *a, int first, int last, int y)
 {
-    area a = {0};
-    int width = f->scene->width, height = f->scene->height, depth = 0;
-    uint8_t paint = f->paint[place];
-    f->paint[place] = SKV_PAINT_NONE;
-    f->stack[depth++] = place;
-    while (depth > 0) {
-        int here = f->stack[--depth], x = here % width, y = here / width;
-        take_pixel(f, &a, here);
-        const int beside[4] = {x > 0 ? here - 1 : -1, x + 1 < width ? here + 1 : -1,
-                               y > 0 ? here - width : -1, y + 1 < height ? here + width : -1};
-        for (int k = 0; k < 4; k++) {
-            if (beside[k] < 0 || f->paint[beside[k]] != paint)
-                continue;
-            f->paint[beside[k]] = SKV_PAINT_NONE;
-            f->stack[depth++] = beside[k];
-        }
+    if (a->count == 0)
+        a->lowest = a->highest = y;
+    if (a->count == 0 || y > a->highest || y < a->lowest) {
+        f->left[y] = first;
+        f->right[y] = last;
+        a->lowest = y < a->lowest ? y : a->lowest;
+        a->highest = y > a->highest ? y : a->highest;
     }
-    return a;
+    f->left[y] = first < f->left[y] ? first : f->left[y];
+    f->right[y] = last > f->right[y] ? last : f->right[y];
+    for (int x = first; x <= last; x++) {
+        double cx = x + 0.5, cy = y + 0.5;
+        a->count++;
+        a->x += cx;
+        a->y += cy;
+        a->xx += cx * cx;
+        a->yy += cy * cy;
+        a->xy += cx * cy;
+        f->paint[(size_t)y * (size_t)f->scene->width + (size_t)x] = SKV_PAINT_NONE;
+    }
+}
+
+/* Pushes the first place of each run of a paint that touches row y from `first` to `last`. */
+static bool push_runs(finder *f, uint8_t paint, int first, int last, int y)
+{
+    const uint8_t *row = f->paint + (size_t)y * (size_t)f->scene->width;
+    bool room = true;
+    for (int x = first; x <= last && room; x++) {
+        if (row[x] == paint && (x == first || row[x - 1] != paint))
+            room = push(f, y * f->scene->width + x);
+    }
+    return room;
+}
+
+/* Takes the area around a pixel out of the paint, run by run; false if memory is out. */
+static bool take_area(finder *f, int place, skv_tap_area *a)
+{
+    int width = f->scene->width, height = f->scene->height;
+    uint8_t paint = f->paint[place];
+    *a = (skv_tap_area){.place = place};
+    bool room = push(f, place);
+    while (room && f->depth > 0) {
+        int here = f->stack[--f->depth], y = here / width, first = here % width, last = first;
+        const uint8_t *row = f->paint + (size_t)y * (size_t)width;
+        if (row[first] != paint)
+            continue;
+        while (first > 0 && row[first - 1] == paint)
+            first--;
+        while (last + 1 < width && row[last + 1] == paint)
+            last++;
+        take_run(f, a, first, last, y);
+        if (y > 0)
+            room = push_runs(f, paint, first, last, y - 1);
+        if (room && y + 1 < height)
+            room = push_runs(f, paint, first, last, y + 1);
+    }
+    return room;
 }
 
 /* ---- Emitters -------------------------------------------------------------------------------- */
@@ -94,9 +120,9 @@ static double room(const skv_scene *scene, double x, double y, double dx, double
     return way;
 }
 
-static skv_emitter make_emitter(const skv_scene *scene, const area *a)
+static skv_emitter make_emitter(const skv_scene *scene, const skv_tap_area *a)
 {
-    double n = a->count, x = a->x / n, y = a->y / n;
+    double n = (double)a->count, x = a->x / n, y = a->y / n;
     /* Central second moments; that of a pixel itself is 1/12. */
     double xx = a->xx / n - x * x + 1.0 / 12, yy = a->yy / n - y * y + 1.0 / 12;
     double xy = a->xy / n - x * y;
@@ -143,7 +169,7 @@ static int add_to_chain(double *points, int first, int count, double x, double y
 }
 
 /* The hull of the rows' ends: up along the right side, down along the left one. */
-static int find_hull(const finder *f, const area *a, double *points)
+static int find_hull(const finder *f, const skv_tap_area *a, double *points)
 {
     int count = 0, first;
     for (int y = a->lowest; y <= a->highest; y++) {
@@ -176,7 +202,7 @@ static int drop_corner(double *points, int count)
     return count - 1;
 }
 
-static skv_drain make_drain(const finder *f, const area *a, double *points)
+static skv_drain make_drain(const finder *f, const skv_tap_area *a, double *points)
 {
     int count = find_hull(f, a, points);
     while (count > SKV_MAX_CORNERS)
@@ -200,51 +226,62 @@ static skv_result check_width(const skv_scene *scene, const skv_emitter *e, int 
                     place % scene->width, scene->height - 1 - place / scene->width, wide);
 }
 
-static skv_result add_tap(skv_scene *scene, finder *f, int place, double *points, const char *label,
-                          skv_error *error)
+static skv_result find_tap(skv_scene *scene, finder *f, int place, double *points,
+                           const char *label, skv_taps *taps, skv_error *error)
 {
     bool green = f->paint[place] == SKV_PAINT_EMITTER;
-    area a = take_area(f, place);
-    const int limits[] = {SKV_MAX_DRAINS, SKV_MAX_EMITTERS};
-    int most = limits[green];
-    int *count = green ? &scene->emitter_count : &scene->drain_count;
-    if (*count == most)
+    int most = green ? SKV_MAX_EMITTERS : SKV_MAX_DRAINS;
+    if ((green ? taps->count : scene->drain_count) == most)
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "%s: there are more than %d %s areas; paint fewer, or join some", label,
                         most, green ? "green (emitter)" : "red (drain)");
-    if (!green) {
-        scene->drains[(*count)++] = make_drain(f, &a, points);
-        return SKV_OK;
-    }
-    skv_emitter emitter = make_emitter(scene, &a);
-    scene->emitters[(*count)++] = emitter;
-    return check_width(scene, &emitter, place, label, error);
+    skv_tap_area a;
+    if (!take_area(f, place, &a))
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+    if (green)
+        taps->green[taps->count++] = a;
+    else
+        scene->drains[scene->drain_count++] = make_drain(f, &a, points);
+    return SKV_OK;
 }
 
-skv_result skv_scene_build_taps(skv_scene *scene, const char *label, skv_error *error)
+skv_result skv_scene_find_taps(skv_scene *scene, const char *label, skv_taps *taps,
+                               skv_error *error)
 {
     int pixels = scene->width * scene->height;
+    taps->count = 0;
     if (scene->marked[SKV_PAINT_EMITTER] + scene->marked[SKV_PAINT_DRAIN] == 0)
         return SKV_OK;
     finder f = {.scene = scene,
-                .paint = skv_calloc((size_t)pixels, 1),
-                .stack = skv_calloc((size_t)pixels, sizeof *f.stack),
+                .paint = skv_malloc((size_t)pixels, 1),
                 .left = skv_calloc((size_t)scene->height, sizeof *f.left),
                 .right = skv_calloc((size_t)scene->height, sizeof *f.right)};
     double *points = skv_calloc(4 * (size_t)scene->height, 2 * sizeof *points);
     skv_result result = SKV_OK;
-    bool made = f.paint && f.stack && f.left && f.right && points;
+    bool made = f.paint && f.left && f.right && points;
     if (!made)
         result = skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
     else
         memcpy(f.paint, scene->paint, (size_t)pixels);
     for (int i = 0; made && i < pixels && result == SKV_OK; i++)
         if (f.paint[i] == SKV_PAINT_EMITTER || f.paint[i] == SKV_PAINT_DRAIN)
-            result = add_tap(scene, &f, i, points, label, error);
+            result = find_tap(scene, &f, i, points, label, taps, error);
     skv_free(f.paint);
     skv_free(f.stack);
     skv_free(f.left);
     skv_free(f.right);
     skv_free(points);
+    return result;
+}
+
+skv_result skv_scene_add_emitters(skv_scene *scene, const skv_taps *taps, const char *label,
+                                  skv_error *error)
+{
+    skv_result result = SKV_OK;
+    for (int i = 0; i < taps->count && result == SKV_OK; i++) {
+        skv_emitter emitter = make_emitter(scene, &taps->green[i]);
+        scene->emitters[scene->emitter_count++] = emitter;
+        result = check_width(scene, &emitter, taps->green[i].place, label, error);
+    }
     return result;
 }

@@ -23,6 +23,11 @@ _Static_assert((int)MARGIN == (int)SKV_THIN_MARGIN, "the marks begin where the h
 /* A wall is thin up to this share of the radius. */
 #define THIN 0.6
 
+/* The most cells around a world: three bytes each, 800 MB. The most that have a thin wall's middle,
+ * and the most near one, beside which samples take some 20 us each: 10 s. */
+#define MOST_CELLS 268435456.0
+#define MOST_NEAR  524288
+
 /* The shortest step through a wall, in pixels: finer than the thinnest wall that holds water. */
 #define STEP 0.25
 
@@ -260,11 +265,13 @@ static void clear_ends(const search *s)
     }
 }
 
-/* Marks all cells within the radius of the middles that are left. */
-static void spread(const search *s)
+/* Marks all cells within the radius of the middles that are left; ends after too many. Returns
+ * their number. */
+static int spread(const search *s)
 {
     skv_thin_walls *thin = s->thin;
-    for (int y = SPREAD; y < thin->rows - SPREAD; y++) {
+    int count = 0;
+    for (int y = SPREAD; y < thin->rows - SPREAD && count <= MOST_NEAR; y++) {
         for (int x = SPREAD; x < thin->columns - SPREAD; x++) {
             size_t at = cell_at(thin, x, y);
             if (!(thin->found[at] & MIDDLE) || s->distance[at])
@@ -272,12 +279,16 @@ static void spread(const search *s)
             thin->any = true;
             for (int dy = -SPREAD; dy <= SPREAD; dy++) {
                 for (int dx = -SPREAD; dx <= SPREAD; dx++) {
-                    if (dx * dx + dy * dy <= SPREAD * SPREAD)
-                        thin->marks[cell_at(thin, x + dx, y + dy)] = 1;
+                    uint8_t *mark = &thin->marks[cell_at(thin, x + dx, y + dy)];
+                    if (dx * dx + dy * dy > SPREAD * SPREAD || *mark)
+                        continue;
+                    *mark = 1;
+                    count++;
                 }
             }
         }
     }
+    return count;
 }
 
 /* How far, in pixels, from where the picture has changed middles may be other ones: those that lie
@@ -288,27 +299,36 @@ static double reach_of_change(double longest)
     return 3.5 * longest + 12;
 }
 
-static bool has_middles(const skv_thin_walls *thin, size_t cells)
+static skv_result fail_many(const search *s, skv_error *error)
 {
-    uint8_t all = 0;
-    for (size_t i = 0; i < cells; i++)
-        all |= thin->found[i];
-    return all & MIDDLE;
+    return skv_fail(
+        error, SKV_ERROR_LIMIT,
+        "its thin walls are too long for a fluid with a radius of %.3g mm; choose fewer "
+        "particles or a wider spacing, or make them thicker or shorter",
+        1000.0 * RADIUS / (double)s->thin->per_metre);
 }
 
 static skv_result find_walls(search *s, size_t cells, skv_error *error)
 {
+    size_t middles = 0, solid = 0;
     find_solid(s);
     find_middles(s);
-    if (!has_middles(s->thin, cells))
+    for (size_t i = 0; i < cells; i++) {
+        middles += (s->thin->found[i] & MIDDLE) != 0;
+        solid += is_solid(s->thin, i);
+    }
+    if (middles == 0)
         return SKV_OK;
+    if (middles > MOST_NEAR)
+        return fail_many(s, error);
     find_ends(s);
     s->distance = skv_calloc(cells, 1);
-    s->queue = skv_calloc(cells, sizeof *s->queue);
+    s->queue = skv_calloc(solid, sizeof *s->queue); /* each is reached once */
     skv_result result = SKV_OK;
     if (s->distance && s->queue) {
         clear_ends(s);
-        spread(s);
+        if (spread(s) > MOST_NEAR)
+            result = fail_many(s, error);
     } else {
         result = skv_fail(error, SKV_ERROR_MEMORY,
                           "walls: no memory for %zu cells; a wider spacing needs fewer", cells);
@@ -350,9 +370,12 @@ skv_result skv_thin_walls_create(const skv_terrain *terrain, float radius,
     double per_metre = RADIUS / (double)radius;
     double columns = ceil((double)skv_terrain_width(terrain) * per_metre) + 2 * MARGIN;
     double rows = ceil((double)skv_terrain_height(terrain) * per_metre) + 2 * MARGIN;
-    if (columns * rows > INT32_MAX)
+    if (columns * rows > MOST_CELLS)
         return skv_fail(error, SKV_ERROR_LIMIT,
-                        "thin walls: a radius of %g m is too small for this world", (double)radius);
+                        "its fluid with a radius of %.3g mm is too fine for a world of %g x %g m; "
+                        "choose fewer particles or a wider spacing",
+                        1000 * (double)radius, (double)skv_terrain_width(terrain),
+                        (double)skv_terrain_height(terrain));
     search s = {.terrain = terrain,
                 .longest = THIN * (double)radius / (double)terrain->pixel_size,
                 .within = {0, 0, terrain->columns, terrain->rows}};

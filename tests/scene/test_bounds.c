@@ -80,11 +80,37 @@ static void test_too_fine_walls(void **state)
     buffer_free(&picture);
 }
 
+static rgb green_dots(int x, int y, void *user)
+{
+    (void)user;
+    return (rgb){0, x % 8 == 0 && y % 8 == 0 ? 255 : 0, 0};
+}
+
+/* Too many areas are told before distances are looked for: nothing is made that is larger than the
+ * picture. */
+static void test_too_many_taps(void **state)
+{
+    (void)state;
+    skv_scene *scene;
+    skv_error error = {0};
+    buffer picture = write_rgb(512, 512, green_dots, NULL);
+    skv_set_allocator(&(skv_allocator){note_size, give_back, NULL});
+    largest = 0;
+    skv_result result =
+        skv_scene_load_memory(picture.data, picture.size, "png", "c.png", NULL, &scene, &error);
+    check_refused(result, scene, &error,
+                  "c.png: there are more than 16 green (emitter) areas; paint fewer, or join some");
+    assert_int_equal(largest, 512 * 512 * 4);
+    skv_set_allocator(NULL);
+    buffer_free(&picture);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_too_fine_a_spacing),
         cmocka_unit_test(test_too_fine_walls),
+        cmocka_unit_test(test_too_many_taps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -63,8 +63,79 @@ static void test_notes_do_not_fill_the_memory(void **state)
     buffer_free(&large);
 }
 
+/* ---- Large pictures in short files ----------------------------------------------------------- */
+
+enum { MARK = 0xa5, APART = 1 << 20 /* bytes from mark to mark */ };
+
+static size_t blocks, touched; /* that were marked, and of these written to */
+
+/* Only marks and size are written, so that the rest takes no memory. */
+static void *mark_large(size_t bytes, size_t alignment, void *user)
+{
+    (void)user;
+    size_t head = alignment > sizeof bytes ? alignment : sizeof bytes;
+    uint8_t *block = aligned_alloc(alignment, (bytes + 2 * head) / alignment * alignment);
+    assert_non_null(block);
+    memcpy(block, &bytes, sizeof bytes);
+    for (size_t at = APART; at < bytes; at += APART)
+        block[head + at] = MARK;
+    blocks += bytes > APART;
+    return block + head;
+}
+
+static void look_at_marks(void *memory, void *user)
+{
+    (void)user;
+    size_t bytes, written = 0;
+    uint8_t *block = (uint8_t *)memory - 64;
+    memcpy(&bytes, block, sizeof bytes);
+    for (size_t at = APART; at < bytes; at += APART)
+        written += ((uint8_t *)memory)[at] != MARK;
+    touched += written > 0;
+    free(block);
+}
+
+static void write_big_endian(uint8_t *bytes, uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        bytes[i] = (uint8_t)(value >> (24 - 8 * i));
+}
+
+static void claim_size(buffer *b, uint32_t side)
+{
+    write_big_endian(b->data + 16, side);
+    write_big_endian(b->data + 20, side);
+    uint32_t sum = 0xffffffffu;
+    for (size_t i = 12; i < 29; i++) {
+        sum ^= b->data[i];
+        for (int bit = 0; bit < 8; bit++)
+            sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0);
+    }
+    write_big_endian(b->data + 29, ~sum);
+}
+
+/* A short file that claims to be large is refused before a large block is written to. */
+static void test_a_claim_costs_nothing(void **state)
+{
+    (void)state;
+    buffer b = write_noted(10, PNG_TEXT_COMPRESSION_NONE);
+    claim_size(&b, 8192);
+    skv_set_allocator(&(skv_allocator){mark_large, look_at_marks, NULL});
+    blocks = touched = 0;
+    skv_image image;
+    skv_error error;
+    assert_int_equal(skv_png_read(b.data, b.size, "p.png", &image, &error), SKV_ERROR_FORMAT);
+    assert_true(blocks >= 1);
+    assert_int_equal(touched, 0);
+    skv_set_allocator(NULL);
+    buffer_free(&b);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_notes_do_not_fill_the_memory)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_notes_do_not_fill_the_memory),
+        cmocka_unit_test(test_a_claim_costs_nothing),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -378,6 +378,28 @@ static void bad_values_are_refused(void **state)
     skv_terrain_destroy(tank);
 }
 
+/* Thin walls everywhere: samples beside them would take minutes. */
+static void too_long_thin_walls_are_refused(void **state)
+{
+    (void)state;
+    enum { SIDE = 700 };
+    uint8_t *picture = calloc(SIDE, SIDE);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        picture[i] = i % SIDE / 4 % 2 ? 255 : 0;
+    skv_terrain *terrain = make_terrain(SIDE, SIDE, picture, 0.001f, 0);
+    skv_wall_map *map = make_map(terrain, 0.007f, 0.0035f);
+    skv_error error = {0};
+    assert_int_equal(skv_wall_map_shade(map, terrain, &error), SKV_ERROR_LIMIT);
+    assert_string_equal(
+        error.text, "its thin walls are too long for a fluid with a radius of 7 mm; choose fewer "
+                    "particles or a wider spacing, or make them thicker or shorter");
+    assert_null(map->thin);
+    assert_null(map->found);
+    skv_wall_map_destroy(map);
+    skv_terrain_destroy(terrain);
+    free(picture);
+}
+
 static void memory_failures_leave_nothing(void **state)
 {
     (void)state;
@@ -499,6 +521,7 @@ int main(void)
         cmocka_unit_test(there_are_no_seams),
         cmocka_unit_test(large_tanks_stay_small),
         cmocka_unit_test(bad_values_are_refused),
+        cmocka_unit_test(too_long_thin_walls_are_refused),
         cmocka_unit_test(memory_failures_leave_nothing),
         cmocka_unit_test(a_thin_wall_stands_for_what_is_behind),
         cmocka_unit_test(only_thin_walls_are_thin),
