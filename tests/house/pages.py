@@ -139,6 +139,19 @@ for name, value in listed:
 if not listed:
     complain("docs/model.md", "lists no constants")
 
+# The glossary's names in the code are there.
+sources = "".join(read(path) for path in glob.glob("src/**/*.[ch]", recursive=True))
+glossary = re.search(r"^## Glossary$(.*?)^## ", texts["docs/model.md"], re.S | re.M)[1]
+for cell in re.findall(r"^\|.*\| ([^|]*) \|$", glossary, re.M):
+    for name in re.findall(r"`(\w+)`", cell):
+        if not re.search(rf"\b{name}", sources):
+            complain("docs/model.md", f"its glossary has {name}, which is nowhere in src")
+
+# Each experiment has a page, which the lab's index names.
+for name in experiments:
+    if f"](lab/{name}.md) | `{name}` |" not in texts["docs/lab.md"]:
+        complain("docs/lab.md", f"the experiment {name} is not listed with its page")
+
 # The lab's table has the rows and bounds of the committed figures, and its verdicts are right.
 committed = [line.split(",") for line in read("tests/experiments/committed.csv").splitlines()[1:]]
 table = re.search(r"<!-- lab: begin -->\n\n(.*?)\n\n<!-- lab: end -->", texts["docs/lab.md"], re.S)[1]
