@@ -59,6 +59,29 @@ static void spray_is_no_surface(void **unused)
     skv_world_destroy(world);
 }
 
+/* A shaft four times as high as wide: the level is where the water was filled to. */
+static void a_shaft_has_its_level(void **unused)
+{
+    (void)unused;
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.02f, 1);
+    skv_terrain_def shaft = skv_default_terrain_def();
+    shaft.width = 40;
+    shaft.height = 160;
+    shaft.pixel_size = 0.01f;
+    skv_world *world;
+    assert_int_equal(skv_terrain_create(&shaft, &def.terrain, NULL), SKV_OK);
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    fixture_fill(world, 0, 0, 0.4f, 1.2f);
+    skv_lab *lab = new_lab();
+    skv_instrument level = add(lab, SKV_INSTRUMENT_LEVEL, 0.2, 0.1, 0.2, 1.5);
+    sample(lab, world);
+    assert_near(skv_lab_reading(lab, level, 2), 1.2, 0.02);
+    assert_true(skv_survey_at(skv_lab_survey(lab), 0.2, 1.1).wet);
+    assert_false(skv_survey_at(skv_lab_survey(lab), 0.2, 1.3).wet);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
 /* Gauges that reach far beyond the world, or begin there, read as short ones do. */
 static void gauges_end_with_the_world(void **unused)
 {
@@ -249,6 +272,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spray_is_no_surface),
+        cmocka_unit_test(a_shaft_has_its_level),
         cmocka_unit_test(gauges_end_with_the_world),
         cmocka_unit_test(a_wave_of_known_form_is_read),
         cmocka_unit_test(still_water_has_no_waves),
