@@ -38,7 +38,7 @@ await 'worlds[0].particles == 3000 and worlds[1].particles == 3000'
 
 # 3. Unlinked, into B alone; and gravity in A alone, which gives B a ball of its own.
 press 'Hands and gravity in both worlds'
-await 'not linked'
+await 'not linked and sum(widget.name == "Gravity" for widget in widgets()) == 2'
 point 60 80 1
 xdotool mousedown 1
 point 80 80 1
