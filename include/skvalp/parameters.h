@@ -28,6 +28,26 @@ SKV_API skv_result skv_world_def_set(skv_world_def *def, const char *path, const
 SKV_API skv_result skv_world_def_get(const skv_world_def *def, const char *path, char *text,
                                      size_t size, skv_error *error);
 
+/* The same without text: a parameter by its number, which is its place in the list of
+ * skv_world_field, and a choice by its index, true and false as 1 and 0. */
+
+/** A parameter's number; -1 for an unknown path. It is the same as long as the library is. */
+SKV_API int skv_world_parameter(const char *path);
+
+/** Sets a parameter of a definition. SKV_ERROR_VALUE, and nothing changed, for a number that its
+ * field does not allow, or that is no parameter's. */
+SKV_API skv_result skv_world_def_set_number(skv_world_def *def, int parameter, double value,
+                                            skv_error *error);
+
+/** A parameter of a definition; of fluid.material -1 if no material has this density and
+ * viscosity. 0, and a caller's mistake, for what is no parameter's number. */
+SKV_API double skv_world_def_number(const skv_world_def *def, int parameter);
+
+/** The same for a world that runs, as skv_world_set and _get. */
+SKV_API skv_result skv_world_set_number(skv_world *world, int parameter, double value,
+                                        skv_error *error);
+SKV_API double skv_world_number(const skv_world *world, int parameter);
+
 /** The same as skv_world_def_set and _get for a world that runs. What skv_world_can_change denies
  * is refused with SKV_ERROR_VALUE. The substeps follow as they follow gravity. Fluid that sleeps
  * wakes up. */

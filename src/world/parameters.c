@@ -216,23 +216,33 @@ const skv_world_def *skv_open_world_def(const skv_world_def *def, skv_world_def 
     return def && def->fluid.cookie == fluid ? def : NULL;
 }
 
+/* Whether a field allows a number. */
+static skv_result check_number(int parameter, double number, skv_error *error)
+{
+    const skv_field *field = &fields[parameter];
+    const char *wrong = NULL;
+    if (field->type == SKV_FIELD_BOOLEAN)
+        wrong = number == 0 || number == 1 ? NULL : "is not 0 or 1";
+    else if (field->type != SKV_FIELD_CHOICE)
+        wrong = skv_field_complaint(field, number);
+    else if (!(number >= 0 && number < skv_field_choices(field->choices)) ||
+             number != (double)(int)number)
+        wrong = "is not known";
+    if (!wrong)
+        return SKV_OK;
+    char what[32];
+    skv_format_number(number, what);
+    return skv_field_refuse(field, what, wrong, error);
+}
+
 skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
 {
     for (int i = 0; i < SKV_P_COUNT; i++) {
-        const skv_field *field = &fields[i];
-        if (places[i].offset == NO_MEMBER || field->type == SKV_FIELD_BOOLEAN)
-            continue;
-        double number = load(def, i);
-        const char *wrong = NULL;
-        if (field->type != SKV_FIELD_CHOICE)
-            wrong = skv_field_complaint(field, number);
-        else if (number < 0 || number >= skv_field_choices(field->choices))
-            wrong = "is not known";
-        if (wrong) {
-            char what[32];
-            skv_format_number(number, what);
-            return skv_field_refuse(field, what, wrong, error);
-        }
+        skv_result result = SKV_OK;
+        if (places[i].offset != NO_MEMBER)
+            result = check_number(i, load(def, i), error);
+        if (result != SKV_OK)
+            return result;
     }
     return SKV_OK;
 }
@@ -318,29 +328,40 @@ skv_world_def skv_world_describe(const skv_world *world)
     return def;
 }
 
+/* Lets a world go on with a definition in which one parameter has been set. */
+static skv_result follow(skv_world *world, int parameter, const skv_world_def *def,
+                         skv_error *error)
+{
+    if (is_fluids(parameter) || parameter == SKV_P_FLUID_MATERIAL)
+        skv_world_change_fluid(world, &def->fluid);
+    else if (parameter == SKV_P_EMISSION_LIMIT || parameter == SKV_P_EMISSION_REPLACES)
+        skv_world_put_emission(world, def);
+    else
+        return skv_world_set_gravity(world, def->gravity_x, def->gravity_y, error);
+    return SKV_OK;
+}
+
+static skv_result check_live(int parameter, skv_error *error)
+{
+    if (places[parameter].live)
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "%s: cannot change while a world runs; set it in the definition of a new one",
+                    fields[parameter].path);
+}
+
 skv_result skv_world_set(skv_world *world, const char *path, const char *text, skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_change(world) && path && text, SKV_ERROR_VALUE);
     int parameter;
     skv_result result = find(path, &parameter, error);
+    if (result == SKV_OK)
+        result = check_live(parameter, error);
     if (result != SKV_OK)
         return result;
-    if (!places[parameter].live)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "%s: cannot change while a world runs; set it in the definition of a new "
-                        "one",
-                        path);
     skv_world_def def = skv_world_describe(world);
     result = skv_world_def_set(&def, path, text, error);
-    if (result != SKV_OK)
-        return result;
-    if (is_fluids(parameter) || parameter == SKV_P_FLUID_MATERIAL)
-        skv_world_change_fluid(world, &def.fluid);
-    else if (parameter == SKV_P_EMISSION_LIMIT || parameter == SKV_P_EMISSION_REPLACES)
-        skv_world_put_emission(world, &def);
-    else
-        result = skv_world_set_gravity(world, def.gravity_x, def.gravity_y, error);
-    return result;
+    return result == SKV_OK ? follow(world, parameter, &def, error) : result;
 }
 
 skv_result skv_world_get(const skv_world *world, const char *path, char *text, size_t size,
@@ -349,4 +370,61 @@ skv_result skv_world_get(const skv_world *world, const char *path, char *text, s
     SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
     skv_world_def def = skv_world_describe(world);
     return skv_world_def_get(&def, path, text, size, error);
+}
+
+/* ---- Access by number ------------------------------------------------------------------------ */
+
+int skv_world_parameter(const char *path)
+{
+    SKV_ASSERT_OR(path, -1);
+    return skv_field_find(fields, SKV_P_COUNT, path);
+}
+
+/* Whether there is a parameter of a number. */
+static skv_result check_parameter(int parameter, skv_error *error)
+{
+    if (parameter >= 0 && parameter < SKV_P_COUNT)
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE, "parameter %d: there is none; allowed is 0..%d",
+                    parameter, SKV_P_COUNT - 1);
+}
+
+skv_result skv_world_def_set_number(skv_world_def *def, int parameter, double value,
+                                    skv_error *error)
+{
+    skv_world_def own;
+    const skv_world_def *whole = def;
+    SKV_ASSERT_INITIALISED(whole, skv_open_world_def(def, &own), SKV_ERROR_VALUE);
+    skv_result result = check_parameter(parameter, error);
+    if (result == SKV_OK)
+        result = check_number(parameter, value, error);
+    return result == SKV_OK ? put(def, parameter, value, error) : result;
+}
+
+double skv_world_def_number(const skv_world_def *def, int parameter)
+{
+    skv_world_def own;
+    SKV_ASSERT_INITIALISED(def, skv_open_world_def(def, &own), 0);
+    SKV_ASSERT_OR(parameter >= 0 && parameter < SKV_P_COUNT, 0);
+    return skv_parameter_load(def, parameter);
+}
+
+skv_result skv_world_set_number(skv_world *world, int parameter, double value, skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
+    skv_result result = check_parameter(parameter, error);
+    if (result == SKV_OK)
+        result = check_live(parameter, error);
+    if (result != SKV_OK)
+        return result;
+    skv_world_def def = skv_world_describe(world);
+    result = skv_world_def_set_number(&def, parameter, value, error);
+    return result == SKV_OK ? follow(world, parameter, &def, error) : result;
+}
+
+double skv_world_number(const skv_world *world, int parameter)
+{
+    SKV_ASSERT_OR(world, 0);
+    skv_world_def def = skv_world_describe(world);
+    return skv_world_def_number(&def, parameter);
 }

@@ -52,6 +52,76 @@ static void defaults_are_the_rows(void **unused)
     assert_true(clavet.near_stiffness == 107.9f);
 }
 
+/* By number as by path, in a definition and in a world that runs: the same values, the same ranges.
+ */
+static void numbers_need_no_text(void **unused)
+{
+    (void)unused;
+    skv_world_def by_number = skv_default_world_def(), by_text = by_number;
+    const skv_field *field;
+    skv_error error;
+    for (int i = 0; (field = skv_world_field(i)); i++) {
+        assert_int_equal(skv_world_parameter(field->path), i);
+        double value = skv_world_def_number(&by_number, i), other = value;
+        if (field->type == SKV_FIELD_NUMBER || field->type == SKV_FIELD_INTEGER) {
+            other = field->maximum;
+            skv_result low = skv_world_def_set_number(&by_number, i, field->minimum - 1, &error);
+            assert_int_equal(low, SKV_ERROR_VALUE);
+            assert_non_null(strstr(error.text, field->path));
+            assert_non_null(strstr(error.text, "is out of range; allowed is"));
+        } else {
+            other = value == 1 ? 0 : 1;
+            assert_int_equal(skv_world_def_set_number(&by_number, i, 9, NULL), SKV_ERROR_VALUE);
+            assert_int_equal(skv_world_def_set_number(&by_number, i, 0.5, NULL), SKV_ERROR_VALUE);
+        }
+        assert_int_equal(skv_world_def_set_number(&by_number, i, NAN, NULL), SKV_ERROR_VALUE);
+        assert_true(skv_world_def_number(&by_number, i) == value);
+        assert_int_equal(skv_world_def_set_number(&by_number, i, other, NULL), SKV_OK);
+        assert_true(skv_world_def_number(&by_number, i) == (double)(float)other);
+        set(&by_text, field->path, get(&by_number, field->path));
+        assert_string_equal(get(&by_text, field->path), get(&by_number, field->path));
+        assert_true(skv_world_def_number(&by_text, i) == skv_world_def_number(&by_number, i));
+    }
+    assert_int_equal(skv_world_parameter("gravity.z"), -1);
+    assert_int_equal(skv_world_def_set_number(&by_number, -1, 0, &error), SKV_ERROR_VALUE);
+    assert_int_equal(skv_world_def_set_number(&by_number, 1000, 0, &error), SKV_ERROR_VALUE);
+    assert_non_null(strstr(error.text, "parameter 1000: there is none"));
+}
+
+static void numbers_of_a_world_that_runs(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_dam(SKV_LAW_CALIBRATED, 0.04f, 1);
+    skv_world *twin = fixture_dam(SKV_LAW_CALIBRATED, 0.04f, 1);
+    const struct {
+        const char *path, *text;
+        double value;
+    } changes[] = {{"fluid.viscosity", "0.002", 0.002},
+                   {"gravity.x", "3", 3},
+                   {"emission.replaces", "true", 1},
+                   {"emission.limit", "700", 700},
+                   {"fluid.material", "honey", 2}};
+    for (size_t c = 0; c < sizeof changes / sizeof *changes; c++) {
+        int parameter = skv_world_parameter(changes[c].path);
+        assert_int_equal(skv_world_set_number(world, parameter, changes[c].value, NULL), SKV_OK);
+        assert_true(skv_world_number(world, parameter) == (double)(float)changes[c].value);
+        assert_int_equal(skv_world_set(twin, changes[c].path, changes[c].text, NULL), SKV_OK);
+    }
+    fixture_run(world, 5);
+    fixture_run(twin, 5);
+    assert_true(skv_world_hash(world) == skv_world_hash(twin));
+    skv_error error;
+    int spacing = skv_world_parameter("fluid.spacing");
+    assert_int_equal(skv_world_set_number(world, spacing, 0.02, &error), SKV_ERROR_VALUE);
+    assert_non_null(strstr(error.text, "fluid.spacing: cannot change while a world runs"));
+    assert_int_equal(skv_world_set_number(world, 99, 0, NULL), SKV_ERROR_VALUE);
+    assert_int_equal(skv_world_set_number(world, skv_world_parameter("fluid.viscosity"), -1, NULL),
+                     SKV_ERROR_VALUE);
+    assert_true(skv_world_number(world, spacing) == (double)0.04f);
+    skv_world_destroy(world);
+    skv_world_destroy(twin);
+}
+
 static void members_are_set_by_path(void **unused)
 {
     (void)unused;
@@ -249,6 +319,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(defaults_are_the_rows),
+        cmocka_unit_test(numbers_need_no_text),
+        cmocka_unit_test(numbers_of_a_world_that_runs),
         cmocka_unit_test(members_are_set_by_path),
         cmocka_unit_test(a_law_brings_its_defaults),
         cmocka_unit_test(a_material_sets_two),
