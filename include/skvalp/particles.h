@@ -142,6 +142,14 @@ SKV_API skv_result skv_world_add_velocity(skv_world *world, int first, int count
 SKV_API skv_result skv_world_set_velocities(skv_world *world, int first, int count, const float *vx,
                                             const float *vy, skv_error *error);
 
+/** Moves particles, named by their ids, to other places (m), whatever lies between and whether or
+ * not others are near; those that are gone are passed over. They keep their velocities, and are
+ * awake, as is fluid that slept where they were. skv_world_revision changes. All or nothing:
+ * SKV_ERROR_VALUE, which names the particle, for a place that is in solid, outside of the world or
+ * not within 100 m, where skv_world_add_particle would put none either. */
+SKV_API skv_result skv_world_set_positions(skv_world *world, const skv_particle_id *ids, int count,
+                                           const float *x, const float *y, skv_error *error);
+
 /** Dyes particles [first, first+count): dyes[0] is the colour of `first`. SKV_ERROR_VALUE, and
  * nothing changed, for a number above SKV_DYES or a particle that does not exist. */
 SKV_API skv_result skv_world_set_dyes(skv_world *world, int first, int count, const uint8_t *dyes,

@@ -1,7 +1,7 @@
-/* Changing particles' velocities from outside. Invariant: whoever is given another velocity is
- * awake from the next substep on. */
+/* Changing particles' velocities and positions from outside. Invariant: whoever is given another
+ * one is awake from the next substep on, and lies where particles may be added. */
 #include "base/assert.h"
-#include "world/world_internal.h"
+#include "world/add.h"
 
 static skv_result check_range(const skv_world *world, int first, int count, skv_error *error)
 {
@@ -59,5 +59,41 @@ skv_result skv_world_set_velocities(skv_world *world, int first, int count, cons
         s->vy[i] = vy[k];
         skv_sleep_wake(world, i);
     }
+    return SKV_OK;
+}
+
+skv_result skv_world_set_positions(skv_world *world, const skv_particle_id *ids, int count,
+                                   const float *x, const float *y, skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_change(world) && count >= 0 && ((ids && x && y) || count == 0),
+                  SKV_ERROR_VALUE);
+    for (int k = 0; k < count; k++) {
+        if (skv_world_index(world, ids[k]) < 0)
+            continue;
+        if (!skv_within((double)x[k], -100, 100) || !skv_within((double)y[k], -100, 100))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "position of particle %u: not finite or beyond 100 m",
+                            (unsigned)ids[k]);
+        if (skv_world_is_blocked(world, x[k], y[k]))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "position of particle %u: (%g, %g) is in solid or outside the world; "
+                            "choose a free place",
+                            (unsigned)ids[k], (double)x[k], (double)y[k]);
+    }
+    skv_state *s = &world->state;
+    skv_sleep_begin_disturbance(world);
+    for (int k = 0; k < count; k++) {
+        int i = skv_world_index(world, ids[k]);
+        if (i < 0)
+            continue;
+        skv_sleep_disturb(world, i);
+        skv_sleep_wake(world, i);
+        s->x[i] = s->anchor_x[i] = x[k];
+        s->y[i] = s->anchor_y[i] = y[k];
+        s->pressure[i] = s->warm_push[i] = s->clearance[i] = 0;
+    }
+    skv_sleep_end_disturbance(world);
+    if (count)
+        skv_world_regroup(world);
     return SKV_OK;
 }
