@@ -95,10 +95,11 @@ static bool load_bytes(const char *bytes, size_t size, void *user)
 {
     loading *load = user;
     skv_player_def def = skv_default_player_def();
-    def.threads = load->options->threads;
+    skv_world_def host = skv_default_world_def();
+    def.threads = host.threads = load->options->threads;
     load->result = load->options->anyway ? SKV_OK : check_demands(bytes, size, &load->cause);
     if (!load->result && load->world)
-        load->result = skv_world_load(bytes, size, def.threads, load->world, &load->cause);
+        load->result = skv_world_load(bytes, size, &host, load->world, &load->cause);
     else if (!load->result)
         load->result = skv_player_load(bytes, size, &def, load->player, &load->cause);
     return true;

@@ -37,12 +37,6 @@ typedef struct skv_hand {
 
 SKV_API skv_hand skv_default_hand(void);
 
-/** Sets the hands that act from the next step on, replacing all earlier ones; count 0 lets go.
- * Fails with SKV_ERROR_VALUE (a field not finite or out of range: the old hands stay) or
- * SKV_ERROR_LIMIT (more than SKV_MAX_HANDS). */
-SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count,
-                                       skv_error *error);
-
 /** A force field: what is done to all fluid in an area, at the surface as below it. What is 0 does
  * nothing. Over the whole world: skv_box(-100, -100, 100, 100). */
 typedef struct skv_force {
@@ -57,15 +51,6 @@ typedef struct skv_force {
                    of the area, or of the box around it */
 } skv_force;
 
-/** Sets the forces that act from the next substep on, replacing all earlier ones, and wakes the
- * fluid. Substeps follow as they follow gravity. Fails with SKV_ERROR_VALUE (not finite or out of
- * range: the old forces stay) or SKV_ERROR_LIMIT (more than SKV_MAX_FORCES). */
-SKV_API skv_result skv_world_set_forces(skv_world *world, const skv_force *forces, int count,
-                                        skv_error *error);
-
-/** The forces that act; they belong to the world and are valid until the next ones are set. */
-SKV_API const skv_force *skv_world_forces(const skv_world *world, int *count);
-
 /** An emitter: fluid appears along a line and flows off across it, width * speed m^2/s of it. From
  * the line on, as far as a smoothing radius, all fluid as wide as the line has the emitter's
  * velocity: the mouth, which should be free of walls; a wall right behind the line is welcome.
@@ -78,6 +63,86 @@ typedef struct skv_emitter {
     int dye;      /**< colour of what comes, 0..SKV_DYES */
 } skv_emitter;
 
+/** A drain: particles in an area are taken out between substeps. */
+typedef struct skv_drain {
+    skv_area area;
+    float rate; /**< m^2/s, at most so much, 0..10000; 0: all that comes */
+} skv_drain;
+
+/** What acts has a name: the number that it was given when it was added, never 0, which names
+ * nothing, and never given to another in the same world. It stays when others are changed or
+ * removed, and is part of the state: after skv_world_restore it names what it named then. */
+typedef uint32_t skv_acting_id;
+
+/** The kinds of what has such a name. */
+typedef enum skv_acting_kind {
+    SKV_ACTING_HAND,
+    SKV_ACTING_FORCE,
+    SKV_ACTING_EMITTER,
+    SKV_ACTING_DRAIN
+} skv_acting_kind;
+
+/* One by one. Each kind is a list in the order in which its members were added: what is added comes
+ * last, what is changed keeps its place and its name, and where one is removed the others close up.
+ * Forces and hands are summed in that order, and emitters and drains take their turns in it; so the
+ * same calls in the same order give the same bits. All of it acts from the next substep on, and
+ * fails with SKV_ERROR_VALUE (a number out of range, or an id that names none of that kind) or
+ * SKV_ERROR_LIMIT (as many as there may be, or 2^30 names given); then nothing has changed, and an
+ * `id` that was to be written is 0. `id` may be null. */
+
+/** Adds a hand, force, emitter or drain, and writes its name. */
+SKV_API skv_result skv_world_add_hand(skv_world *world, const skv_hand *hand, skv_acting_id *id,
+                                      skv_error *error);
+SKV_API skv_result skv_world_add_force(skv_world *world, const skv_force *force, skv_acting_id *id,
+                                       skv_error *error);
+SKV_API skv_result skv_world_add_emitter(skv_world *world, const skv_emitter *emitter,
+                                         skv_acting_id *id, skv_error *error);
+SKV_API skv_result skv_world_add_drain(skv_world *world, const skv_drain *drain, skv_acting_id *id,
+                                       skv_error *error);
+
+/** Makes another of it, with the same name. An emitter that stays where and as fast as it is goes
+ * on without a gap. */
+SKV_API skv_result skv_world_change_hand(skv_world *world, skv_acting_id id, const skv_hand *hand,
+                                         skv_error *error);
+SKV_API skv_result skv_world_change_force(skv_world *world, skv_acting_id id,
+                                          const skv_force *force, skv_error *error);
+SKV_API skv_result skv_world_change_emitter(skv_world *world, skv_acting_id id,
+                                            const skv_emitter *emitter, skv_error *error);
+SKV_API skv_result skv_world_change_drain(skv_world *world, skv_acting_id id,
+                                          const skv_drain *drain, skv_error *error);
+
+/** Takes one of any kind away; the others go on without a gap. False, and nothing has changed, if
+ * it is gone already. */
+SKV_API bool skv_world_remove_acting(skv_world *world, skv_acting_id id);
+
+/** Its place in the list of its kind (skv_world_hands and so on), counted from 0; -1 if it is gone.
+ * `*kind` (null is allowed) is its kind, unless it is gone. */
+SKV_API int skv_world_acting_index(const skv_world *world, skv_acting_id id, skv_acting_kind *kind);
+
+/** The name of what is in a place of a list; 0 if there is none. */
+SKV_API skv_acting_id skv_world_acting_id(const skv_world *world, skv_acting_kind kind, int index);
+
+/* All of a kind at once: what is in the same place before and after keeps its name, as if it had
+ * been changed; more are added, and what has no place any more is removed. */
+
+/** Sets the hands that act from the next step on, replacing all earlier ones; count 0 lets go.
+ * Fails with SKV_ERROR_VALUE (a field not finite or out of range: the old hands stay) or
+ * SKV_ERROR_LIMIT (more than SKV_MAX_HANDS). */
+SKV_API skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count,
+                                       skv_error *error);
+
+/** The hands that act; they belong to the world and are valid until the next ones are set. */
+SKV_API const skv_hand *skv_world_hands(const skv_world *world, int *count);
+
+/** Sets the forces that act from the next substep on, replacing all earlier ones, and wakes the
+ * fluid. Substeps follow as they follow gravity. Fails with SKV_ERROR_VALUE (not finite or out of
+ * range: the old forces stay) or SKV_ERROR_LIMIT (more than SKV_MAX_FORCES). */
+SKV_API skv_result skv_world_set_forces(skv_world *world, const skv_force *forces, int count,
+                                        skv_error *error);
+
+/** The forces that act; they belong to the world and are valid until the next ones are set. */
+SKV_API const skv_force *skv_world_forces(const skv_world *world, int *count);
+
 /** Sets the emitters from the next substep on, replacing all earlier ones; one that stays where and
  * as fast as it is goes on without a gap. They stop when the world holds as many particles as
  * `emission_limit`, or with `emission_replaces` the oldest particles go. Fails with SKV_ERROR_VALUE
@@ -87,12 +152,6 @@ SKV_API skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *e
                                           skv_error *error);
 /** The emitters; they belong to the world and are valid until the next ones are set. */
 SKV_API const skv_emitter *skv_world_emitters(const skv_world *world, int *count);
-
-/** A drain: particles in an area are taken out between substeps. */
-typedef struct skv_drain {
-    skv_area area;
-    float rate; /**< m^2/s, at most so much, 0..10000; 0: all that comes */
-} skv_drain;
 
 /** The same for drains; at most SKV_MAX_DRAINS. */
 SKV_API skv_result skv_world_set_drains(skv_world *world, const skv_drain *drains, int count,

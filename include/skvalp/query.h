@@ -5,6 +5,7 @@
 #ifndef SKVALP_QUERY_H
 #define SKVALP_QUERY_H
 
+#include "skvalp/acting.h"
 #include "skvalp/area.h"
 #include "skvalp/base.h"
 #include "skvalp/particles.h"
@@ -88,7 +89,7 @@ typedef enum skv_event_kind {
 typedef struct skv_event {
     skv_event_kind kind;
     skv_particle_id particle; /**< SKV_NO_PARTICLE if it is about none */
-    int source;               /**< number of the emitter or drain; -1: none */
+    skv_acting_id source;     /**< the emitter or drain that did it; 0: none */
 } skv_event;
 
 /** The most events that are kept of a step: each particle may come and go, and 48 MB. */

@@ -30,14 +30,17 @@ SKV_API skv_result skv_world_save(const skv_world *world, bool with_terrain, voi
 SKV_API skv_result skv_world_restore(skv_world *world, const void *data, size_t size,
                                      skv_error *error);
 
-/** Makes a world from a snapshot with terrain; `*world` is null on failure. `threads` as in
- * skv_world_def. Any bytes may be given. */
-SKV_API skv_result skv_world_load(const void *data, size_t size, int threads, skv_world **world,
-                                  skv_error *error);
+/** Makes a world from a snapshot with terrain; `*world` is null on failure. Any bytes may be given.
+ * Of `host`, null for the defaults, what is the host's counts and nothing else: threads, pool,
+ * tasks, instruction_set, capacity, log and log_user. Fails as skv_world_restore and
+ * skv_world_create do. */
+SKV_API skv_result skv_world_load(const void *data, size_t size, const skv_world_def *host,
+                                  skv_world **world, skv_error *error);
 
-/** Makes a second world in the same state, which shares the terrain; `*copy` is null on failure. */
-SKV_API skv_result skv_world_copy(const skv_world *world, int threads, skv_world **copy,
-                                  skv_error *error);
+/** Makes a second world in the same state, which shares the terrain; `*copy` is null on failure.
+ * `host` as in skv_world_load: it may have the first one's pool. */
+SKV_API skv_result skv_world_copy(const skv_world *world, const skv_world_def *host,
+                                  skv_world **copy, skv_error *error);
 
 #ifdef __cplusplus
 }

@@ -30,6 +30,10 @@ extern "C" {
  * the moment at which viscosity is read (docs/model.md). */
 typedef enum skv_solver_kind { SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE } skv_solver_kind;
 
+/** Receives one line of text, without a line feed, that the library would print if it printed. It
+ * may read the world that calls it, but for saving and copying it. */
+typedef void skv_logger(const char *text, void *user);
+
 /** How to make a world. Initialise with skv_default_world_def. Ranges and defaults of what is not
  * explained here are those of skv_world_field. */
 typedef struct skv_world_def {
@@ -56,7 +60,9 @@ typedef struct skv_world_def {
                    something disturbs it (docs/model.md). Only with SKV_SOLVER_FAST. */
     int emission_limit;     /**< emitters stop at so many particles in the world */
     bool emission_replaces; /**< ... or else the oldest particles go for new ones */
-    int capacity; /**< particles to make room for at creation; the world grows beyond it */
+    int capacity;    /**< particles to make room for at creation; the world grows beyond it */
+    skv_logger *log; /**< as by skv_world_set_log, from the first moment on; default null */
+    void *log_user;
 } skv_world_def;
 
 /** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
@@ -160,10 +166,6 @@ typedef void skv_before_substep(skv_world *world, float dt, void *user);
  * rounds differently. */
 SKV_API void skv_world_set_before_substep(skv_world *world, skv_before_substep *callback,
                                           void *user);
-
-/** Receives one line of text, without a line feed, that the library would print if it printed. It
- * may read the world that calls it, but for saving and copying it. */
-typedef void skv_logger(const char *text, void *user);
 
 /** Sets where a world says what is no failure but worth knowing: that it had to grow, or that it is
  * overfull: filled to more than 1.1 of what lies in it at rest, where it begins to boil. Null, the

@@ -180,29 +180,22 @@ static const uint8_t *get_part(skv_reader *r, size_t *size)
     return bytes;
 }
 
-/* Makes a player from a snapshot. The world is made twice if threads are shared: whoever loads a
- * world gives it threads of its own. */
+/* Makes a player from a snapshot. */
 static skv_result begin(const uint8_t *data, size_t size, const skv_player_def *def,
                         skv_player **player, skv_error *error)
 {
     skv_world *world = NULL;
-    skv_result result = skv_world_load(data, size, def->pool ? 1 : def->threads, &world, error);
+    skv_world_def host = skv_default_world_def();
+    host.threads = def->threads;
+    host.pool = def->pool;
+    skv_result result = skv_world_load(data, size, &host, &world, error);
     if (result != SKV_OK)
         return result;
     result = skv_player_begin(world, NULL, def, player, error);
-    if (result != SKV_OK) {
+    if (result != SKV_OK)
         skv_world_destroy(world);
-        return result;
-    }
-    (*player)->saved_start = true;
-    if (!def->pool)
-        return SKV_OK;
-    skv_world *shared = NULL;
-    result = skv_player_make_start(*player, &shared, error);
-    if (result == SKV_OK) {
-        skv_world_destroy(world);
-        (*player)->world = shared;
-    }
+    else
+        (*player)->saved_start = true;
     return result;
 }
 

@@ -27,6 +27,12 @@ typedef struct skv_acting {
     int emitter_count;
     skv_drain drains[SKV_MAX_DRAINS];
     int drain_count;
+    /* Their names, ascending in each list, and the number of the last name given. */
+    skv_acting_id hand_ids[SKV_MAX_HANDS];
+    skv_acting_id force_ids[SKV_MAX_FORCES];
+    skv_acting_id emitter_ids[SKV_MAX_EMITTERS];
+    skv_acting_id drain_ids[SKV_MAX_DRAINS];
+    uint32_t named;
     /* How far they are. */
     skv_stream streams[SKV_MAX_EMITTERS];
     double drainable[SKV_MAX_DRAINS]; /* particles that may go, of a drain with a rate */
@@ -47,7 +53,7 @@ float skv_acting_head(const skv_acting *acting, float width, float height);
 /* That of the fastest jet alone. */
 float skv_emitted_head(const skv_acting *acting);
 
-/* Writes or reads all of it; what has been read is checked. */
+/* Writes or reads all of it but names; what has been read is checked. */
 skv_result skv_exchange_acting(skv_port *port, skv_acting *acting, skv_error *error);
 
 #endif

@@ -6,6 +6,7 @@
 #include "base/fields.h"
 #include "world/emitters.h"
 #include "world/forces.h"
+#include "world/names.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -65,6 +66,8 @@ skv_result skv_world_set_forces(skv_world *world, const skv_force *forces, int c
 {
     SKV_ASSERT_OR(skv_may_change(world) && (forces || count == 0), SKV_ERROR_VALUE);
     skv_result result = skv_check_forces(forces, count, error);
+    if (result == SKV_OK)
+        result = skv_acting_name(&world->acting, SKV_ACTING_FORCE, count, error);
     if (result != SKV_OK)
         return result;
     if (count)
@@ -82,15 +85,14 @@ const skv_force *skv_world_forces(const skv_world *world, int *count)
     return world->acting.forces;
 }
 
-static bool is_same(const skv_emitter *a, const skv_emitter *b)
+bool skv_emitter_goes_on(const skv_emitter *a, const skv_emitter *b)
 {
     return a->x == b->x && a->y == b->y && a->vx == b->vx && a->vy == b->vy && a->width == b->width;
 }
 
-skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters, int count,
-                                  skv_error *error)
+skv_result skv_world_check_emitters(const skv_world *world, const skv_emitter *emitters, int count,
+                                    skv_error *error)
 {
-    SKV_ASSERT_OR(skv_may_change(world) && (emitters || count == 0), SKV_ERROR_VALUE);
     skv_result result = skv_check_emitters(emitters, count, error);
     if (result != SKV_OK)
         return result;
@@ -99,9 +101,21 @@ skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters,
         if (skv_emitter_is_wide(&emitters[i], world->fluid.spacing, wide, sizeof wide))
             return skv_fail(error, SKV_ERROR_VALUE, "emitter %d: it %s", i, wide);
     }
+    return SKV_OK;
+}
+
+skv_result skv_world_set_emitters(skv_world *world, const skv_emitter *emitters, int count,
+                                  skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_change(world) && (emitters || count == 0), SKV_ERROR_VALUE);
+    skv_result result = skv_world_check_emitters(world, emitters, count, error);
+    if (result == SKV_OK)
+        result = skv_acting_name(&world->acting, SKV_ACTING_EMITTER, count, error);
+    if (result != SKV_OK)
+        return result;
     skv_acting *acting = &world->acting;
     for (int i = 0; i < count; i++) {
-        if (i >= acting->emitter_count || !is_same(&acting->emitters[i], &emitters[i]))
+        if (i >= acting->emitter_count || !skv_emitter_goes_on(&acting->emitters[i], &emitters[i]))
             acting->streams[i] = skv_new_stream(world->next_id);
         acting->emitters[i] = emitters[i];
     }
@@ -122,6 +136,8 @@ skv_result skv_world_set_drains(skv_world *world, const skv_drain *drains, int c
 {
     SKV_ASSERT_OR(skv_may_change(world) && (drains || count == 0), SKV_ERROR_VALUE);
     skv_result result = skv_check_drains(drains, count, error);
+    if (result == SKV_OK)
+        result = skv_acting_name(&world->acting, SKV_ACTING_DRAIN, count, error);
     if (result != SKV_OK)
         return result;
     if (count)

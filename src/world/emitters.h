@@ -7,6 +7,13 @@
 skv_result skv_check_emitters(const skv_emitter *emitters, int count, skv_error *error);
 skv_result skv_check_drains(const skv_drain *drains, int count, skv_error *error);
 
+/* change.c: the same, and whether they are too wide for a world's fluid. */
+skv_result skv_world_check_emitters(const skv_world *world, const skv_emitter *emitters, int count,
+                                    skv_error *error);
+
+/* change.c: whether an emitter goes on as another one without a gap. */
+bool skv_emitter_goes_on(const skv_emitter *emitter, const skv_emitter *other);
+
 /* An emitter that begins, when the next particle has this id. */
 skv_stream skv_new_stream(skv_particle_id next);
 

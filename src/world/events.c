@@ -46,7 +46,8 @@ void skv_events_end(skv_events *events)
     events->over = true;
 }
 
-void skv_events_add(skv_events *events, skv_event_kind kind, skv_particle_id particle, int source)
+void skv_events_add(skv_events *events, skv_event_kind kind, skv_particle_id particle,
+                    skv_acting_id source)
 {
     skv_events_begin(events);
     if (events->count < SKV_MAX_EVENTS)

@@ -15,7 +15,8 @@ typedef struct skv_events {
 skv_result skv_events_reserve(skv_events *events, int more, skv_error *error);
 
 /* Adds an event, for which there is room, or drops it. */
-void skv_events_add(skv_events *events, skv_event_kind kind, skv_particle_id particle, int source);
+void skv_events_add(skv_events *events, skv_event_kind kind, skv_particle_id particle,
+                    skv_acting_id source);
 
 /* A step begins; a step has ended. */
 void skv_events_begin(skv_events *events);

@@ -106,12 +106,14 @@ static void emit_row(skv_world *world, int number, const skv_emitter_rows *rows)
     for (int k = 0, left = count; left > 0; k++) {
         if (r.taken[k])
             continue;
-        skv_events_add(&world->events, SKV_EVENT_EMITTED, world->next_id, number);
+        skv_events_add(&world->events, SKV_EVENT_EMITTED, world->next_id,
+                       world->acting.emitter_ids[number]);
         skv_world_append(world, r.x[k], r.y[k], e->vx, e->vy, e->dye);
         left--;
     }
     if (count < rows->columns)
-        skv_events_add(&world->events, SKV_EVENT_BLOCKED, SKV_NO_PARTICLE, number);
+        skv_events_add(&world->events, SKV_EVENT_BLOCKED, SKV_NO_PARTICLE,
+                       world->acting.emitter_ids[number]);
     world->acting.flow.emitted += count;
     world->acting.flow.blocked += rows->columns - count;
     stream->odd = !stream->odd;
@@ -232,7 +234,8 @@ static void pause_emitter(skv_world *world, int number, const skv_emitter_rows *
     stream->pauses = true;
     stream->odd = odd;
     for (stream->way = way; stream->way >= rows->way; stream->way -= rows->way) {
-        skv_events_add(&world->events, SKV_EVENT_BLOCKED, SKV_NO_PARTICLE, number);
+        skv_events_add(&world->events, SKV_EVENT_BLOCKED, SKV_NO_PARTICLE,
+                       world->acting.emitter_ids[number]);
         world->acting.flow.blocked += rows->columns;
     }
 }

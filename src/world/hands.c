@@ -2,6 +2,7 @@
 #include "world/hands.h"
 #include "base/assert.h"
 #include "base/exact.h"
+#include "world/names.h"
 #include "world/world_internal.h"
 
 #include <string.h>
@@ -11,7 +12,7 @@ skv_hand skv_default_hand(void)
     return (skv_hand){.radius = 0.15f, .attraction = 60, .friction = 6, .follow = 6};
 }
 
-static skv_result check(const skv_hand *hands, int count, skv_error *error)
+skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error)
 {
     if (count < 0 || count > SKV_MAX_HANDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "%d hands; allowed is 0..%d", count, SKV_MAX_HANDS);
@@ -36,13 +37,22 @@ static skv_result check(const skv_hand *hands, int count, skv_error *error)
 skv_result skv_world_set_hands(skv_world *world, const skv_hand *hands, int count, skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_change(world) && (hands || count == 0), SKV_ERROR_VALUE);
-    skv_result result = check(hands, count, error);
+    skv_result result = skv_check_hands(hands, count, error);
+    if (result == SKV_OK)
+        result = skv_acting_name(&world->acting, SKV_ACTING_HAND, count, error);
     if (result != SKV_OK)
         return result;
     if (count)
-        memcpy(world->acting.hands, hands, (size_t)count * sizeof *hands);
+        memmove(world->acting.hands, hands, (size_t)count * sizeof *hands);
     world->acting.hand_count = count;
     return SKV_OK;
+}
+
+const skv_hand *skv_world_hands(const skv_world *world, int *count)
+{
+    SKV_ASSERT_OR(world && count, NULL);
+    *count = world->acting.hand_count;
+    return world->acting.hands;
 }
 
 skv_pull skv_hand_pull(const skv_hand *hand, float dt)
@@ -74,5 +84,5 @@ skv_result skv_exchange_hands(skv_port *port, skv_acting *acting, skv_error *err
         return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: it has too many hands");
     for (int i = 0; i < acting->hand_count; i++)
         exchange(port, &acting->hands[i]);
-    return check(acting->hands, acting->hand_count, error);
+    return skv_check_hands(acting->hands, acting->hand_count, error);
 }

@@ -24,7 +24,7 @@ static bool has_left(const skv_world *world, float x, float y)
 }
 
 /* Marks a particle that is to go; there is room for its event. */
-static void take_out(skv_world *world, int i, skv_event_kind kind, int source)
+static void take_out(skv_world *world, int i, skv_event_kind kind, skv_acting_id source)
 {
     skv_events_add(&world->events, kind, world->state.id[i], source);
     skv_sleep_leave(world, i);
@@ -52,7 +52,7 @@ void skv_world_remove_leavers(skv_world *world)
     int left = 0;
     for (int i = 0; i < s->count; i++) {
         if (has_left(world, s->x[i], s->y[i])) {
-            take_out(world, i, SKV_EVENT_LEFT, -1);
+            take_out(world, i, SKV_EVENT_LEFT, 0);
             left++;
         }
     }
@@ -70,7 +70,7 @@ skv_result skv_world_begin_removal(skv_world *world, int most, skv_error *error)
     return result;
 }
 
-static void remove_one(skv_world *world, int i, skv_event_kind kind, int source)
+static void remove_one(skv_world *world, int i, skv_event_kind kind, skv_acting_id source)
 {
     skv_sleep_disturb(world, i);
     take_out(world, i, kind, source);
@@ -78,7 +78,7 @@ static void remove_one(skv_world *world, int i, skv_event_kind kind, int source)
 
 void skv_world_remove_one(skv_world *world, int i)
 {
-    remove_one(world, i, SKV_EVENT_REMOVED, -1);
+    remove_one(world, i, SKV_EVENT_REMOVED, 0);
 }
 
 void skv_world_end_removal(skv_world *world, int count)
@@ -150,7 +150,7 @@ static int drain(skv_world *world, int number, float dt)
         next = i + 1;
         if (s->unrest[i] == SKV_LEAVING)
             continue;
-        remove_one(world, i, SKV_EVENT_DRAINED, number);
+        remove_one(world, i, SKV_EVENT_DRAINED, world->acting.drain_ids[number]);
         *may -= d->rate > 0;
         gone++;
     }
@@ -174,7 +174,7 @@ int skv_world_remove_oldest(skv_world *world, int count, int emitter)
     int gone = count < world->state.count ? count : world->state.count;
     skv_sleep_begin_disturbance(world);
     for (int i = 0; i < gone; i++)
-        remove_one(world, i, SKV_EVENT_REPLACED, emitter);
+        remove_one(world, i, SKV_EVENT_REPLACED, world->acting.emitter_ids[emitter]);
     skv_world_end_removal(world, gone);
     return gone;
 }

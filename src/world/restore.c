@@ -1,6 +1,7 @@
 /* Worlds from snapshots. Invariant: a world changes only after everything that can fail has
  * succeeded. */
 #include "base/assert.h"
+#include "base/defs.h"
 #include "base/memory.h"
 #include "terrain/terrain.h"
 #include "world/parameters.h"
@@ -96,12 +97,18 @@ skv_result skv_world_restore(skv_world *world, const void *data, size_t size, sk
 }
 
 /* Makes the world that a snapshot is of; takes over the terrain in any case. */
-static skv_result build(const skv_snapshot *s, skv_terrain *terrain, int threads, skv_world **world,
-                        skv_error *error)
+static skv_result build(const skv_snapshot *s, skv_terrain *terrain, const skv_world_def *host,
+                        skv_world **world, skv_error *error)
 {
     skv_world_def def = s->def;
     def.terrain = terrain;
-    def.threads = threads;
+    def.threads = host->threads;
+    def.pool = host->pool;
+    def.tasks = host->tasks;
+    def.instruction_set = host->instruction_set;
+    def.capacity = host->capacity;
+    def.log = host->log;
+    def.log_user = host->log_user;
     skv_result result = skv_world_create(&def, world, error);
     if (result != SKV_OK) {
         skv_terrain_destroy(terrain);
@@ -133,12 +140,21 @@ static skv_result build_terrain(const skv_snapshot *s, skv_terrain **terrain, sk
     return result;
 }
 
-skv_result skv_world_load(const void *data, size_t size, int threads, skv_world **world,
-                          skv_error *error)
+/* What is the host's of a definition; the default for null. Null if it was not initialised. */
+static const skv_world_def *open_host(const skv_world_def *host, skv_world_def *own)
+{
+    *own = skv_default_world_def();
+    return host ? skv_open_world_def(host, own) : own;
+}
+
+skv_result skv_world_load(const void *data, size_t size, const skv_world_def *host,
+                          skv_world **world, skv_error *error)
 {
     SKV_ASSERT_OR(world, SKV_ERROR_VALUE);
     *world = NULL;
     SKV_ASSERT_OR(data, SKV_ERROR_VALUE);
+    skv_world_def own;
+    SKV_ASSERT_INITIALISED(host, open_host(host, &own), SKV_ERROR_VALUE);
     skv_snapshot snapshot;
     skv_result result = skv_snapshot_read(data, size, &snapshot, error);
     if (result != SKV_OK)
@@ -149,14 +165,17 @@ skv_result skv_world_load(const void *data, size_t size, int threads, skv_world 
                         "world");
     skv_terrain *terrain = NULL;
     result = build_terrain(&snapshot, &terrain, error);
-    return result == SKV_OK ? build(&snapshot, terrain, threads, world, error) : result;
+    return result == SKV_OK ? build(&snapshot, terrain, host, world, error) : result;
 }
 
-skv_result skv_world_copy(const skv_world *world, int threads, skv_world **copy, skv_error *error)
+skv_result skv_world_copy(const skv_world *world, const skv_world_def *host, skv_world **copy,
+                          skv_error *error)
 {
     SKV_ASSERT_OR(copy, SKV_ERROR_VALUE);
     *copy = NULL;
     SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
+    skv_world_def own;
+    SKV_ASSERT_INITIALISED(host, open_host(host, &own), SKV_ERROR_VALUE);
     size_t size = skv_world_snapshot_size(world, false);
     uint8_t *bytes = skv_calloc(size, 1);
     if (!bytes)
@@ -166,7 +185,7 @@ skv_result skv_world_copy(const skv_world *world, int threads, skv_world **copy,
     if (result == SKV_OK)
         result = skv_snapshot_read(bytes, size, &snapshot, error);
     if (result == SKV_OK)
-        result = build(&snapshot, skv_terrain_share(world->terrain), threads, copy, error);
+        result = build(&snapshot, skv_terrain_share(world->terrain), host, copy, error);
     skv_free(bytes);
     return result;
 }

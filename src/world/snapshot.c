@@ -8,15 +8,16 @@
 #include "base/assert.h"
 #include "base/envelope.h"
 #include "terrain/terrain.h"
+#include "world/names.h"
 #include "world/parameters.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2, WITH_LOAD = 4, WITH_WARM = 8 };
+enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2, WITH_LOAD = 4, WITH_WARM = 8, WITH_NAMES = 16 };
 
-static const skv_envelope kind = {"snapshot", 'V', 1,
-                                  WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM};
+static const skv_envelope kind = {
+    "snapshot", 'V', 1, WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM | WITH_NAMES};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -58,6 +59,7 @@ static void put_facts(skv_writer *w, const skv_world *world)
     skv_put_float(w, world->load.peak);
     skv_acting acting = world->acting;
     skv_exchange_acting(&(skv_port){.to = w}, &acting, NULL);
+    skv_exchange_names(&(skv_port){.to = w}, &acting, NULL);
 }
 
 /* The picture in runs of equal bytes, from the lower left corner on. */
@@ -123,7 +125,7 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
     skv_envelope_put(w, &kind,
-                     WITH_LOAD | WITH_WARM | (with_terrain ? WITH_TERRAIN : 0u) |
+                     WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
                          (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
@@ -176,6 +178,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_terrain = flags & WITH_TERRAIN;
     s->substeps_fixed = flags & SUBSTEPS_FIXED;
     s->with_load = flags & WITH_LOAD;
+    s->with_names = flags & WITH_NAMES;
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u);
     return SKV_OK;
 }
@@ -246,7 +249,11 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
         stepped > SKV_MAX_PARTICLES || !loads)
         return skv_fail(error, SKV_ERROR_VALUE, "snapshot: it holds values that no world has");
     s->stepped = (int)stepped;
-    return skv_exchange_acting(&(skv_port){.from = r}, &s->acting, error);
+    skv_result result = skv_exchange_acting(&(skv_port){.from = r}, &s->acting, error);
+    if (result == SKV_OK && s->with_names)
+        return skv_exchange_names(&(skv_port){.from = r}, &s->acting, error);
+    skv_acting_rename(&s->acting);
+    return result;
 }
 
 static skv_result read_terrain(skv_reader *r, skv_snapshot *s, skv_error *error)

@@ -131,6 +131,8 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
     }
     if (result == SKV_OK) {
         world->generation = 1;
+        world->log = def->log;
+        world->log_user = def->log_user;
         world->fluid = def->fluid;
         world->gravity_x = def->gravity_x;
         world->gravity_y = def->gravity_y;

@@ -233,7 +233,9 @@ static void fork_world(host *h)
 {
     skv_world *copy;
     skv_error error = {0};
-    skv_result result = skv_world_copy(h->world, 1, &copy, &error);
+    skv_world_def lent = skv_default_world_def();
+    lent.threads = 1;
+    skv_result result = skv_world_copy(h->world, &lent, &copy, &error);
     fuzz_expect_answer(result, &error);
     if (result != SKV_OK)
         return;

@@ -26,7 +26,9 @@ static void try_load(const uint8_t *bytes, size_t size)
 {
     skv_world *world = NULL;
     skv_error error = {0};
-    skv_result result = skv_world_load(bytes, size, 1, &world, &error);
+    skv_world_def host = skv_default_world_def();
+    host.threads = 1;
+    skv_result result = skv_world_load(bytes, size, &host, &world, &error);
     fuzz_expect_answer(result, &error);
     fuzz_expect((result == SKV_OK) == (world != NULL), "a world exactly if SKV_OK");
     if (world != NULL)

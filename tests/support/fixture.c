@@ -34,6 +34,14 @@ static skv_world *make(const skv_world_def *def)
     return world;
 }
 
+const skv_world_def *fixture_host(int threads)
+{
+    static skv_world_def host;
+    host = skv_default_world_def();
+    host.threads = threads;
+    return &host;
+}
+
 int fixture_fill(skv_world *world, float x0, float y0, float x1, float y1)
 {
     skv_fill_def def = skv_default_fill_def();
@@ -87,7 +95,7 @@ skv_world *fixture_sleeping_pool(float spacing, int threads)
         asleep = make_sleeping_pool(spacing, threads);
     }
     skv_world *copy;
-    assert_int_equal(skv_world_copy(asleep, threads, &copy, NULL), SKV_OK);
+    assert_int_equal(skv_world_copy(asleep, fixture_host(threads), &copy, NULL), SKV_OK);
     return copy;
 }
 

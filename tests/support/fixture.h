@@ -8,6 +8,9 @@
 skv_world_def fixture_def(skv_law law, skv_solver_kind solver, float viscosity, float spacing,
                           int threads);
 
+/* A host with so many threads, for loading and copying; valid until the next call. */
+const skv_world_def *fixture_host(int threads);
+
 /* Fills a box and returns how many particles were added; fails the test on any error. */
 int fixture_fill(skv_world *world, float x0, float y0, float x1, float y1);
 

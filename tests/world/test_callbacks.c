@@ -53,7 +53,7 @@ static int try_to_go_on(skv_world *world)
     assert_int_equal(skv_world_settle(world, NULL), SKV_ERROR_VALUE);
     assert_int_equal(skv_world_save(world, false, bytes, sizeof bytes, NULL), SKV_ERROR_VALUE);
     assert_int_equal(skv_world_restore(world, bytes, sizeof bytes, NULL), SKV_ERROR_VALUE);
-    assert_int_equal(skv_world_copy(world, 1, &copy, NULL), SKV_ERROR_VALUE);
+    assert_int_equal(skv_world_copy(world, NULL, &copy, NULL), SKV_ERROR_VALUE);
     assert_null(copy);
     assert_int_equal(skv_world_set_terrain(world, painted, NULL, NULL), SKV_ERROR_VALUE);
     skv_world_destroy(world);

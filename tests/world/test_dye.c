@@ -132,7 +132,7 @@ static void dye_goes_with_its_particle(void **unused)
     skv_area some = skv_circle(0.2f, 0.2f, 0.1f);
     assert_int_equal(skv_world_remove_area(world, &some, NULL, NULL), SKV_OK);
     fixture_run(world, 10);
-    assert_int_equal(skv_world_copy(world, 1, &copy, NULL), SKV_OK);
+    assert_int_equal(skv_world_copy(world, fixture_host(1), &copy, NULL), SKV_OK);
     fixture_run(world, 10);
     fixture_run(copy, 10);
     assert_true(skv_world_hash(world) == skv_world_hash(copy));

@@ -321,7 +321,7 @@ static void snapshots_know_their_terrain(void **state)
     void *all = malloc(whole);
     assert_int_equal(skv_world_save(world, true, all, whole, NULL), SKV_OK);
     skv_world *loaded;
-    assert_int_equal(skv_world_load(all, whole, 1, &loaded, NULL), SKV_OK);
+    assert_int_equal(skv_world_load(all, whole, fixture_host(1), &loaded, NULL), SKV_OK);
     fixture_run(world, 5);
     fixture_run(loaded, 5);
     assert_true(skv_world_hash(world) == skv_world_hash(loaded));

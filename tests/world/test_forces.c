@@ -310,7 +310,7 @@ static void the_future_is_the_same_for_threads_and_snapshots(void **unused)
             fixture_fill(world, 0, 0, 1.6f, 0.2f);
             assert_int_equal(skv_world_set_forces(world, forces, 3, NULL), SKV_OK);
             fixture_run(world, 20);
-            assert_int_equal(skv_world_copy(world, 2, &other, NULL), SKV_OK);
+            assert_int_equal(skv_world_copy(world, fixture_host(2), &other, NULL), SKV_OK);
             int count;
             const skv_force *copied = skv_world_forces(other, &count);
             assert_int_equal(count, 3);

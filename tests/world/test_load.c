@@ -280,7 +280,8 @@ static void the_load_is_part_of_the_state(void **unused)
         assert_non_null(bytes);
         assert_int_equal(skv_world_save(world, true, bytes, size, NULL), SKV_OK);
         skv_world *other;
-        assert_int_equal(skv_world_load(bytes, size, 1 + part % 3, &other, NULL), SKV_OK);
+        assert_int_equal(skv_world_load(bytes, size, fixture_host(1 + part % 3), &other, NULL),
+                         SKV_OK);
         free(bytes);
         fixture_run(world, 7);
         fixture_run(other, 7);

@@ -82,7 +82,7 @@ static void fluid_wakes_where_they_go_and_come(void **unused)
     for (int i = 0; i < count; i++) {
         ids[i] = p.id[indices[i]];
         x[i] = p.x[indices[i]] + 0.8f;
-        y[i] = p.y[indices[i]] + 0.5f;
+        y[i] = p.y[indices[i]] + 0.6f; /* so high that they wake none below yet */
     }
     assert_int_equal(skv_world_set_positions(world, ids, count, x, y, NULL), SKV_OK);
     fixture_run(world, 1);

@@ -153,7 +153,8 @@ static void going_on_gives_the_same_bits(void **unused)
             blob b = save(world, false);
             skv_world *loaded;
             blob whole = save(world, true);
-            assert_int_equal(skv_world_load(whole.bytes, whole.size, 2, &loaded, NULL), SKV_OK);
+            assert_int_equal(
+                skv_world_load(whole.bytes, whole.size, fixture_host(2), &loaded, NULL), SKV_OK);
             assert_int_equal(skv_world_restore(other, b.bytes, b.size, NULL), SKV_OK);
             assert_same(k->name, world, other);
             for (int later = 1; later <= 10; later++) {
@@ -184,7 +185,7 @@ static void a_copy_is_a_world_of_its_own(void **unused)
     (void)unused;
     skv_world *world = make_filled(&kinds[0]), *copy;
     live(world, &kinds[0], 3);
-    assert_int_equal(skv_world_copy(world, 2, &copy, NULL), SKV_OK);
+    assert_int_equal(skv_world_copy(world, fixture_host(2), &copy, NULL), SKV_OK);
     assert_ptr_equal(skv_world_terrain(world), skv_world_terrain(copy));
     assert_int_equal(skv_world_threads(copy), 2);
     assert_same("copy", world, copy);
@@ -196,6 +197,71 @@ static void a_copy_is_a_world_of_its_own(void **unused)
     skv_world_destroy(world);
     live(copy, &kinds[0], 5);
     skv_world_destroy(copy);
+}
+
+/* What a host lends: its threads, counted, and where it hears what is worth knowing. */
+typedef struct lent {
+    int runs, lines;
+} lent;
+
+static void run_alone(void *user, int count, void (*member)(void *team), void *team)
+{
+    lent *l = user;
+    l->runs++;
+    for (int i = 0; i < count; i++)
+        member(team);
+}
+
+static void note_line(const char *text, void *user)
+{
+    lent *l = user;
+    assert_non_null(text);
+    l->lines++;
+}
+
+static void loading_and_copying_take_what_creating_takes(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_filled(&kinds[0]), *made[4];
+    live(world, &kinds[0], 3);
+    blob whole = save(world, true);
+    lent l = {0};
+    skv_pool *pool;
+    assert_int_equal(skv_pool_create(3, &pool, NULL), SKV_OK);
+    skv_world_def shares = skv_default_world_def(), lends = shares;
+    shares.pool = pool;
+    shares.gravity_y = 5; /* not the host's: the snapshot's counts */
+    shares.instruction_set = SKV_ISA_SCALAR;
+    lends.tasks = (skv_task_system){2, run_alone, &l};
+    lends.log = note_line;
+    lends.log_user = &l;
+    lends.capacity = 10;
+    assert_int_equal(skv_world_load(whole.bytes, whole.size, &shares, &made[0], NULL), SKV_OK);
+    assert_int_equal(skv_world_load(whole.bytes, whole.size, &lends, &made[1], NULL), SKV_OK);
+    assert_int_equal(skv_world_copy(world, &shares, &made[2], NULL), SKV_OK);
+    assert_int_equal(skv_world_copy(world, NULL, &made[3], NULL), SKV_OK);
+    assert_int_equal(skv_world_threads(made[0]), 3);
+    assert_int_equal(skv_world_threads(made[2]), 3);
+    assert_int_equal(skv_world_threads(made[1]), 2);
+    assert_int_equal(l.lines, 1); /* there was room for 10 */
+    live(world, &kinds[0], 4);
+    for (int i = 0; i < 4; i++) {
+        live(made[i], &kinds[0], 4);
+        assert_same("host", world, made[i]);
+        skv_world_destroy(made[i]);
+    }
+    assert_true(l.runs > 0);
+    skv_pool_destroy(pool);
+    /* What create refuses is refused, and says so. */
+    skv_error error;
+    shares = skv_default_world_def();
+    shares.threads = SKV_MAX_THREADS + 1;
+    assert_int_equal(skv_world_load(whole.bytes, whole.size, &shares, made, &error),
+                     SKV_ERROR_VALUE);
+    assert_non_null(strstr(error.text, "threads"));
+    assert_null(made[0]);
+    free(whole.bytes);
+    skv_world_destroy(world);
 }
 
 /* A world of some sixty particles, for many tries. */
@@ -224,7 +290,7 @@ static skv_world *make_small(skv_solver_kind solver)
 static void try_to_load(blob b)
 {
     skv_world *loaded = NULL;
-    if (skv_world_load(b.bytes, b.size, 1, &loaded, NULL) == SKV_OK)
+    if (skv_world_load(b.bytes, b.size, fixture_host(1), &loaded, NULL) == SKV_OK)
         skv_world_step(loaded, 1.0f / 60, NULL);
     else
         assert_null(loaded);
@@ -341,7 +407,8 @@ static void another_kind_of_world_is_refused(void **unused)
     skv_world_destroy(thick);
     skv_world *none;
     skv_error error = {0};
-    assert_int_equal(skv_world_load(b.bytes, b.size, 1, &none, &error), SKV_ERROR_VALUE);
+    assert_int_equal(skv_world_load(b.bytes, b.size, fixture_host(1), &none, &error),
+                     SKV_ERROR_VALUE);
     assert_non_null(strstr(error.text, "terrain"));
     assert_int_equal(skv_world_save(world, false, b.bytes, b.size - 1, &error), SKV_ERROR_LIMIT);
     b.bytes[8] = 9;
@@ -416,12 +483,12 @@ static void running_out_of_memory_changes_nothing(void **unused)
             if (result != SKV_OK)
                 assert_true(result == SKV_ERROR_MEMORY && skv_world_hash(small) == before);
             failing_memory_start(&memory, fail_at);
-            skv_result loading = skv_world_load(b.bytes, b.size, 1, &made, NULL);
+            skv_result loading = skv_world_load(b.bytes, b.size, fixture_host(1), &made, NULL);
             assert_true(loading == SKV_OK || loading == SKV_ERROR_MEMORY);
             skv_world_destroy(made);
             assert_int_equal(memory.live, 0);
             failing_memory_start(&memory, fail_at);
-            loading = skv_world_copy(world, 1, &made, NULL);
+            loading = skv_world_copy(world, fixture_host(1), &made, NULL);
             assert_true(loading == SKV_OK || loading == SKV_ERROR_MEMORY);
             skv_world_destroy(made);
             failing_memory_stop();
@@ -437,6 +504,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(going_on_gives_the_same_bits),
         cmocka_unit_test(a_copy_is_a_world_of_its_own),
+        cmocka_unit_test(loading_and_copying_take_what_creating_takes),
         cmocka_unit_test(every_byte_may_be_wrong),
         cmocka_unit_test(a_part_of_a_snapshot_is_refused),
         cmocka_unit_test(another_kind_of_world_is_refused),
