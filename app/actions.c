@@ -14,8 +14,6 @@
 #include "views.h"
 #include "words.h"
 
-#define ZOOM 1.25
-
 static skv_stage *stage_of(PlayWindow *window)
 {
     return play_view_stage(play_window_view(window));
@@ -54,10 +52,10 @@ ACTIVATION(on_redo)
     skv_stage_redo(stage_of(window));
 }
 
-/* Seconds back or forth in time. */
+/* Frames back or forth in time. */
 ACTIVATION(on_go)
 {
-    play_transport_go(play_window_view(window), g_variant_get_double(value));
+    skv_control_go(stage_of(window), g_variant_get_int32(value));
 }
 
 static void on_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
@@ -65,16 +63,10 @@ static void on_speed(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpoin
     skv_stage_set_speed(stage_of(window), g_variant_get_double(state));
 }
 
-static const double speeds[] = {0.1, 0.25, 0.5, 1, 2};
-
 /* The next speed of the menu in either direction. */
 ACTIVATION(on_change_speed)
 {
-    int at = 0, last = G_N_ELEMENTS(speeds) - 1;
-    while (at < last && speeds[at] < skv_stage_speed(stage_of(window)))
-        at++;
-    at = CLAMP(at + g_variant_get_int32(value), 0, last);
-    skv_stage_set_speed(stage_of(window), speeds[at]);
+    skv_control_shift_speed(stage_of(window), g_variant_get_int32(value));
 }
 
 /* What acts on the fluid. */
@@ -84,20 +76,15 @@ ACTIVATION(on_weightless)
     skv_stage_set_gravity(stage_of(window), 0, 0, 0);
 }
 
-/* A tool that is chosen again takes its next colour. */
 static void on_tool(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
 {
-    skv_stage *stage = stage_of(window);
-    int tool = g_variant_get_int32(state);
-    if (tool == skv_stage_tool(stage) && skv_tool_info(tool)->dyes)
-        skv_stage_set_dye(stage, (skv_stage_dye(stage) + 1) % (SKV_DYES + 1));
-    skv_stage_set_tool(stage, tool);
+    skv_control_tool(stage_of(window), g_variant_get_int32(state));
     play_window_show_page(window, "play");
 }
 
 ACTIVATION(on_brush)
 {
-    play_tools_scale_brush(play_window_view(window), g_variant_get_double(value));
+    skv_control_scale_brush(stage_of(window), g_variant_get_double(value));
 }
 
 ACTIVATION(on_stopwatch)
@@ -149,7 +136,8 @@ ACTIVATION(on_zoom)
     if (steps == 0)
         skv_stage_show_all(stage);
     else
-        skv_stage_zoom(stage, 0, pow(ZOOM, steps), camera.width / 2.0, camera.height / 2.0);
+        skv_stage_zoom(stage, 0, pow(skv_control_limits()->zoom_step, steps), camera.width / 2.0,
+                       camera.height / 2.0);
 }
 
 /* The window. */
@@ -231,7 +219,7 @@ static const GActionEntry entries[] = {
     {.name = "reset", .activate = on_reset},
     {.name = "undo", .activate = on_undo},
     {.name = "redo", .activate = on_redo},
-    {.name = "go", .parameter_type = "d", .activate = on_go},
+    {.name = "go", .parameter_type = "i", .activate = on_go},
     {.name = "speed", .parameter_type = "d", .state = "1.0", .change_state = on_speed},
     {.name = "change-speed", .parameter_type = "i", .activate = on_change_speed},
     {.name = "weightless", .activate = on_weightless},
@@ -288,7 +276,7 @@ static void add_keys(PlayWindow *window)
     } keys[] = {
         {"space", "win.pause"},
         {"period|s", "win.step"},
-        {"comma", "win.go(-0.0167)"},
+        {"comma", "win.go(-1)"},
         {"r", "win.reset"},
         {"minus|KP_Subtract", "win.change-speed(-1)"},
         {"plus|equal|KP_Add", "win.change-speed(1)"},

@@ -20,7 +20,6 @@ typedef struct chip {
 struct PlayChips {
     PlayView *view;
     GtkBox *tray;
-    const char *(*title)(skv_instrument_kind kind);
     GPtrArray *chips;
 };
 
@@ -34,14 +33,15 @@ const char *play_chip_number(guint32 probe)
 /* The channel that a kind is read for. */
 static int main_channel(skv_instrument_kind kind)
 {
-    switch (kind) {
-    case SKV_INSTRUMENT_VELOCITY:
-        return 2; /* speed */
-    case SKV_INSTRUMENT_FORCE:
-        return 1; /* upwards */
-    default:
-        return 0;
-    }
+    const skv_gauge *gauge = skv_gauge_of(kind);
+    return gauge ? gauge->channel : 0;
+}
+
+/* An experiment may have others than those that people choose. */
+static const char *title_of(skv_instrument_kind kind)
+{
+    const skv_gauge *gauge = skv_gauge_of(kind);
+    return play_word(gauge ? gauge->title : skv_instrument_kind_name(kind));
 }
 
 /* The card. */
@@ -196,7 +196,7 @@ static void show_chip(chip *c, const skv_probe *probe)
     const skv_channel *info = skv_instrument_channel(c->kind, channel);
     char *reading = play_words_of_reading(probe->value[channel], info->unit), *other = NULL;
     const skv_probe *beside = skv_stage_probe(play_view_stage(c->all->view), 1, c->probe);
-    const char *number = play_chip_number(c->probe), *title = c->all->title(c->kind);
+    const char *number = play_chip_number(c->probe), *title = title_of(c->kind);
     if (beside)
         other = play_words_of_reading(beside->value[channel], info->unit);
     char *text = beside ? g_strdup_printf("%s  %s  A: %s  B: %s", number, title, reading, other)
@@ -237,11 +237,10 @@ void play_chips_show(PlayChips *chips)
     gtk_widget_set_visible(GTK_WIDGET(chips->tray), chips->chips->len > 0);
 }
 
-PlayChips *play_chips_new(PlayView *view, GtkBox *tray,
-                          const char *(*title)(skv_instrument_kind kind))
+PlayChips *play_chips_new(PlayView *view, GtkBox *tray)
 {
     PlayChips *chips = g_new0(PlayChips, 1);
-    *chips = (PlayChips){view, tray, title, g_ptr_array_new()};
+    *chips = (PlayChips){view, tray, g_ptr_array_new()};
     gtk_widget_set_visible(GTK_WIDGET(tray), FALSE);
     return chips;
 }

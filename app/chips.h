@@ -6,9 +6,8 @@
 
 typedef struct PlayChips PlayChips;
 
-/* Chips in a box, which shows while there are any. `title` names a kind. */
-PlayChips *play_chips_new(PlayView *view, GtkBox *tray,
-                          const char *(*title)(skv_instrument_kind kind));
+/* Chips in a box, which shows while there are any. */
+PlayChips *play_chips_new(PlayView *view, GtkBox *tray);
 void play_chips_free(PlayChips *chips);
 
 /* Brings them in line with the picture. */

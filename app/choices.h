@@ -4,15 +4,6 @@
 
 #include <gio/gio.h>
 
-/* What the second world differs in. */
-typedef struct PlayChoice {
-    const char *name, *label, *path, *value;
-    double particles; /* times as many; 0: as many */
-} PlayChoice;
-
-/* Null if there is none of that name. */
-const PlayChoice *play_choice_named(const char *name);
-
 /* All of them, as a menu of "win.compare"; with a scene that is opened first, or null: with the one
  * that is open. */
 GMenuModel *play_choices_menu(const char *scene);

@@ -14,7 +14,7 @@
 typedef struct compare {
     PlayWindow *window;
     PlayView *view, *other;          /* null: one world */
-    const PlayChoice *choice, *next; /* next: once a scene has been opened */
+    const skv_choice *choice, *next; /* next: once a scene has been opened */
     GtkWidget *stage, *badges[2], *amount, *ball, *sides[2], *bar;
 } compare;
 
@@ -94,7 +94,7 @@ static GtkWidget *make_stage(compare *c)
     gtk_box_append(GTK_BOX(corner), buttons);
     gtk_box_append(GTK_BOX(corner), GTK_WIDGET(legend));
     c->badges[0] = make_badge("A", "world-a", _("As it is"));
-    c->badges[1] = make_badge("B", "world-b", _(c->choice->label));
+    c->badges[1] = make_badge("B", "world-b", play_word(c->choice->title));
     gtk_overlay_set_child(GTK_OVERLAY(stage), GTK_WIDGET(c->other));
     gtk_overlay_add_overlay(GTK_OVERLAY(stage), GTK_WIDGET(probes));
     lay(stage, c->amount, GTK_ALIGN_START, GTK_ALIGN_START);
@@ -163,7 +163,7 @@ static void on_other_changed(PlayView *other, compare *c)
 {
     show_ball(c);
     char *amount = play_words_of_amount(play_view_picture(other));
-    char *text = play_words_of_picture(play_view_picture(other));
+    char *text = play_words_of_picture(play_view_stage(other), play_view_picture(other));
     if (g_strcmp0(gtk_label_get_text(GTK_LABEL(c->amount)), amount) != 0) {
         gtk_label_set_text(GTK_LABEL(c->amount), amount);
         gtk_accessible_update_property(GTK_ACCESSIBLE(other), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
@@ -194,25 +194,18 @@ static void on_compared(PlayView *view, const char *error, compare *c)
     on_other_changed(c->other, c);
 }
 
-static void begin(compare *c, const PlayChoice *choice)
+static void begin(compare *c, const skv_choice *choice)
 {
-    const skv_scene *scene = play_view_picture(c->view)->scene;
-    const skv_setting setting = {choice->path, choice->value};
-    skv_scene_options options = skv_default_scene_options();
-    options.settings = &setting;
-    options.setting_count = choice->path ? 1 : 0;
-    if (choice->particles > 0 && scene)
-        options.particles = (int)(skv_scene_particles(scene) * choice->particles);
     c->choice = choice;
     play_settings_set_text("compare", choice->name);
     play_window_show_page(c->window, "play");
-    skv_stage_compare(play_view_stage(c->view), &options);
+    skv_control_compare(play_view_stage(c->view), choice);
 }
 
 /* Something else is open: nothing to compare with. */
 static void on_opened(G_GNUC_UNUSED PlayView *view, compare *c)
 {
-    const PlayChoice *next = c->next;
+    const skv_choice *next = c->next;
     end(c);
     c->next = NULL;
     if (next)
@@ -232,7 +225,7 @@ static void on_compare(G_GNUC_UNUSED GSimpleAction *action, GVariant *value, gpo
 {
     compare *c = data;
     char **words = g_strsplit(g_variant_get_string(value, NULL), " ", 2);
-    const PlayChoice *choice = play_choice_named(words[0]);
+    const skv_choice *choice = skv_choice_named(words[0]);
     if (choice && words[1] && *words[1]) {
         c->next = choice;
         if (g_str_has_prefix(words[1], PLAY_SET_UP))
@@ -260,8 +253,8 @@ static void on_toggle(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVarian
         return;
     }
     char *name = play_settings_text("compare", "honey");
-    const PlayChoice *last = play_choice_named(name);
-    begin(c, last ? last : play_choice_named("honey"));
+    const skv_choice *last = skv_choice_named(name);
+    begin(c, last ? last : skv_choice_named("honey"));
     g_free(name);
 }
 

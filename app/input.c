@@ -2,10 +2,9 @@
  * Invariant: every pointer that went down goes up, is cancelled, or dies with a broken grab. */
 #include "input.h"
 
-#include <math.h>
+#include <skvalp/controls.h>
 
-#include "tools.h"
-#include "transport.h"
+#include <math.h>
 
 /* Keys. */
 
@@ -93,7 +92,8 @@ static gboolean on_key_pressed(GtkEventControllerKey *controller, guint key,
     if (!arrow)
         return GDK_EVENT_PROPAGATE;
     if (state & GDK_SHIFT_MASK && arrow & (LEFT | RIGHT)) {
-        play_transport_go(k->view, arrow == LEFT ? -1 : 1);
+        skv_control_go(play_view_stage(k->view),
+                       skv_control_limits()->frames_a_second * (arrow == LEFT ? -1 : 1));
         return GDK_EVENT_STOP;
     }
     k->held |= arrow;
@@ -247,7 +247,7 @@ static void scroll(PlayView *view, GdkEvent *event)
         dy = (direction == GDK_SCROLL_DOWN) - (direction == GDK_SCROLL_UP);
     double factor = pow(1.15, -dy);
     if (!(gdk_event_get_modifier_state(event) & GDK_CONTROL_MASK))
-        play_tools_scale_brush(view, factor);
+        skv_control_scale_brush(play_view_stage(view), factor);
     else if (locate(view, event, &px, &py))
         skv_stage_zoom(play_view_stage(view), play_view_side(view), factor, px, py);
 }

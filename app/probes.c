@@ -8,8 +8,6 @@
 #include "chips.h"
 #include "words.h"
 
-#define GRIP 22.0 /* pixels around a point that take the pointer: a finger's width */
-
 struct _PlayProbes {
     GtkWidget parent;
     PlayView *view;
@@ -21,34 +19,13 @@ struct _PlayProbes {
 
 G_DEFINE_FINAL_TYPE(PlayProbes, play_probes, GTK_TYPE_WIDGET)
 
-/* What can be chosen, by its points: two, if it is a line. */
-static const struct kind {
-    const char *title;
-    skv_instrument_kind kind;
-    bool line;
-} kinds[] = {
-    {N_("Pressure"), SKV_INSTRUMENT_PRESSURE, false},
-    {N_("Speed"), SKV_INSTRUMENT_VELOCITY, false},
-    {N_("Water level"), SKV_INSTRUMENT_LEVEL, true},
-    {N_("Ruler"), SKV_INSTRUMENT_RULER, true},
-    {N_("Flow through a gate"), SKV_INSTRUMENT_GATE, true},
-    {N_("Force on walls"), SKV_INSTRUMENT_FORCE, true},
-};
-
-static const struct kind *kind_of(skv_instrument_kind kind)
-{
-    for (size_t i = 0; i < G_N_ELEMENTS(kinds); i++)
-        if (kinds[i].kind == kind)
-            return &kinds[i];
-    return NULL;
-}
-
 GMenuModel *play_probes_menu(void)
 {
     GMenu *menu = g_menu_new();
-    for (size_t i = 0; i < G_N_ELEMENTS(kinds); i++) {
-        GMenuItem *item = g_menu_item_new(_(kinds[i].title), NULL);
-        g_menu_item_set_action_and_target(item, "win.measure", "i", kinds[i].kind);
+    const skv_gauge *gauge;
+    for (int i = 0; (gauge = skv_gauge_at(i)); i++) {
+        GMenuItem *item = g_menu_item_new(play_word(gauge->title), NULL);
+        g_menu_item_set_action_and_target(item, "win.measure", "i", gauge->kind);
         g_menu_append_item(menu, item);
         g_object_unref(item);
     }
@@ -71,15 +48,13 @@ static void to_world(PlayProbes *probes, double px, double py, double *x, double
     skv_camera camera = play_view_camera(probes->view);
     int scale = gtk_widget_get_scale_factor(GTK_WIDGET(probes));
     skv_camera_to_world(&camera, px * scale, py * scale, x, y);
-    *x = CLAMP(*x, 0, camera.world_width);
-    *y = CLAMP(*y, 0, camera.world_height);
 }
 
 static bool is_near(PlayProbes *probes, double x, double y, double px, double py)
 {
     double at_x, at_y;
     to_widget(probes, x, y, &at_x, &at_y);
-    return hypot(at_x - px, at_y - py) < GRIP;
+    return hypot(at_x - px, at_y - py) < skv_control_limits()->grip;
 }
 
 /* The instrument under a place, the last first, and which of its ends; null if there is none. */
@@ -88,8 +63,8 @@ static const skv_probe *find(PlayProbes *probes, double px, double py, int *end)
     const skv_picture *picture = play_view_picture(probes->view);
     for (int i = picture->probe_count - 1; i >= 0; i--) {
         const skv_probe *probe = &picture->probes[i];
-        const struct kind *kind = kind_of(probe->def.kind);
-        *end = kind && kind->line && is_near(probes, probe->def.x1, probe->def.y1, px, py);
+        const skv_gauge *gauge = skv_gauge_of(probe->def.kind);
+        *end = gauge && gauge->line && is_near(probes, probe->def.x1, probe->def.y1, px, py);
         if (*end || is_near(probes, probe->def.x0, probe->def.y0, px, py))
             return probe;
     }
@@ -102,28 +77,11 @@ static gboolean contains(GtkWidget *widget, double x, double y)
     return PLAY_PROBES(widget)->view && find(PLAY_PROBES(widget), x, y, &end) != NULL;
 }
 
-void play_probes_add(PlayProbes *probes, int number)
+void play_probes_add(PlayProbes *probes, int kind)
 {
-    skv_instrument_kind wanted = (skv_instrument_kind)number;
-    const struct kind *kind = kind_of(wanted);
-    const skv_picture *picture = play_view_picture(probes->view);
-    if (!kind || picture->opened == 0)
-        return;
-    skv_camera camera = play_view_camera(probes->view);
-    skv_instrument_def def = skv_default_instrument_def(kind->kind);
-    double reach = 0.15 * MIN(camera.world_width, camera.world_height) / camera.zoom;
-    /* Beside the one before, so that two do not hide each other; low, where water is. */
-    double shift = 0.05 * camera.world_width * (picture->probe_count % 8 - 3);
-    def.x0 = def.x1 = camera.centre_x + shift;
-    def.y0 = def.y1 = camera.centre_y - 0.2 * camera.world_height / camera.zoom;
-    if (wanted == SKV_INSTRUMENT_LEVEL)
-        def.y1 = camera.centre_y + 0.4 * camera.world_height / camera.zoom;
-    else if (wanted == SKV_INSTRUMENT_GATE)
-        def.y1 += 2 * reach;
-    else if (kind->line)
-        def.x1 += 2 * reach, def.y1 += wanted == SKV_INSTRUMENT_FORCE ? reach : 0;
-    g_strlcpy(def.name, skv_instrument_kind_name(kind->kind), sizeof def.name);
-    skv_stage_add_probe(play_view_stage(probes->view), &def);
+    const skv_gauge *gauge = skv_gauge_of((skv_instrument_kind)kind);
+    if (gauge)
+        skv_control_add_gauge(play_view_stage(probes->view), gauge);
 }
 
 /* Dragging. */
@@ -144,18 +102,10 @@ static void on_drag_begin(GtkGestureDrag *drag, double px, double py, PlayProbes
 static void on_drag_update(G_GNUC_UNUSED GtkGestureDrag *drag, double dx, double dy,
                            PlayProbes *probes)
 {
-    skv_stage *stage = play_view_stage(probes->view);
-    const skv_probe *probe = skv_stage_probe(stage, play_view_side(probes->view), probes->dragged);
-    if (!probe)
-        return;
-    const skv_instrument_def *def = &probe->def;
     double x, y;
     to_world(probes, probes->grab_x + dx, probes->grab_y + dy, &x, &y);
-    /* The first point of a line takes the second with it. */
-    if (probes->end)
-        skv_stage_move_probe(stage, probe->id, def->x0, def->y0, x, y);
-    else
-        skv_stage_move_probe(stage, probe->id, x, y, def->x1 + x - def->x0, def->y1 + y - def->y0);
+    skv_control_drag(play_view_stage(probes->view), play_view_side(probes->view), probes->dragged,
+                     probes->end, x, y);
 }
 
 static bool is_outside(PlayProbes *probes, double px, double py)
@@ -218,12 +168,12 @@ static void snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
                                       (float)gtk_widget_get_height(widget)));
     for (int i = 0; i < picture->probe_count; i++) {
         const skv_probe *probe = &picture->probes[i];
-        const struct kind *kind = kind_of(probe->def.kind);
+        const skv_gauge *gauge = skv_gauge_of(probe->def.kind);
         double x0, y0, x1, y1;
         to_widget(probes, probe->def.x0, probe->def.y0, &x0, &y0);
         to_widget(probes, probe->def.x1, probe->def.y1, &x1, &y1);
-        if (kind && kind->line) {
-            draw_line(cairo, x0, y0, x1, y1, kind->kind == SKV_INSTRUMENT_FORCE);
+        if (gauge && gauge->line) {
+            draw_line(cairo, x0, y0, x1, y1, gauge->box);
             draw_grip(cairo, x1, y1, "");
         }
         draw_grip(cairo, x0, y0, play_chip_number(probe->id));
@@ -239,16 +189,10 @@ static void on_changed(PlayProbes *probes)
         play_chips_show(probes->chips);
 }
 
-static const char *title_of(skv_instrument_kind number)
-{
-    const struct kind *kind = kind_of(number);
-    return kind ? _(kind->title) : play_word(skv_instrument_kind_name(number));
-}
-
 void play_probes_attach(PlayProbes *probes, PlayView *view, GtkBox *tray)
 {
     probes->view = view;
-    probes->chips = tray ? play_chips_new(view, tray, title_of) : NULL;
+    probes->chips = tray ? play_chips_new(view, tray) : NULL;
     g_signal_connect_object(view, "changed", G_CALLBACK(on_changed), probes, G_CONNECT_SWAPPED);
 }
 

@@ -190,22 +190,10 @@ static void on_changed(PlayView *view, panel *p)
 
 /* Quick choices. */
 
-static const struct planet {
-    const char *name, *gravity; /* m/s^2 upwards */
-} planets[] = {
-    {N_("Moon"), "-1.62"},
-    {N_("Mars"), "-3.71"},
-    {N_("Earth"), "-9.81"},
-    {N_("Jupiter"), "-24.79"},
-};
-
 static void on_planet(GtkButton *button, panel *p)
 {
-    const struct planet *planet = g_object_get_data(G_OBJECT(button), "planet");
-    PlayView *view = p->view;
-    if (play_view_picture(view)->parameters.gravity_x != 0)
-        skv_stage_set(play_view_stage(view), play_view_side(view), "gravity.x", "0");
-    skv_stage_set(play_view_stage(view), play_view_side(view), "gravity.y", planet->gravity);
+    skv_control_planet(play_view_stage(p->view), play_view_side(p->view),
+                       g_object_get_data(G_OBJECT(button), "planet"));
 }
 
 static GtkWidget *make_planets(panel *p)
@@ -214,11 +202,12 @@ static GtkWidget *make_planets(panel *p)
     GtkWidget *buttons = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 0);
     adw_preferences_group_set_title(ADW_PREFERENCES_GROUP(group), _("Gravity as on"));
     gtk_widget_add_css_class(buttons, "linked");
-    for (size_t i = 0; i < G_N_ELEMENTS(planets); i++) {
-        GtkWidget *button = gtk_button_new_with_label(_(planets[i].name));
+    const skv_named_number *planet;
+    for (int i = 0; (planet = skv_planet_at(i)); i++) {
+        GtkWidget *button = gtk_button_new_with_label(play_word(planet->title));
         gtk_widget_set_hexpand(button, TRUE);
         gtk_widget_add_css_class(button, "planet");
-        g_object_set_data(G_OBJECT(button), "planet", (gpointer)&planets[i]);
+        g_object_set_data(G_OBJECT(button), "planet", (gpointer)planet);
         g_signal_connect(button, "clicked", G_CALLBACK(on_planet), p);
         gtk_box_append(GTK_BOX(buttons), button);
     }

@@ -6,7 +6,7 @@
 
 #include <skvalp/stopwatch.h>
 
-#define FRAMES_A_SECOND 60.0
+#define FRAMES_A_SECOND (double)skv_control_limits()->frames_a_second
 
 typedef struct stopwatch {
     skv_stopwatch watch;

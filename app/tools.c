@@ -4,10 +4,6 @@
 
 #include "words.h"
 
-/* Radii that a brush may have: shares of the world's longer side. */
-#define SMALLEST 0.004
-#define LARGEST  0.25
-
 static char *icon_of(const skv_tool *tool)
 {
     char *icon = g_strdup_printf("skvalp-%s-symbolic", tool->name);
@@ -83,34 +79,24 @@ static double world_size(PlayView *view)
     return MAX(camera.world_width, camera.world_height);
 }
 
-static void set_brush(PlayView *view, double radius)
-{
-    double size = world_size(view);
-    skv_stage_set_brush(play_view_stage(view), CLAMP(radius, SMALLEST * size, LARGEST * size));
-}
-
-void play_tools_scale_brush(PlayView *view, double factor)
-{
-    set_brush(view, play_view_picture(view)->brush * factor);
-}
-
 static void on_size_changed(GtkRange *range, PlayView *view)
 {
     double size = exp(gtk_range_get_value(range)) * world_size(view);
     if (fabs(size / play_view_picture(view)->brush - 1) > 0.01)
-        set_brush(view, size);
+        skv_control_brush(play_view_stage(view), size);
 }
 
 static void on_size_shown(GtkWidget *scale, PlayView *view)
 {
     double share = play_view_picture(view)->brush / world_size(view);
-    gtk_range_set_value(GTK_RANGE(scale), log(CLAMP(share, SMALLEST, LARGEST)));
+    gtk_range_set_value(GTK_RANGE(scale), log(share)); /* which keeps to its ends */
 }
 
 static GtkWidget *make_size_button(PlayView *view)
 {
-    GtkWidget *scale =
-        gtk_scale_new_with_range(GTK_ORIENTATION_HORIZONTAL, log(SMALLEST), log(LARGEST), 0.1);
+    const skv_limits *limits = skv_control_limits();
+    GtkWidget *scale = gtk_scale_new_with_range(
+        GTK_ORIENTATION_HORIZONTAL, log(limits->least_brush), log(limits->largest_brush), 0.1);
     gtk_scale_set_draw_value(GTK_SCALE(scale), FALSE);
     gtk_widget_set_size_request(scale, 200, 48);
     gtk_accessible_update_property(GTK_ACCESSIBLE(scale), GTK_ACCESSIBLE_PROPERTY_LABEL,

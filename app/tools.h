@@ -12,6 +12,5 @@ void play_tools_fill(GtkBox *box, PlayView *view);
 GtkWidget *play_tools_menu_button(const char *icon, const char *name, const char *tip);
 
 /* Makes hand or brush larger by a factor; smaller below 1. */
-void play_tools_scale_brush(PlayView *view, double factor);
 
 #endif

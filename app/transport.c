@@ -5,8 +5,7 @@
 #include "stopwatch.h"
 #include "words.h"
 
-#define FRAMES_A_SECOND 60
-#define REACH           (30 * FRAMES_A_SECOND) /* of the bar */
+#define FRAMES_A_SECOND (double)skv_control_limits()->frames_a_second
 
 struct _PlayTransport {
     GtkBox parent;
@@ -19,19 +18,13 @@ struct _PlayTransport {
 
 G_DEFINE_FINAL_TYPE(PlayTransport, play_transport, GTK_TYPE_BOX)
 
-void play_transport_go(PlayView *view, double seconds)
-{
-    skv_stage_go(play_view_stage(view), (gint64)(seconds * FRAMES_A_SECOND), REACH);
-}
-
 /* The bar. */
 
 static gboolean on_change_value(G_GNUC_UNUSED GtkRange *range, G_GNUC_UNUSED GtkScrollType scroll,
                                 double value, PlayTransport *transport)
 {
-    skv_stage *stage = play_view_stage(transport->view);
-    skv_stage_set_paused(stage, true);
-    skv_stage_seek(stage, skv_stage_picture(stage, 0)->end + (gint64)(value * FRAMES_A_SECOND));
+    gint64 end = play_view_picture(transport->view)->end;
+    skv_control_seek(play_view_stage(transport->view), end + (gint64)(value * FRAMES_A_SECOND));
     return FALSE;
 }
 
@@ -100,13 +93,14 @@ static void show_play(PlayTransport *transport, const skv_picture *picture)
 
 static void show_pace(PlayTransport *transport, const skv_picture *picture)
 {
-    char *text =
-        play_is_slow(picture) && transport->narrow
-            ? g_strdup_printf("%s×", play_number_short(picture->pace * picture->speed, 2).text)
-            : play_words_of_pace(picture);
+    skv_stage *stage = play_view_stage(transport->view);
+    skv_going going = skv_control_going(stage);
+    char *text = going.slow && transport->narrow
+                     ? g_strdup_printf("%s×", play_number_short(going.times, 2).text)
+                     : play_words_of_pace(stage);
     gtk_label_set_text(GTK_LABEL(transport->pace_label), text);
     g_free(text);
-    if (play_is_slow(picture))
+    if (going.slow)
         gtk_widget_add_css_class(transport->pace_label, "slow");
     else
         gtk_widget_remove_css_class(transport->pace_label, "slow");
@@ -130,9 +124,7 @@ static void on_changed(PlayTransport *transport)
     const skv_picture *picture = play_view_picture(transport->view);
     show_play(transport, picture);
     show_bar(transport, picture);
-    /* While one of two worlds moves, time goes on. */
-    show_pace(transport,
-              picture->at_rest ? skv_stage_picture(play_view_stage(transport->view), 1) : picture);
+    show_pace(transport, picture);
 }
 
 void play_transport_attach(PlayTransport *transport, PlayView *view)
@@ -166,8 +158,9 @@ static GtkWidget *add_button(GtkWidget *row, const char *icon, const char *name,
 
 static GtkWidget *make_bar(PlayTransport *transport)
 {
-    GtkWidget *bar = gtk_scale_new_with_range(
-        GTK_ORIENTATION_HORIZONTAL, -(double)REACH / FRAMES_A_SECOND, 0, 1.0 / FRAMES_A_SECOND);
+    GtkWidget *bar = gtk_scale_new_with_range(GTK_ORIENTATION_HORIZONTAL,
+                                              -skv_control_limits()->reach / FRAMES_A_SECOND, 0,
+                                              1.0 / FRAMES_A_SECOND);
     gtk_scale_set_draw_value(GTK_SCALE(bar), FALSE);
     gtk_range_set_increments(GTK_RANGE(bar), 1.0 / FRAMES_A_SECOND, 1);
     gtk_range_set_value(GTK_RANGE(bar), 0);

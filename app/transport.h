@@ -16,9 +16,6 @@ void play_transport_attach(PlayTransport *transport, PlayView *view);
 /* Two rows instead of one. */
 void play_transport_set_narrow(PlayTransport *transport, gboolean narrow);
 
-/* Goes so many seconds back or forth, within what the bar reaches, and stays there. */
-void play_transport_go(PlayView *view, double seconds);
-
 G_END_DECLS
 
 #endif

@@ -18,9 +18,8 @@
 #include "views.h"
 #include "words.h"
 
-#define DEFAULT_SCENE "dam-break"
-#define READING_TIME  8   /* s, of a scene's description */
-#define NARROW        620 /* pixels: below, tools lie under the picture, and time has two rows */
+#define READING_TIME 8   /* s, of a scene's description */
+#define NARROW       620 /* pixels: below, tools lie under the picture, and time has two rows */
 
 struct _PlayWindow {
     AdwApplicationWindow parent;
@@ -207,7 +206,7 @@ static void on_failed(PlayWindow *window, const char *text)
     if (play_view_picture(window->view)->opened != 0 || window->keep_message)
         return;
     window->keep_message = true;
-    skv_stage_open(play_view_stage(window->view), DEFAULT_SCENE, NULL);
+    skv_stage_open(play_view_stage(window->view), skv_control_limits()->first_scene, NULL);
 }
 
 static bool open_linked(const char *bytes, size_t size, void *window)
@@ -265,7 +264,8 @@ static void on_view_changed(PlayWindow *window)
     const skv_picture *picture = play_view_picture(window->view);
     check_replay(window, picture);
     gtk_widget_set_visible(GTK_WIDGET(window->status), picture->opened != 0);
-    char *amount = play_words_of_amount(picture), *text = play_words_of_picture(picture);
+    char *amount = play_words_of_amount(picture),
+         *text = play_words_of_picture(play_view_stage(window->view), picture);
     gtk_label_set_text(window->status, amount);
     if (g_strcmp0(text, window->spoken) != 0) {
         gtk_accessible_update_property(GTK_ACCESSIBLE(window->view),
@@ -469,6 +469,6 @@ static void play_window_init(PlayWindow *window)
 PlayWindow *play_window_new(GtkApplication *application, const char *scene)
 {
     PlayWindow *window = g_object_new(PLAY_TYPE_WINDOW, "application", application, NULL);
-    play_window_open(window, scene ? scene : DEFAULT_SCENE);
+    play_window_open(window, scene ? scene : skv_control_limits()->first_scene);
     return window;
 }

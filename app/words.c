@@ -6,9 +6,6 @@
 #include <locale.h>
 #include <string.h>
 
-/* Below this share of its speed a scene counts as slow. */
-#define KEEPS_UP 0.95
-
 static const skv_numerals *numerals;
 
 static bool bind_if_there(const char *folder, const char *below)
@@ -61,24 +58,13 @@ char *play_title_of_path(const char *path)
     return title;
 }
 
-bool play_is_slow(const skv_picture *picture)
+char *play_words_of_pace(const skv_stage *stage)
 {
-    return !picture->paused && !picture->at_rest && !picture->seeking && picture->pace < KEEPS_UP;
-}
-
-char *play_words_of_pace(const skv_picture *picture)
-{
-    if (picture->seeking)
-        return g_strdup(_("going back"));
-    if (picture->paused)
-        return g_strdup(_("paused"));
-    if (picture->at_rest)
-        return g_strdup(_("at rest"));
-    double pace = picture->speed * (play_is_slow(picture) ? picture->pace : 1);
-    if (pace == 1)
-        return g_strdup(_("real time"));
-    /* Translators: how fast the water goes, such as 0.4× of real time. */
-    return g_strdup_printf(_("%s× of real time"), play_number_short(pace, 2).text);
+    skv_going going = skv_control_going(stage);
+    const char *words = _(going.words), *place = strstr(words, "%s");
+    return place ? g_strdup_printf("%.*s%s%s", (int)(place - words), words,
+                                   play_number_short(going.times, 2).text, place + strlen("%s"))
+                 : g_strdup(words);
 }
 
 /* Numbers. */
@@ -154,9 +140,9 @@ char *play_words_of_amount(const skv_picture *picture)
                            play_number(count, 0).text);
 }
 
-char *play_words_of_picture(const skv_picture *picture)
+char *play_words_of_picture(const skv_stage *stage, const skv_picture *picture)
 {
-    char *amount = play_words_of_amount(picture), *pace = play_words_of_pace(picture);
+    char *amount = play_words_of_amount(picture), *pace = play_words_of_pace(stage);
     char *text = g_strdup_printf("%s, %s", amount, pace);
     g_free(amount);
     g_free(pace);

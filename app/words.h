@@ -4,8 +4,8 @@
 
 #include <glib.h>
 #include <glib/gi18n.h>
+#include <skvalp/controls.h>
 #include <skvalp/numbers.h>
-#include <skvalp/stage.h>
 
 /* Finds the translations: those installed beside the program, or those of its build folder. */
 void play_words_load(void);
@@ -42,13 +42,10 @@ char *play_words_of_quantity(const char *name, const char *si, double *size);
 /* How much water there is: "12 960 particles". To be freed. */
 char *play_words_of_amount(const skv_picture *picture);
 
-/* What a picture shows, to be read out: "2960 particles, at rest". To be freed. */
-char *play_words_of_picture(const skv_picture *picture);
+/* What a picture of a stage shows, to be read out: "2960 particles, at rest". To be freed. */
+char *play_words_of_picture(const skv_stage *stage, const skv_picture *picture);
 
 /* How fast it goes: "0.4× of real time", "at rest", "paused". To be freed. */
-char *play_words_of_pace(const skv_picture *picture);
-
-/* Whether the machine cannot keep up. */
-bool play_is_slow(const skv_picture *picture);
+char *play_words_of_pace(const skv_stage *stage);
 
 #endif

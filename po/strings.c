@@ -115,8 +115,26 @@ static void print_experiments(void)
     }
 }
 
+static void print_controls(void)
+{
+    const skv_named_number *number;
+    const skv_choice *choice;
+    const skv_gauge *gauge;
+    for (int i = 0; (number = skv_speed_at(i)); i++)
+        print_text(number->title, "a speed");
+    for (int i = 0; (number = skv_planet_at(i)); i++)
+        print_text(number->title, "a planet");
+    for (int i = 0; (choice = skv_choice_at(i)); i++)
+        print_text(choice->title, "what a world is compared with");
+    for (int i = 0; (gauge = skv_gauge_at(i)); i++)
+        print_text(gauge->title, "an instrument");
+    for (int i = 0; skv_going_words(i); i++)
+        print_text(skv_going_words(i), "how the water goes");
+}
+
 int main(void)
 {
+    print_controls();
     const skv_tool *tool;
     for (int i = 0; (tool = skv_tool_info(i)); i++) {
         print_text(tool->title, tool->name);

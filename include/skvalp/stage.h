@@ -232,10 +232,6 @@ typedef struct skv_stage_state {
 } skv_stage_state;
 SKV_API skv_stage_state skv_stage_now(const skv_stage *stage);
 
-/** Says what a picture shows in words, for a status line or to be read out: "playing, 2960
- * particles, at rest". Cut to `size`. */
-SKV_API void skv_picture_describe(const skv_picture *picture, char *text, size_t size);
-
 /* ---- Gravity and parameters ------------------------------------------------------------------ */
 
 /** Gravity: a vector in units of the scene's own strength (9.81 m/s^2 in a weightless scene), at

@@ -63,7 +63,7 @@ layer_of() {
     skvalp/particles.h | skvalp/query.h | skvalp/snapshot.h) of=world ;;
     skvalp/mark.h) of=camera ;;
     skvalp/player.h | skvalp/stage.h) of=session ;;
-    skvalp/fingers.h | skvalp/numbers.h | skvalp/stopwatch.h | skvalp/tilt.h) of=session ;;
+    skvalp/controls.h | skvalp/fingers.h | skvalp/numbers.h | skvalp/stopwatch.h | skvalp/tilt.h) of=session ;;
     skvalp/*.h)
         of=${name#skvalp/}
         of=${of%.h}

@@ -44,6 +44,21 @@ export function table(library, name, entry) {
 }
 
 /**
+ * A structure as plain data, which stays.
+ * @template {Located} Given
+ * @param {Given} record @returns {Omit<Given, 'address'>}
+ */
+export function plain(record) {
+    /** @type {any} */
+    const members = {};
+    for (const name in record) {
+        members[name] = record[name];
+    }
+    delete members.address;
+    return members;
+}
+
+/**
  * Calls with a list of these settings.
  * @template Result
  * @param {Library} library @param {Record<string, string>} settings

@@ -350,7 +350,7 @@ const trials = {
         // As the simulation tells it where it cannot keep up: no state comes now that says otherwise.
         await page.evaluate(() => {
             const { state } = window.skvalp;
-            state.value = { ...state.value, paused: false, pace: 0.4, ratio: 0.5 };
+            state.value = { ...state.value, paused: false, ratio: 0.5, going: { words: '%s× of real time', times: 0.4, slow: true } };
         });
         await page.getByText('Slow motion: this device cannot compute').waitFor();
         await page.getByText('pictures are coarser').waitFor();

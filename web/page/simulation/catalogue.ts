@@ -3,7 +3,7 @@
 // Invariant: nothing is named here that the library names; a new row of a table is a new entry.
 import type { Library } from '../../src/library.js';
 import type { skv_field } from '../../src/interface.js';
-import { table } from '../../src/memory.js';
+import { plain, table } from '../../src/memory.js';
 
 import type { Catalogue, Field, Named } from './protocol';
 
@@ -50,25 +50,24 @@ export function makeCatalogue(library: Library): Catalogue {
         table(library, 'skv_field', entry).map((field) => fieldOf(library, field));
     return {
         version: c.skv_version()!,
-        scenes: table(library, 'skv_scene_info', c.skv_builtin_scene)
-            .map(({ name, title, description }) => ({ name, title, help: description })),
-        tools: table(library, 'skv_tool', c.skv_tool_info).map(({ name, title, help, key, dyes }) =>
-            ({ name, title, help, key: String.fromCharCode(key), dyes })),
+        scenes: table(library, 'skv_scene_info', c.skv_builtin_scene).map(plain),
+        tools: table(library, 'skv_tool', c.skv_tool_info)
+            .map((tool) => ({ ...plain(tool), key: String.fromCharCode(tool.key) })),
         views: choicesOf(library, constants.SKV_STYLE_VIEW),
         overlays: choicesOf(library, constants.SKV_STYLE_OVERLAY),
         palettes: choicesOf(library, constants.SKV_STYLE_PALETTE),
         details: choicesOf(library, constants.SKV_STYLE_DETAIL),
         dyes: texts(c.skv_dye_name),
-        numerals: table(library, 'skv_numerals', c.skv_numerals_at)
-            .map(({ language, decimal, group, minus }) => ({ language, decimal, group, minus })),
-        instruments: texts(c.skv_instrument_kind_name).map((name, kind) => ({ kind, name })),
+        numerals: table(library, 'skv_numerals', c.skv_numerals_at).map(plain),
+        instruments: texts(c.skv_instrument_kind_name),
+        gauges: table(library, 'skv_gauge', c.skv_gauge_at).map(plain),
+        choices: table(library, 'skv_choice', c.skv_choice_at).map(plain),
+        speeds: table(library, 'skv_named_number', c.skv_speed_at).map(plain),
+        planets: table(library, 'skv_named_number', c.skv_planet_at).map(plain),
+        limits: plain(library.view('skv_limits', c.skv_control_limits())),
         parameters: parametersOf(library),
         sceneFields: fields(c.skv_scene_field),
         experimentFields: fields(c.skv_lab_parameter),
-        experiments: table(library, 'skv_experiment', c.skv_experiment_info).map((experiment) => {
-            const { name, title, description, question, predict, measure, compare } = experiment;
-            const { x_label: xLabel, y_label: yLabel } = experiment;
-            return { name, title, description, question, predict, measure, compare, xLabel, yLabel };
-        }),
+        experiments: table(library, 'skv_experiment', c.skv_experiment_info).map(plain),
     };
 }

@@ -40,8 +40,8 @@ function playFor(trial: ReturnType<typeof makeTrial>) {
     while (trial.now < from.now + 2) {
         trial.run(1);
     }
-    const { moment, pace, chosen, worlds: [{ particles, words }] } = trial.state;
-    return { rate: (moment - from.moment) / (trial.now - from.now), pace, chosen, particles, words };
+    const { moment, pace, chosen, worlds: [{ particles }], going } = trial.state;
+    return { rate: (moment - from.moment) / (trial.now - from.now), pace, chosen, particles, going };
 }
 
 test('a device that is four times as slow begins with fewer particles, and keeps 60 frames a second', () => {
@@ -52,18 +52,19 @@ test('a device that is four times as slow begins with fewer particles, and keeps
         expect(seen).toMatchObject({ chosen, pace: 1 });
         expect(Math.abs(seen.particles - chosen)).toBeLessThan(0.1 * chosen);
         expect(seen.rate).toBeCloseTo(60, 0);
-        expect(seen.words).not.toMatch(/real time/);
+        expect(seen.going.slow).toBe(false);
     }
 });
 
 test('with more particles than the device can step it says how slow it is', () => {
     const trial = makeTrial({ particles: null, cost: 4 * usual });
     trial.simulation.open('dam-break', { particles: '3000' });
-    const { rate, pace, particles, words } = playFor(trial);
+    const { rate, pace, particles, going } = playFor(trial);
     expect(particles).toBeGreaterThan(2700);
     expect(rate).toBeCloseTo(60 / Math.ceil(60 * 4 * usual * particles), 0); // a step for each picture
     expect(pace).toBeCloseTo(rate / 60, 1);
-    expect(words).toMatch(/0\.33× of real time/);
+    expect(going).toMatchObject({ words: '%s× of real time', slow: true });
+    expect(going.times).toBeCloseTo(0.33, 2);
 });
 
 test('pictures get less sharp where drawing is slow, step by step', () => {

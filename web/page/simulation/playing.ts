@@ -4,7 +4,7 @@
 // reports, what shows as a state.
 import type { Library } from '../../src/library.js';
 import type { skv_outcome, skv_render_style } from '../../src/interface.js';
-import { using, withOptions } from '../../src/memory.js';
+import { plain, using, withOptions } from '../../src/memory.js';
 
 import { amountOf, chooseAmount } from './amount';
 import { Opening } from './opening';
@@ -12,6 +12,7 @@ import { Frames, Sharpness } from './pacing';
 import type { Painter } from './painter';
 import type { Listener, Report, Settings, State, Style } from './protocol';
 import { Reader } from './state';
+import { Stopwatch } from './stopwatch';
 import { Worlds } from './worlds';
 
 /** Between two states, s. */
@@ -41,6 +42,7 @@ export class Playing {
     readonly worlds;
     readonly opening;
     readonly reader;
+    readonly stopwatch;
     readonly style: skv_render_style;
     /** What it was set to. */
     styleNames: Style = { view: 'water', overlays: [], palette: 'dark', detail: 'auto', range: 0 };
@@ -66,6 +68,7 @@ export class Playing {
         this.opening = new Opening(library, this.worlds.stage, (name) => this.#amount(name));
         this.#frames = new Frames(nextFrame, (seconds) => this.#pass(seconds));
         this.reader = new Reader(library);
+        this.stopwatch = new Stopwatch(library, this.worlds);
         this.#outcome = library.make('skv_outcome');
         this.style = c.skv_default_render_style();
     }
@@ -192,6 +195,8 @@ export class Playing {
             mismatch: picture.mismatch,
             speed: picture.speed,
             pace: now.pace,
+            going: using(this.#library, c.skv_control_going(stage), plain),
+            stopwatch: this.stopwatch.read(),
             stepMs: now.step_ms,
             drawMs: 1000 * this.#drawing,
             gravity: { x: picture.tilt_x, y: picture.tilt_y },

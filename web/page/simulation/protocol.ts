@@ -6,6 +6,14 @@
 // memory. What returns void only leaves a message; what has become of it shows in the next state, or
 // comes as a report.
 
+import type {
+    skv_choice, skv_experiment, skv_gauge, skv_going, skv_limits, skv_named_number, skv_numerals,
+    skv_scene_info, skv_tool,
+} from '../../src/interface.js';
+
+/** A structure of the library's without its place in the memory. */
+type Plain<Given> = Omit<Given, 'address'>;
+
 /** One of the two worlds: 0, or 1 for the one that it is compared with. */
 export type Side = 0 | 1;
 
@@ -34,10 +42,14 @@ export interface Simulation {
     togglePaused(): void;
     /** To the next of the speeds that people choose from, in either direction. */
     shiftSpeed(direction: number): void;
-    /** Waits so many frames from where it is, or is on its way to, and at most `reach` before the end. */
-    seekBy(frames: number, reach: number): void;
+    /** Waits so many frames from where it is, or is on its way to, as far as the bar reaches. */
+    seekBy(frames: number): void;
+    /** Waits at a frame that the bar reaches. */
+    scrub(frame: number): void;
     undo(): void;
     redo(): void;
+    /** Starts or stops it, or takes a lap. */
+    pressStopwatch(lap: boolean): void;
 
     // The world
     /** In units of the scene's own strength, x to the right and y up as the screen is held. */
@@ -52,6 +64,8 @@ export interface Simulation {
     push(vx: number, vy: number): void;
     /** A parameter of one world by its path, as catalogue().parameters names it. */
     set(path: string, text: string, side?: Side): void;
+    /** Gravity as on one of catalogue().planets. */
+    setPlanet(index: number, side?: Side): void;
     /** The scene that is open, with other settings: what cannot be changed while it runs. */
     change(settings: Settings): void;
 
@@ -73,9 +87,10 @@ export interface Simulation {
     /** Radius in m; 0: the default. */
     setBrush(radius: number): void;
     /** As seekBy: each goes on from those before. */
-    scaleBrush(factor: number, least: number, most: number): void;
+    scaleBrush(factor: number): void;
     setDye(dye: number): void;
-    nextDye(): void;
+    /** As setTool; one that dyes and is chosen again takes its next colour. */
+    chooseTool(tool: number): void;
     pointer(event: PointerMessage): void;
     cancelPointers(): void;
     keyboard(right: number, up: number, down: boolean): void;
@@ -84,6 +99,10 @@ export interface Simulation {
     /** In m. */
     addProbe(kind: number, x0: number, y0: number, x1: number, y1: number): void;
     moveProbe(id: number, x0: number, y0: number, x1: number, y1: number): void;
+    /** One of catalogue().gauges, by its kind, where it is seen. */
+    addGauge(kind: number): void;
+    /** An end of it (0 or 1) to a place of a world; the first takes the second with it. */
+    dragProbe(id: number, end: number, x: number, y: number, side?: Side): void;
     /** By so much; each adds to those before, though no state has told of them yet. */
     shiftProbe(id: number, dx: number, dy: number): void;
     removeProbe(id: number): void;
@@ -92,6 +111,8 @@ export interface Simulation {
 
     /** Puts a second world beside this one: what is open, with these settings; null takes it away. */
     compare(settings: Settings | null): void;
+    /** The same with one of catalogue().choices. */
+    compareWith(choice: string): void;
     /** Whether hands and gravity are for both worlds; at first they are. */
     setLinked(linked: boolean): void;
 
@@ -164,8 +185,6 @@ export interface WorldState {
     camera: { scale: number; originX: number; originY: number; zoom: number };
     legend: Legend | null;
     probes: Probe[];
-    /** skv_picture_describe: "playing, 2960 particles, at rest". */
-    words: string;
     hands: number;
 }
 
@@ -184,6 +203,9 @@ export interface State {
     speed: number;
     /** 1, or less where the machine cannot keep up. */
     pace: number;
+    /** The same in words. */
+    going: Plain<skv_going>;
+    stopwatch: { used: boolean; running: boolean; frames: number; laps: number; lap: number };
     stepMs: number;
     drawMs: number;
     gravity: { x: number; y: number };
@@ -235,16 +257,22 @@ export interface Named {
 
 export interface Catalogue {
     version: string;
-    scenes: Named[];
-    tools: (Named & { key: string; dyes: boolean })[];
+    scenes: Plain<skv_scene_info>[];
+    tools: (Omit<Plain<skv_tool>, 'key'> & { key: string })[];
     views: Named[];
     overlays: Named[];
     palettes: Named[];
     details: Named[];
     dyes: string[];
     /** How languages write numbers. */
-    numerals: { language: string; decimal: string; group: string; minus: string }[];
-    instruments: { kind: number; name: string }[];
+    numerals: Plain<skv_numerals>[];
+    /** Names of all kinds; and those that people put into the picture. */
+    instruments: string[];
+    gauges: Plain<skv_gauge>[];
+    choices: Plain<skv_choice>[];
+    speeds: Plain<skv_named_number>[];
+    planets: Plain<skv_named_number>[];
+    limits: Plain<skv_limits>;
     /** What can be set while it runs, and what a scene or an experiment can be opened with. */
     parameters: Field[];
     sceneFields: Field[];
@@ -263,17 +291,7 @@ export interface Field {
     help: string;
 }
 
-export interface Experiment {
-    name: string;
-    title: string;
-    description: string;
-    question: string;
-    predict: string;
-    measure: string;
-    compare: string;
-    xLabel: string;
-    yLabel: string;
-}
+export type Experiment = Plain<skv_experiment>;
 
 // ---- The laboratory: experiments run in a worker of their own (lab.worker.ts) ----------------------
 

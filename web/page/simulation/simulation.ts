@@ -12,8 +12,6 @@ import { Pointers } from './pointers';
 import type { FileFormat, PointerMessage, Settings, Side, Simulation, Style } from './protocol';
 import { Tilt } from './tilt';
 
-/** What people choose from. */
-const speeds = [0.1, 0.25, 0.5, 1, 2];
 /** Times what is felt; pixels. */
 const strongest = 2, largestView = 16384;
 
@@ -49,6 +47,14 @@ export class Simulator implements Simulation {
     #ask<Given extends unknown[]>(call: (stage: number, ...given: Given) => unknown, ...given: Given) {
         call(this.#worlds.stage, ...given);
         this.#playing.asked();
+    }
+
+    /** The same with an entry of a table last, if it is there. */
+    #askWith<Given extends unknown[]>(entry: number,
+        call: (stage: number, ...given: [...Given, number]) => unknown, ...given: Given) {
+        if (entry !== 0) {
+            this.#ask(call, ...given, entry);
+        }
     }
 
     // ---- What is open ----------------------------------------------------------------------------
@@ -130,6 +136,10 @@ export class Simulator implements Simulation {
         this.#playing.compare(settings);
     }
 
+    compareWith(choice: string) {
+        this.#askWith(this.#library.c.skv_choice_named(choice), this.#library.c.skv_control_compare);
+    }
+
     setLinked(linked: boolean) {
         this.#ask(this.#library.c.skv_stage_set_linked, linked);
     }
@@ -153,17 +163,19 @@ export class Simulator implements Simulation {
     }
 
     shiftSpeed(direction: number) {
-        const { speed } = this.#worlds.first;
-        const at = speeds.findIndex((known) => known >= speed - 1e-9) + Math.sign(direction);
-        this.setSpeed(speeds[bounded(at, 0, speeds.length - 1)]);
+        this.#ask(this.#library.c.skv_control_shift_speed, Math.sign(direction) || 0);
     }
 
     seek(frame: number) {
         this.#ask(this.#library.c.skv_stage_seek, whole(frame));
     }
 
-    seekBy(frames: number, reach: number) {
-        this.#ask(this.#library.c.skv_stage_go, whole(frames), whole(reach));
+    seekBy(frames: number) {
+        this.#ask(this.#library.c.skv_control_go, whole(frames));
+    }
+
+    scrub(frame: number) {
+        this.#ask(this.#library.c.skv_control_seek, whole(frame));
     }
 
     undo() {
@@ -172,6 +184,11 @@ export class Simulator implements Simulation {
 
     redo() {
         this.#ask(this.#library.c.skv_stage_redo);
+    }
+
+    pressStopwatch(lap: boolean) {
+        this.#playing.stopwatch.press(lap);
+        this.#playing.asked();
     }
 
     // ---- The world -------------------------------------------------------------------------------
@@ -200,6 +217,10 @@ export class Simulator implements Simulation {
 
     set(path: string, text: string, side: Side = 0) {
         this.#ask(this.#library.c.skv_stage_set, side, path, text);
+    }
+
+    setPlanet(index: number, side: Side = 0) {
+        this.#askWith(this.#library.c.skv_planet_at(index), this.#library.c.skv_control_planet, side);
     }
 
     // ---- The picture -----------------------------------------------------------------------------
@@ -247,17 +268,16 @@ export class Simulator implements Simulation {
         this.#ask(this.#library.c.skv_stage_set_brush, radius);
     }
 
-    scaleBrush(factor: number, least: number, most: number) {
-        this.setBrush(bounded(this.#worlds.first.brush * factor, least, most));
+    scaleBrush(factor: number) {
+        this.#ask(this.#library.c.skv_control_scale_brush, factor);
     }
 
     setDye(dye: number) {
         this.#ask(this.#library.c.skv_stage_set_dye, dye);
     }
 
-    nextDye() {
-        const { c } = this.#library, next = c.skv_stage_dye(this.#worlds.stage) + 1;
-        this.setDye(c.skv_dye_name(next) ? next : 0);
+    chooseTool(tool: number) {
+        this.#ask(this.#library.c.skv_control_tool, tool);
     }
 
     pointer(event: PointerMessage) {
@@ -289,6 +309,14 @@ export class Simulator implements Simulation {
 
     moveProbe(id: number, x0: number, y0: number, x1: number, y1: number) {
         this.#ask(this.#library.c.skv_stage_move_probe, id, x0, y0, x1, y1);
+    }
+
+    addGauge(kind: number) {
+        this.#askWith(this.#library.c.skv_gauge_of(kind), this.#library.c.skv_control_add_gauge);
+    }
+
+    dragProbe(id: number, end: number, x: number, y: number, side: Side = 0) {
+        this.#ask(this.#library.c.skv_control_drag, side, id, end, x, y);
     }
 
     shiftProbe(id: number, dx: number, dy: number) {

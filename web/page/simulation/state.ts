@@ -33,11 +33,10 @@ export class Reader {
     }
 
     world(world: World, { ratio }: Worlds, style: Located): WorldState {
-        const { c, instance } = this.#library;
+        const { c } = this.#library;
         const { picture, area, camera } = world;
         const { frame } = picture;
         const { terrain } = frame;
-        c.skv_picture_describe(picture, this.#room, textRoom);
         return {
             name: picture.name,
             title: picture.title,
@@ -59,7 +58,6 @@ export class Reader {
             },
             legend: terrain ? this.#readLegend(frame, style) : null,
             probes: picture.probes.slice(0, picture.probe_count).map((probe) => this.#readProbe(probe)),
-            words: instance.text(this.#room),
             hands: picture.hand_count,
         };
     }

@@ -1,6 +1,6 @@
 // Chips: readings in a row below the picture; each opens the card with its plot.
 import type { Probe } from '../simulation/protocol';
-import { channelOf, kindOf } from './instruments';
+import { channelOf, gaugeOf } from './instruments';
 import { panel, showPanel, simulation, state, subject } from './model';
 import { readingText } from './numbers';
 import { _, word } from './words';
@@ -42,7 +42,7 @@ export function Chips() {
                         onKeyDown={(event) => onKey(event, probe)}
                     >
                         <span class="letter">{probe.id}</span>
-                        {word(kindOf(probe.kind).title)}
+                        {word(gaugeOf(probe).title)}
                         <strong class="numeric">
                             {beside
                                 ? `A: ${reading}  B: ${readingText(channelOf(beside))}`

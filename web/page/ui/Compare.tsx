@@ -1,7 +1,7 @@
 // Compare: a second world beside the first.
-import { choices, compareWith } from './choices';
-import { compared, part, showPanel, simulation } from './model';
-import { _ } from './words';
+import { compareWith } from './choices';
+import { catalogue, compared, part, showPanel, simulation } from './model';
+import { _, word } from './words';
 
 const linked = part((s) => s.linked, true);
 
@@ -9,16 +9,16 @@ export function Compare() {
     return (
         <>
             <ul class="list">
-                {choices.map(({ label }, index) => (
-                    <li key={label}>
+                {catalogue.choices.map(({ name, title }) => (
+                    <li key={name}>
                         <button
                             type="button"
                             onClick={() => {
-                                compareWith(index);
+                                compareWith(name);
                                 showPanel(null);
                             }}
                         >
-                            {_(label)}
+                            {word(title)}
                         </button>
                     </li>
                 ))}

@@ -103,8 +103,8 @@ function Measurement({ index, experiment }: { index: number; experiment: Experim
             {run?.running && <progress aria-label={_('3. Measure')} value={run.share} />}
             {curves.length > 0 && (
                 <Plot
-                    xLabel={word(experiment.xLabel)}
-                    yLabel={word(experiment.yLabel)}
+                    xLabel={word(experiment.x_label)}
+                    yLabel={word(experiment.y_label)}
                     curves={curves}
                     name={word(experiment.title)}
                 />

@@ -1,9 +1,8 @@
 // Measure: the instruments to choose from; each goes into the picture, to be moved there.
-import { addProbe, offered } from './instruments';
 import { Icon } from './Icon';
-import { part, showPanel } from './model';
+import { catalogue, part, showPanel, simulation } from './model';
 import { saveFile } from './files';
-import { _ } from './words';
+import { _, word } from './words';
 
 const any = part((s) => s.worlds[0].probes.length > 0, false);
 
@@ -11,16 +10,16 @@ export function Measure() {
     return (
         <>
             <ul class="list">
-                {offered().map(({ name, title }) => (
-                    <li key={name}>
+                {catalogue.gauges.map(({ kind, title }) => (
+                    <li key={kind}>
                         <button
                             type="button"
                             onClick={() => {
-                                addProbe(name);
+                                simulation.addGauge(kind);
                                 showPanel(null);
                             }}
                         >
-                            <span>{_(title)}</span>
+                            <span>{word(title)}</span>
                             <Icon name="plus" />
                         </button>
                     </li>

@@ -1,17 +1,8 @@
 // Pace: how fast it goes, what it costs, and what was chosen for that.
 import type { State } from '../simulation/protocol';
-import { simulation, state } from './model';
-import { isSlow } from './spoken';
+import { catalogue, simulation, state } from './model';
 import { fixed, quantity } from './numbers';
-import { N_, _, say } from './words';
-
-const speeds = [
-    { speed: 2, title: N_('Twice as Fast') },
-    { speed: 1, title: N_('Real Time') },
-    { speed: 0.5, title: N_('Half') },
-    { speed: 0.25, title: N_('A Quarter') },
-    { speed: 0.1, title: N_('A Tenth') },
-];
+import { _, say, word } from './words';
 
 /** Device pixels in a CSS pixel: more are not drawn anywhere. */
 const SHARPEST = 2;
@@ -24,7 +15,7 @@ function wordsOfChoices(now: State): string[] {
     if (now.ratio < Math.min(window.devicePixelRatio, SHARPEST))
         said.push(_('Drawing is slow here: pictures are coarser than the screen.'));
     // Comes and goes: last, so that what is above it stays.
-    if (isSlow(now))
+    if (now.going.slow)
         said.push(_('Slow motion: this device cannot compute so many particles in real time. Fewer go faster (Properties).'));
     return said;
 }
@@ -43,7 +34,7 @@ export function Pace() {
         <>
             <fieldset class="choices">
                 <legend>{_('Speed')}</legend>
-                {speeds.map(({ speed, title }) => (
+                {catalogue.speeds.map(({ number: speed, title }) => (
                     <label class="choice" key={speed}>
                         <input
                             type="radio"
@@ -51,7 +42,7 @@ export function Pace() {
                             checked={Math.abs(now.speed - speed) < 1e-6}
                             onChange={() => simulation.setSpeed(speed)}
                         />
-                        {_(title)}
+                        {word(title)}
                     </label>
                 ))}
             </fieldset>

@@ -3,7 +3,7 @@
 import { useEffect } from 'preact/hooks';
 import type { Curve, Probe } from '../simulation/protocol';
 import { download } from './files';
-import { kindOf } from './instruments';
+import { channelOf, gaugeOf } from './instruments';
 import { Icon } from './Icon';
 import { showPanel, simulation, state, subject } from './model';
 import { Plot } from './Plot';
@@ -18,7 +18,7 @@ function curveOf(probe: Probe, channel: number, label: string, style: Curve['sty
 
 /** Both worlds' curves, and over them what theory says. */
 function curvesOf(probe: Probe, beside: Probe | undefined): Curve[] {
-    const main = kindOf(probe.kind).channel;
+    const main = gaugeOf(probe).channel;
     const name = word(probe.channels[main].name);
     const curves = [curveOf(probe, main, beside ? _('World A') : name, 'line')];
     if (beside)
@@ -54,8 +54,8 @@ export default function ProbeCard() {
     }, [probe === undefined]);
     if (!probe)
         return null;
-    const title = word(kindOf(probe.kind).title);
-    const main = probe.channels[kindOf(probe.kind).channel];
+    const title = word(gaugeOf(probe).title);
+    const main = channelOf(probe);
     const yLabel = quantityText(main.name, main.unit);
     const curves = curvesOf(probe, beside);
     return (

@@ -5,25 +5,12 @@ import type { Side } from '../simulation/protocol';
 import { Anew } from './Anew';
 import { catalogue, compared, simulation, state } from './model';
 import { Row, type RowProps } from './Row';
-import { N_, _, titleOfPath } from './words';
+import { _, titleOfPath, word } from './words';
 
 /** Which world they are of. */
 const side = signal<Side>(0);
 /** Each world's parameters as it began, and which one that was. */
 const standards: { opened: number; values: Record<string, string> }[] = [];
-
-const planets = [
-    { name: N_('Moon'), gravity: '-1.62' },
-    { name: N_('Mars'), gravity: '-3.71' },
-    { name: N_('Earth'), gravity: '-9.81' },
-    { name: N_('Jupiter'), gravity: '-24.79' },
-];
-
-function setPlanet(gravity: string, side: Side): void {
-    if (Number(state.value?.worlds[side].parameters['gravity.x']) !== 0)
-        simulation.set('gravity.x', '0', side);
-    simulation.set('gravity.y', gravity, side);
-}
 
 effect(() => {
     state.value?.worlds.forEach(({ opened, parameters }, which) => {
@@ -88,9 +75,9 @@ export function Properties() {
             <section aria-labelledby="planets">
                 <h3 id="planets">{_('Gravity as on')}</h3>
                 <div class="linked">
-                    {planets.map(({ name, gravity }) => (
-                        <button type="button" class="text" key={name} onClick={() => setPlanet(gravity, which)}>
-                            {_(name)}
+                    {catalogue.planets.map(({ title }, index) => (
+                        <button type="button" class="text" key={title} onClick={() => simulation.setPlanet(index, which)}>
+                            {word(title)}
                         </button>
                     ))}
                 </div>

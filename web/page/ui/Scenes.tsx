@@ -12,7 +12,7 @@ const pictures = import.meta.glob<string>('../pictures/*.webp', {
     eager: true,
 });
 
-function Card({ name, title, help }: { name: string; title: string; help: string }) {
+function Card({ name, title, description }: { name: string; title: string; description: string }) {
     const picture = pictures[`../pictures/${name}.webp`];
     return (
         <button
@@ -23,7 +23,7 @@ function Card({ name, title, help }: { name: string; title: string; help: string
         >
             {picture && <img src={picture} alt="" width="320" height="180" loading="lazy" />}
             <strong>{word(title)}</strong>
-            <span class="caption">{word(help)}</span>
+            <span class="caption">{word(description)}</span>
         </button>
     );
 }

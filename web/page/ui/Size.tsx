@@ -1,5 +1,5 @@
 // Size: the radius of the tool, and what it dyes with.
-import { LARGEST, SMALLEST, longerSide, setBrush } from './actions';
+import { longerSide } from './actions';
 import { catalogue, dye, part, simulation } from './model';
 import { quantity } from './numbers';
 import { _, word } from './words';
@@ -7,7 +7,7 @@ import { _, word } from './words';
 const brush = part((s) => s.brush, 0);
 
 export function Size() {
-    const share = Math.min(LARGEST, Math.max(SMALLEST, brush.value / longerSide()));
+    const { least_brush: least, largest_brush: largest } = catalogue.limits;
     return (
         <>
             <input
@@ -15,11 +15,11 @@ export function Size() {
                 class="wide"
                 aria-label={_('Size of the tool')}
                 aria-valuetext={quantity(100 * brush.value, 1, 'cm')}
-                min={Math.log(SMALLEST)}
-                max={Math.log(LARGEST)}
+                min={Math.log(least)}
+                max={Math.log(largest)}
                 step={0.05}
-                value={Math.log(share)}
-                onInput={(event) => setBrush(Math.exp(Number(event.currentTarget.value)) * longerSide())}
+                value={Math.log(brush.value / longerSide())}
+                onInput={(event) => simulation.setBrush(Math.exp(Number(event.currentTarget.value)) * longerSide())}
             />
             <p class="numeric">{quantity(100 * brush.value, 1, 'cm')}</p>
             <fieldset class="choices">

@@ -1,9 +1,8 @@
 // Tools: buttons made from the catalogue. Invariant: no tool is named here; a new row of the library's
 // table is a new button, with a picture of its own if there is one of its name.
-import { chooseTool } from './actions';
 import { Button, PanelButton } from './Button';
 import { hasIcon } from './Icon';
-import { catalogue, dye, tool } from './model';
+import { catalogue, dye, simulation, tool } from './model';
 import { knock } from './device';
 import { _, say, word } from './words';
 
@@ -23,7 +22,7 @@ export function Tools() {
                             class={`tool ${colour ? `dye-${colour}` : ''}`}
                             pressed={tool.value === index}
                             onClick={() => {
-                                chooseTool(index);
+                                simulation.chooseTool(index);
                                 knock();
                             }}
                         />

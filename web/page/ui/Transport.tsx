@@ -1,11 +1,11 @@
 // Transport: time as a person handles it. Invariant: while a finger is on the bar, the picture follows
 // it; once it lets go, the scene plays on from there if it played before.
 import { useSignal } from '@preact/signals';
-import { REACH, seekTo, step, togglePause } from './actions';
+import { step, togglePause } from './actions';
 import { Button } from './Button';
-import { FRAMES, part, paused, simulation, state, togglePanel } from './model';
-import { pressStopwatch, reading, readingWords, used } from './stopwatch';
-import { isSlow, wordsOfPace } from './spoken';
+import { FRAMES, catalogue, part, paused, simulation, state, togglePanel } from './model';
+import { reading, readingWords } from './stopwatch';
+import { wordsOfPace } from './spoken';
 import { fixed, quantity } from './numbers';
 import { _ } from './words';
 
@@ -16,7 +16,7 @@ function Bar() {
     const now = state.value;
     const resumes = useSignal(false);
     const end = now?.end ?? 0;
-    const first = Math.max(0, end - REACH);
+    const first = Math.max(0, end - (catalogue?.limits.reach ?? 0));
     const behind = end - (now?.moment ?? 0);
     const seconds = now?.worlds[0].time ?? 0;
     const clock = quantity(seconds, 1, 's') + (behind > 0 ? ` (${fixed(-behind / FRAMES, 1)})` : '');
@@ -32,7 +32,7 @@ function Bar() {
                 value={now?.moment ?? 0}
                 disabled={end === 0}
                 onPointerDown={() => (resumes.value = !paused.value)}
-                onInput={(event) => seekTo(Number(event.currentTarget.value))}
+                onInput={(event) => simulation.scrub(Number(event.currentTarget.value))}
                 onChange={() => {
                     if (resumes.value)
                         simulation.setPaused(false);
@@ -46,11 +46,10 @@ function Bar() {
 
 function Pace() {
     const now = state.value;
-    const slow = now !== null && isSlow(now);
     return (
         <button
             type="button"
-            class={`pace ${slow ? 'slow' : ''}`}
+            class={`pace ${now?.going.slow ? 'slow' : ''}`}
             title={_('How fast it goes, and what it costs')}
             onClick={() => togglePanel('pace')}
         >
@@ -67,14 +66,14 @@ function Stopwatch() {
                 icon="stopwatch"
                 name={_('Stopwatch')}
                 hint="W"
-                description={used.value ? readingWords.value : undefined}
-                onClick={() => pressStopwatch(false)}
+                description={reading.value.used ? readingWords.value : undefined}
+                onClick={() => simulation.pressStopwatch(false)}
             />
-            {used.value && (
+            {reading.value.used && (
                 <span class="stopwatch">
                     <span class="numeric">{readingWords.value}</span>
                     {reading.value.running && (
-                        <button type="button" class="text" onClick={() => pressStopwatch(true)}>
+                        <button type="button" class="text" onClick={() => simulation.pressStopwatch(true)}>
                             {_('Lap')}
                         </button>
                     )}

@@ -2,7 +2,7 @@
 // the simulation's next state says so, not before.
 import { signal } from '@preact/signals';
 import { moreContrast, paletteOf, preferences, prefer, systemLight } from './preferences';
-import { FRAMES, catalogue, complain, keyboardHand, showPanel, simulation, state, toast } from './model';
+import { catalogue, complain, keyboardHand, showPanel, simulation, state, toast } from './model';
 import { _ } from './words';
 
 // Time
@@ -16,49 +16,12 @@ export function step(): void {
     simulation.stepOnce();
 }
 
-/** How far back the bar reaches. */
-export const REACH = 30 * FRAMES;
-
-export function seekTo(frame: number): void {
-    const now = state.value;
-    if (!now)
-        return;
-    simulation.setPaused(true);
-    simulation.seek(Math.min(now.end, Math.max(0, now.end - REACH, Math.round(frame))));
-}
-
-/** Frames back or forth in time. */
-export function go(frames: number): void {
-    simulation.seekBy(frames, REACH);
-}
-
 // Tools
 
-/** A tool that is chosen again takes its next colour. */
-export function chooseTool(index: number): void {
-    const now = state.value;
-    if (now && index === now.tool && catalogue.tools[index].dyes)
-        simulation.nextDye();
-    simulation.setTool(index);
-}
-
-/** Radii that a brush may have: shares of the world's longer side. */
-export const SMALLEST = 0.004;
-export const LARGEST = 0.25;
-
+/** Of the world. */
 export function longerSide(): number {
     const world = state.value?.worlds[0];
     return world ? Math.max(world.width, world.height) : 1;
-}
-
-export function setBrush(radius: number): void {
-    const side = longerSide();
-    simulation.setBrush(Math.min(LARGEST * side, Math.max(SMALLEST * side, radius)));
-}
-
-export function scaleBrush(factor: number): void {
-    const side = longerSide();
-    simulation.scaleBrush(factor, SMALLEST * side, LARGEST * side);
 }
 
 export function toggleKeyboardHand(): void {
@@ -116,13 +79,11 @@ export function zoom(steps: number): void {
     if (steps === 0)
         simulation.showAll();
     else if (area)
-        simulation.zoom(1.25 ** steps, area.x + area.width / 2, area.y + area.height / 2);
+        simulation.zoom(catalogue.limits.zoom_step ** steps, area.x + area.width / 2, area.y + area.height / 2);
 }
 
 // Opening
 
-/** What a newcomer sees. */
-export const FIRST_SCENE = 'dam-break';
 /** Scenes without walls, which may be as wide and high as the screen. */
 const pliable = ['pool', 'dam-break'];
 /** The width of such a world on a screen that is upright, in m. */

@@ -2,7 +2,7 @@
 // Invariant: whoever embeds can do no more than who plays; nothing is read from here that is not in
 // the picture or its figures.
 import { effect } from '@preact/signals';
-import { FIRST_SCENE, openScene, showView } from './actions';
+import { openScene, showView } from './actions';
 import { catalogue, complain, controls, embedded, showPanel, simulation, state, toast } from './model';
 import { lessMotion } from './preferences';
 import { payloadOf } from './sharing';
@@ -24,10 +24,10 @@ export function readAddress() {
     }
 
     function open(): void {
-        const scene = asked.get('scene') ?? FIRST_SCENE;
+        const scene = asked.get('scene') ?? catalogue.limits.first_scene;
         const isKnown = catalogue.scenes.some(({ name }) => name === scene);
         if (!openHash())
-            openScene(isKnown ? scene : FIRST_SCENE);
+            openScene(isKnown ? scene : catalogue.limits.first_scene);
         if (!isKnown)
             complain(_('There is no scene of this name.'));
         showView(asked.get('view'));

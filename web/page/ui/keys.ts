@@ -3,14 +3,12 @@
 // that are pressed without Ctrl.
 import { effect } from '@preact/signals';
 import {
-    chooseTool, go, nextView, scaleBrush, step, toggleKeyboardHand, toggleOverlay,
+    nextView, step, toggleKeyboardHand, toggleOverlay,
     togglePause, zoom,
 } from './actions';
 import { catalogue, compared, dismiss, keyboardHand, message, panel, showPanel, simulation } from './model';
 import { FRAMES, ready, togglePanel } from './model';
 import { preferences } from './preferences';
-import { addProbe } from './instruments';
-import { pressStopwatch } from './stopwatch';
 import { openLinkText, shareLink } from './sharing';
 import { saveFile } from './files';
 import { toggleFullscreen } from './device';
@@ -20,7 +18,7 @@ const plain: Record<string, () => void> = {
     ' ': togglePause,
     '.': step,
     s: step,
-    ',': () => go(-1),
+    ',': () => simulation.seekBy(-1),
     r: () => simulation.reset(),
     '-': () => simulation.shiftSpeed(-1),
     '+': () => simulation.shiftSpeed(1),
@@ -32,11 +30,11 @@ const plain: Record<string, () => void> = {
     g: () => togglePanel('scenes'),
     p: () => togglePanel('properties'),
     k: toggleKeyboardHand,
-    m: () => addProbe('pressure probe'),
-    w: () => pressStopwatch(false),
-    l: () => pressStopwatch(true),
-    '[': () => scaleBrush(0.8),
-    ']': () => scaleBrush(1.25),
+    m: () => simulation.addGauge(catalogue.gauges[0].kind),
+    w: () => simulation.pressStopwatch(false),
+    l: () => simulation.pressStopwatch(true),
+    '[': () => simulation.scaleBrush(0.8),
+    ']': () => simulation.scaleBrush(1.25),
     f: toggleFullscreen,
     '?': () => togglePanel('keys'),
 };
@@ -121,7 +119,7 @@ function isTaken(event: KeyboardEvent): boolean {
 function onArrow(event: KeyboardEvent): void {
     event.preventDefault();
     if (event.shiftKey && arrows[event.key][0]) {
-        go(arrows[event.key][0] * FRAMES);
+        simulation.seekBy(arrows[event.key][0] * FRAMES);
         return;
     }
     held.add(event.key);
@@ -139,7 +137,7 @@ function onPlain(event: KeyboardEvent): void {
         return;
     }
     const tool = catalogue.tools.findIndex((known) => known.key === event.key);
-    act(event, tool >= 0 ? () => chooseTool(tool) : plain[event.key]);
+    act(event, tool >= 0 ? () => simulation.chooseTool(tool) : plain[event.key]);
 }
 
 function onDown(event: KeyboardEvent): void {

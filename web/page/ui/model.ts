@@ -13,6 +13,7 @@ export const ready = signal(false);
 export function begin(with_: Simulation, choices: Catalogue): void {
     simulation = with_;
     catalogue = choices;
+    FRAMES = choices.limits.frames_a_second;
     ready.value = true;
 }
 
@@ -30,7 +31,7 @@ export const dye = part((s) => s.dye, 0);
 export const compared = part((s) => s.worlds.length > 1, false);
 
 /** Frames a second of simulated time. */
-export const FRAMES = 60;
+export let FRAMES = 0;
 
 /** Panels, one of which may be open: a sheet on phones, beside the water on wide screens. */
 export type Panel =

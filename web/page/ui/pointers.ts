@@ -1,7 +1,6 @@
 // Pointers: fingers, pens and the mouse on the picture become the simulation's pointers. Invariant:
 // every pointer that went down goes up or leaves; what they mean is decided by the simulation.
 import type { PointerMessage, Side, State } from '../simulation/protocol';
-import { scaleBrush } from './actions';
 import { simulation, state } from './model';
 
 const MIDDLE = 1;
@@ -102,7 +101,7 @@ export function attachPointers(element: HTMLElement): () => void {
         const factor = 1.15 ** -(event.ctrlKey ? 6 * notches : notches);
         const { x, y } = placeOf(event);
         if (event.shiftKey)
-            scaleBrush(factor);
+            simulation.scaleBrush(factor);
         else
             simulation.zoom(factor, x, y, sideAt(state.value, x, y));
     }

@@ -1,15 +1,15 @@
 // Reports: what became of what was asked for, as far as a reader is to be told.
 import { effect } from '@preact/signals';
 import type { Report } from '../simulation/protocol';
-import { FIRST_SCENE, openScene } from './actions';
-import { complain, state, toast, world } from './model';
+import { openScene } from './actions';
+import { catalogue, complain, state, toast, world } from './model';
 import { _ } from './words';
 
 export function listenToReports(report: Report): void {
     if (report.error) {
         complain(report.error);
         if (!world.value?.name)
-            openScene(FIRST_SCENE); // no link, but water all the same
+            openScene(catalogue.limits.first_scene); // no link, but water all the same
     }
 }
 

@@ -2,27 +2,12 @@
 // in what screen readers are told unasked.
 import { computed } from '@preact/signals';
 import type { State, WorldState } from '../simulation/protocol';
-import { state } from './model';
-import { kindOf } from './instruments';
+import { catalogue, state } from './model';
 import { fixed, quantity, short } from './numbers';
 import { _, language, ngettext, say, word } from './words';
 
-/** Below this share of its speed a scene counts as slow. */
-const KEEPS_UP = 0.95;
-
-export function isSlow(now: State): boolean {
-    return !now.paused && !now.atRest && !now.seeking && now.pace < KEEPS_UP;
-}
-
-export function wordsOfPace(now: State): string {
-    if (now.seeking)
-        return _('going back');
-    if (now.paused)
-        return _('paused');
-    if (now.atRest)
-        return _('at rest');
-    const pace = now.speed * (isSlow(now) ? now.pace : 1);
-    return pace === 1 ? _('real time') : say(_('%s× of real time'), short(pace, 2));
+export function wordsOfPace({ going: { words, times } }: State): string {
+    return say(word(words), short(times, 2));
 }
 
 export function wordsOfAmount(world: WorldState): string {
@@ -32,7 +17,7 @@ export function wordsOfAmount(world: WorldState): string {
 /** How much two gauges of the level differ, in whole cm: of columns that are to be compared. */
 function wordsOfLevels(world: WorldState): string {
     const levels = world.probes
-        .filter((probe) => kindOf(probe.kind).name === 'level gauge')
+        .filter((probe) => catalogue.instruments[probe.kind] === 'level gauge')
         .slice(0, 2)
         .sort((a, b) => a.x0 - b.x0)
         .map((probe) => probe.y0 + probe.channels[0].value);

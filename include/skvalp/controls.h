@@ -1,0 +1,106 @@
+/** @file
+ * Controls: what every front end offers of a stage, as tables, and what its buttons and keys do.
+ * Titles are in English; po/ has them in other languages. The tables are static.
+ */
+#ifndef SKVALP_CONTROLS_H
+#define SKVALP_CONTROLS_H
+
+#include "skvalp/stage.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct skv_limits {
+    double least_brush, largest_brush; /**< radii: shares of the world's longer side */
+    double zoom_step;                  /**< times, of a key or button */
+    int frames_a_second;               /**< of simulated time */
+    int reach;                         /**< of the bar that rewinds, frames */
+    int grip;                          /**< round a draggable point, pixels: a finger's width */
+    const char *first_scene;           /**< that a newcomer sees */
+} skv_limits;
+SKV_API const skv_limits *skv_control_limits(void);
+
+/* ---- Time ------------------------------------------------------------------------------------ */
+
+/** A number to choose; null past the last. */
+typedef struct skv_named_number {
+    const char *title;
+    double number;
+} skv_named_number;
+
+/** Speeds, simulated seconds per real second, the fastest first. */
+SKV_API const skv_named_number *skv_speed_at(int i);
+/** Sets the next of them that is faster (1) or slower (-1). */
+SKV_API void skv_control_shift_speed(skv_stage *stage, int direction);
+
+/** Pauses, and goes to a moment, or so many frames on, as far as the bar reaches. */
+SKV_API void skv_control_seek(skv_stage *stage, int64_t frame);
+SKV_API void skv_control_go(skv_stage *stage, int64_t frames);
+
+/** How a stage goes, to be said. */
+typedef struct skv_going {
+    const char *words; /**< "paused"; in "%s× of real time" `times` is wanted */
+    double times;      /**< simulated seconds per real second */
+    bool slow;         /**< the machine cannot keep up */
+} skv_going;
+SKV_API skv_going skv_control_going(const skv_stage *stage);
+/** All its words, for translators; null past the last. */
+SKV_API const char *skv_going_words(int i);
+
+/* ---- The world and its tools ----------------------------------------------------------------- */
+
+/** Gravity as on planets, upwards in m/s^2. */
+SKV_API const skv_named_number *skv_planet_at(int i);
+SKV_API void skv_control_planet(skv_stage *stage, int side, const skv_named_number *planet);
+
+/** Chooses a tool; one that dyes and is chosen already takes its next colour. */
+SKV_API void skv_control_tool(skv_stage *stage, int tool);
+/** Sets the brush's radius, m, within the limits; or makes it `factor` times as large. */
+SKV_API void skv_control_brush(skv_stage *stage, double radius);
+SKV_API void skv_control_scale_brush(skv_stage *stage, double factor);
+
+/* ---- Instruments ----------------------------------------------------------------------------- */
+
+/** An instrument that people put into the picture. */
+typedef struct skv_gauge {
+    skv_instrument_kind kind;
+    const char *title;
+    bool line;   /**< has two points */
+    bool box;    /**< which are corners of a box */
+    int channel; /**< for which it is read */
+} skv_gauge;
+/** In the order in which they are offered; null past the last. */
+SKV_API const skv_gauge *skv_gauge_at(int i);
+/** That of a kind; null if it is none of them. */
+SKV_API const skv_gauge *skv_gauge_of(skv_instrument_kind kind);
+
+/** Adds one in the middle of what the first side shows, low, where water is, and beside those that
+ * are there; 0 if nothing is open. */
+SKV_API uint32_t skv_control_add_gauge(skv_stage *stage, const skv_gauge *gauge);
+/** Drags an end of one (0 or 1) to a place, which is kept within the world. The first end takes the
+ * second with it. */
+SKV_API void skv_control_drag(skv_stage *stage, int side, uint32_t probe, int end, double x,
+                              double y);
+
+/* ---- Comparing ------------------------------------------------------------------------------- */
+
+/** What a second world differs in. */
+typedef struct skv_choice {
+    const char *name, *title;
+    const char *path, *value; /**< a setting; null: none */
+    double particles;         /**< times as many; 0: as many */
+} skv_choice;
+/** Null past the last. */
+SKV_API const skv_choice *skv_choice_at(int i);
+/** Null if there is none of that name. */
+SKV_API const skv_choice *skv_choice_named(const char *name);
+/** Compares what is open with itself, but for what the choice says. */
+SKV_API void skv_control_compare(skv_stage *stage, const skv_choice *choice);
+/** The built-in scene that is about the same as an experiment; null if there is none. */
+SKV_API const char *skv_experiment_like(const char *experiment);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

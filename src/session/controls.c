@@ -1,0 +1,278 @@
+/* Controls: tables, and what buttons and keys do to a stage. Invariant: whatever a person can
+ * choose in one front end is the same in all others. */
+#include "skvalp/controls.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/assert.h"
+
+#define COUNT(table) ((int)(sizeof(table) / sizeof *(table)))
+#define AT(table, i) ((i) >= 0 && (i) < COUNT(table) ? &(table)[i] : NULL)
+
+static const skv_limits limits = {
+    .least_brush = 0.004,
+    .largest_brush = 0.25,
+    .zoom_step = 1.25,
+    .frames_a_second = 60,
+    .reach = 30 * 60,
+    .grip = 22,
+    .first_scene = "dam-break",
+};
+
+const skv_limits *skv_control_limits(void)
+{
+    return &limits;
+}
+
+/* ---- Time ------------------------------------------------------------------------------------ */
+
+static const skv_named_number speeds[] = {
+    {"Twice as Fast", 2}, {"Real Time", 1}, {"Half", 0.5}, {"A Quarter", 0.25}, {"A Tenth", 0.1},
+};
+
+const skv_named_number *skv_speed_at(int i)
+{
+    return AT(speeds, i);
+}
+
+void skv_control_shift_speed(skv_stage *stage, int direction)
+{
+    SKV_ASSERT(stage);
+    /* One that is between two is taken for the faster. */
+    double speed = skv_stage_speed(stage) * (1 - 1e-9);
+    int at = COUNT(speeds) - 1;
+    while (at > 0 && speeds[at].number < speed)
+        at--;
+    at -= (direction > 0) - (direction < 0);
+    at = at < 0 ? 0 : at < COUNT(speeds) ? at : COUNT(speeds) - 1;
+    skv_stage_set_speed(stage, speeds[at].number);
+}
+
+void skv_control_seek(skv_stage *stage, int64_t frame)
+{
+    SKV_ASSERT(stage);
+    int64_t end = skv_stage_picture(stage, 0)->end;
+    int64_t first = end > limits.reach ? end - limits.reach : 0;
+    skv_stage_set_paused(stage, true);
+    skv_stage_seek(stage, frame < first ? first : frame < end ? frame : end);
+}
+
+void skv_control_go(skv_stage *stage, int64_t frames)
+{
+    SKV_ASSERT(stage);
+    skv_stage_go(stage, frames, limits.reach);
+}
+
+/* Below this share of its speed a scene counts as slow. */
+#define KEEPS_UP 0.95
+
+enum { BACK, PAUSED, AT_REST, REAL_TIME, TIMES };
+static const char *const going_words[] = {
+    [BACK] = "going back",     [PAUSED] = "paused",          [AT_REST] = "at rest",
+    [REAL_TIME] = "real time", [TIMES] = "%s× of real time",
+};
+
+const char *skv_going_words(int i)
+{
+    return i >= 0 && i < COUNT(going_words) ? going_words[i] : NULL;
+}
+
+skv_going skv_control_going(const skv_stage *stage)
+{
+    SKV_ASSERT_OR(stage, ((skv_going){going_words[PAUSED], 1, false}));
+    const skv_picture *picture = skv_stage_picture(stage, 0);
+    skv_stage_state now = skv_stage_now(stage);
+    bool plays = !now.seeking && !picture->paused && !now.at_rest;
+    bool slow = plays && now.pace < KEEPS_UP;
+    double times = picture->speed * (slow ? now.pace : 1);
+    int words = now.seeking       ? BACK
+                : picture->paused ? PAUSED
+                : now.at_rest     ? AT_REST
+                : times == 1      ? REAL_TIME
+                                  : TIMES;
+    return (skv_going){going_words[words], times, slow};
+}
+
+/* ---- The world and its tools ----------------------------------------------------------------- */
+
+static const skv_named_number planets[] = {
+    {"Moon", -1.62}, {"Mars", -3.71}, {"Earth", -9.81}, {"Jupiter", -24.79}};
+
+const skv_named_number *skv_planet_at(int i)
+{
+    return AT(planets, i);
+}
+
+void skv_control_planet(skv_stage *stage, int side, const skv_named_number *planet)
+{
+    SKV_ASSERT(stage && planet);
+    char text[16];
+    skv_format(text, sizeof text, "%.2f", planet->number);
+    if (skv_stage_picture(stage, side)->parameters.gravity_x != 0)
+        skv_stage_set(stage, side, "gravity.x", "0");
+    skv_stage_set(stage, side, "gravity.y", text);
+}
+
+void skv_control_tool(skv_stage *stage, int tool)
+{
+    SKV_ASSERT(stage);
+    const skv_tool *info = skv_tool_info(tool);
+    int next = skv_stage_dye(stage) + 1;
+    if (info && info->dyes && tool == skv_stage_tool(stage))
+        skv_stage_set_dye(stage, skv_dye_name(next) ? next : 0);
+    skv_stage_set_tool(stage, tool);
+}
+
+void skv_control_brush(skv_stage *stage, double radius)
+{
+    SKV_ASSERT(stage);
+    skv_camera camera = skv_stage_camera(stage, 0);
+    double size = fmax(camera.world_width, camera.world_height);
+    if (isfinite(radius))
+        skv_stage_set_brush(
+            stage, fmin(fmax(radius, limits.least_brush * size), limits.largest_brush * size));
+}
+
+void skv_control_scale_brush(skv_stage *stage, double factor)
+{
+    SKV_ASSERT(stage);
+    skv_control_brush(stage, skv_stage_picture(stage, 0)->brush * factor);
+}
+
+/* ---- Instruments ----------------------------------------------------------------------------- */
+
+static const skv_gauge gauges[] = {
+    {SKV_INSTRUMENT_PRESSURE, "Pressure", false, false, 0},
+    {SKV_INSTRUMENT_VELOCITY, "Speed", false, false, 2},
+    {SKV_INSTRUMENT_LEVEL, "Water level", true, false, 0},
+    {SKV_INSTRUMENT_RULER, "Ruler", true, false, 0},
+    {SKV_INSTRUMENT_GATE, "Flow through a gate", true, false, 0},
+    {SKV_INSTRUMENT_FORCE, "Force on walls", true, true, 1},
+};
+
+const skv_gauge *skv_gauge_at(int i)
+{
+    return AT(gauges, i);
+}
+
+const skv_gauge *skv_gauge_of(skv_instrument_kind kind)
+{
+    for (int i = 0; i < COUNT(gauges); i++)
+        if (gauges[i].kind == kind)
+            return &gauges[i];
+    return NULL;
+}
+
+static double within(double value, double most)
+{
+    return fmin(fmax(value, 0), most);
+}
+
+/* Shares of what is seen: how low the first point lies, how high a level's second one does, and how
+ * long other lines are; of the world, how far apart instruments begin, in a row of so many. */
+#define LOW     0.2
+#define HIGH    0.4
+#define LENGTH  0.3
+#define SPACING 0.05
+#define IN_ROW  8
+
+uint32_t skv_control_add_gauge(skv_stage *stage, const skv_gauge *gauge)
+{
+    SKV_ASSERT_OR(stage && gauge, 0);
+    const skv_picture *picture = skv_stage_picture(stage, 0);
+    skv_camera camera = skv_stage_camera(stage, 0);
+    if (picture->opened == 0)
+        return 0;
+    skv_instrument_def def = skv_default_instrument_def(gauge->kind);
+    double width = camera.world_width, height = camera.world_height;
+    double length = LENGTH * fmin(width, height) / camera.zoom;
+    double aside = SPACING * width * (picture->probe_count % IN_ROW - 3);
+    def.x0 = def.x1 = camera.centre_x + aside;
+    def.y0 = def.y1 = camera.centre_y - LOW * height / camera.zoom;
+    if (gauge->kind == SKV_INSTRUMENT_LEVEL) {
+        def.y1 = camera.centre_y + HIGH * height / camera.zoom;
+    } else if (gauge->kind == SKV_INSTRUMENT_GATE) {
+        def.y1 += length;
+    } else if (gauge->line) {
+        def.x1 += length;
+        def.y1 += gauge->box ? length / 2 : 0;
+    }
+    def.x0 = within(def.x0, width), def.y0 = within(def.y0, height);
+    def.x1 = within(def.x1, width), def.y1 = within(def.y1, height);
+    skv_format(def.name, sizeof def.name, "%s", skv_instrument_kind_name(gauge->kind));
+    return skv_stage_add_probe(stage, &def);
+}
+
+void skv_control_drag(skv_stage *stage, int side, uint32_t probe, int end, double x, double y)
+{
+    SKV_ASSERT(stage);
+    const skv_probe *dragged = skv_stage_probe(stage, side, probe);
+    if (!dragged || !isfinite(x) || !isfinite(y))
+        return;
+    skv_camera camera = skv_stage_camera(stage, side);
+    const skv_instrument_def *def = &dragged->def;
+    x = within(x, camera.world_width), y = within(y, camera.world_height);
+    if (end)
+        skv_stage_move_probe(stage, probe, def->x0, def->y0, x, y);
+    else
+        skv_stage_move_probe(stage, probe, x, y, def->x1 + x - def->x0, def->y1 + y - def->y0);
+}
+
+/* ---- Comparing ------------------------------------------------------------------------------- */
+
+static const skv_choice choices[] = {
+    {"same", "The same, to be changed", NULL, NULL, 0},
+    {"water", "Water", "fluid.material", "water", 0},
+    {"oil", "Oil", "fluid.material", "oil", 0},
+    {"honey", "Honey", "fluid.material", "honey", 0},
+    {"mercury", "Mercury", "fluid.material", "mercury", 0},
+    {"clavet", "The pressure law as in the thesis", "fluid.law", "clavet", 0},
+    {"finer", "Four times as many particles", NULL, NULL, 4},
+    {"coarser", "A quarter of the particles", NULL, NULL, 0.25},
+};
+
+const skv_choice *skv_choice_at(int i)
+{
+    return AT(choices, i);
+}
+
+const skv_choice *skv_choice_named(const char *name)
+{
+    SKV_ASSERT_OR(name, NULL);
+    for (int i = 0; i < COUNT(choices); i++)
+        if (strcmp(choices[i].name, name) == 0)
+            return &choices[i];
+    return NULL;
+}
+
+void skv_control_compare(skv_stage *stage, const skv_choice *choice)
+{
+    SKV_ASSERT(stage && choice);
+    const skv_picture *picture = skv_stage_picture(stage, 0);
+    const skv_setting setting = {choice->path, choice->value};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = choice->path ? &setting : NULL;
+    options.setting_count = choice->path ? 1 : 0;
+    if (choice->particles > 0) {
+        int count =
+            picture->scene ? skv_scene_particles(picture->scene) : picture->frame.particles.count;
+        options.particles = (int)fmax(count * choice->particles, 1);
+    }
+    skv_stage_compare(stage, &options);
+}
+
+static const char *const alike[][2] = {
+    {"hydrostatics", "pool"}, {"rest", "pool"},     {"dam-break", "dam-break"},
+    {"slosh", "waves"},       {"u-tube", "u-tube"}, {"vessels", "communicating"},
+    {"viscosity", "splash"},
+};
+
+const char *skv_experiment_like(const char *experiment)
+{
+    SKV_ASSERT_OR(experiment, NULL);
+    for (int i = 0; i < COUNT(alike); i++)
+        if (strcmp(alike[i][0], experiment) == 0)
+            return alike[i][1];
+    return NULL;
+}

@@ -1,0 +1,236 @@
+/* What every front end offers: that the tables are whole and their entries work, and what buttons
+ * and keys do to a stage. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <skvalp/controls.h>
+#include <skvalp/parameters.h>
+
+#include "support.h"
+
+/* What controls do goes out from the pictures that the face has looked at. */
+static skv_stage *open_pool(int particles)
+{
+    skv_stage *stage = stage_open_pool(particles, false);
+    stage_look(stage, 0);
+    return stage;
+}
+
+static void pass_frames(skv_stage *stage, int frames)
+{
+    stage_pass_frames(stage, frames);
+    stage_look(stage, 0);
+}
+
+static void test_speeds(void **state)
+{
+    (void)state;
+    skv_stage *stage = open_pool(200);
+    const skv_named_number *speed;
+    int count = 0;
+    for (; (speed = skv_speed_at(count)); count++) {
+        skv_stage_set_speed(stage, speed->number);
+        assert_true(skv_stage_speed(stage) == speed->number); /* each can be had */
+        assert_true(count == 0 || speed->number < skv_speed_at(count - 1)->number);
+    }
+    assert_int_equal(count, 5);
+    assert_null(skv_speed_at(-1));
+    static const double slower[][2] = {{2, 1}, {1, 0.5}, {0.3, 0.25}, {0.1, 0.1}, {0.05, 0.1}};
+    static const double faster[][2] = {{0.1, 0.25}, {0.3, 1}, {1, 2}, {2, 2}};
+    for (size_t i = 0; i < sizeof slower / sizeof *slower; i++) {
+        skv_stage_set_speed(stage, slower[i][0]);
+        skv_control_shift_speed(stage, -1);
+        assert_true(skv_stage_speed(stage) == slower[i][1]);
+    }
+    for (size_t i = 0; i < sizeof faster / sizeof *faster; i++) {
+        skv_stage_set_speed(stage, faster[i][0]);
+        skv_control_shift_speed(stage, 1);
+        assert_true(skv_stage_speed(stage) == faster[i][1]);
+    }
+    skv_stage_destroy(stage);
+}
+
+static void test_going(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 5; i++)
+        assert_non_null(skv_going_words(i));
+    assert_null(skv_going_words(5));
+    skv_stage *stage = open_pool(200);
+    skv_stage_set_gravity(stage, 0, 1, 0); /* it moves */
+    pass_frames(stage, 5);
+    assert_string_equal(skv_control_going(stage).words, "real time");
+    skv_stage_set_speed(stage, 0.25);
+    pass_frames(stage, 1);
+    skv_going going = skv_control_going(stage);
+    assert_string_equal(going.words, "%s× of real time");
+    assert_true(going.times == 0.25 && !going.slow);
+    skv_stage_set_paused(stage, true);
+    stage_look(stage, 0);
+    assert_string_equal(skv_control_going(stage).words, "paused");
+    skv_stage_destroy(stage);
+}
+
+static void test_time(void **state)
+{
+    (void)state;
+    const skv_limits *limits = skv_control_limits();
+    skv_stage *stage = open_pool(100);
+    pass_frames(stage, 20);
+    skv_control_seek(stage, 10);
+    assert_int_equal(stage_moment(stage), 10);
+    assert_true(skv_stage_paused(stage));
+    skv_control_go(stage, -3);
+    assert_int_equal(stage_moment(stage), 7);
+    skv_control_seek(stage, -5);
+    assert_int_equal(stage_moment(stage), 0);
+    skv_control_seek(stage, 1000);
+    assert_int_equal(stage_moment(stage), 20);
+    for (int i = 0; i < limits->reach; i++)
+        skv_stage_step_once(stage);
+    stage_look(stage, 0);
+    skv_control_seek(stage, 3);
+    assert_int_equal(stage_moment(stage), 20);
+    skv_stage_destroy(stage);
+}
+
+static void test_planets_and_tools(void **state)
+{
+    (void)state;
+    skv_stage *stage = open_pool(100);
+    const skv_limits *limits = skv_control_limits();
+    const skv_named_number *planet;
+    int count = 0;
+    skv_stage_set(stage, 0, "gravity.x", "3");
+    for (; (planet = skv_planet_at(count)); count++) {
+        stage_look(stage, 0);
+        skv_control_planet(stage, 0, planet);
+        const skv_picture *picture = stage_look(stage, 0);
+        assert_true(fabs(picture->parameters.gravity_y - planet->number) < 1e-6);
+        assert_true(picture->parameters.gravity_x == 0);
+    }
+    assert_int_equal(count, 4);
+    skv_camera camera = skv_stage_camera(stage, 0);
+    double size = fmax(camera.world_width, camera.world_height);
+    skv_control_brush(stage, 0.05);
+    stage_look(stage, 0);
+    skv_control_scale_brush(stage, 2);
+    assert_true(fabs(stage_look(stage, 0)->brush - 0.1) < 1e-9);
+    skv_control_scale_brush(stage, 1e9);
+    assert_true(fabs(stage_look(stage, 0)->brush - limits->largest_brush * size) < 1e-9);
+    skv_control_brush(stage, -1);
+    assert_true(fabs(stage_look(stage, 0)->brush - limits->least_brush * size) < 1e-9);
+    skv_control_brush(stage, (double)NAN);
+    assert_true(stage_look(stage, 0)->brush > 0);
+    int dyes = 0, tool = 0;
+    while (skv_dye_name(dyes))
+        dyes++;
+    while (!skv_tool_info(tool)->dyes)
+        tool++;
+    int first = skv_stage_dye(stage);
+    skv_control_tool(stage, tool);
+    assert_int_equal(skv_stage_dye(stage), first);
+    for (int i = 1; i <= dyes; i++) {
+        skv_control_tool(stage, tool);
+        assert_int_equal(skv_stage_dye(stage), (first + i) % dyes);
+    }
+    assert_int_equal(skv_stage_tool(stage), tool);
+    skv_stage_destroy(stage);
+}
+
+static bool is_inside(const skv_camera *camera, double x, double y)
+{
+    return x >= 0 && y >= 0 && x <= camera->world_width && y <= camera->world_height;
+}
+
+static void test_gauges(void **state)
+{
+    (void)state;
+    skv_stage *stage = open_pool(200);
+    const skv_gauge *gauge;
+    int count = 0;
+    for (; (gauge = skv_gauge_at(count)); count++) {
+        assert_ptr_equal(skv_gauge_of(gauge->kind), gauge);
+        assert_non_null(skv_instrument_channel(gauge->kind, gauge->channel));
+        assert_true(gauge->line || !gauge->box);
+        uint32_t id = skv_control_add_gauge(stage, gauge);
+        stage_look(stage, 0);
+        const skv_probe *probe = skv_stage_probe(stage, 0, id);
+        skv_camera camera = skv_stage_camera(stage, 0);
+        assert_non_null(probe);
+        assert_string_equal(probe->def.name, skv_instrument_kind_name(gauge->kind));
+        assert_true(is_inside(&camera, probe->def.x0, probe->def.y0));
+        assert_true(is_inside(&camera, probe->def.x1, probe->def.y1));
+        double length = hypot(probe->def.x1 - probe->def.x0, probe->def.y1 - probe->def.y0);
+        assert_true(gauge->line ? length > 0.1 : length == 0);
+        assert_true(!gauge->box || probe->def.y1 > probe->def.y0);
+        /* The first end takes the second with it; the second goes alone. */
+        double wide = probe->def.x1 - probe->def.x0, high = probe->def.y1 - probe->def.y0;
+        skv_control_drag(stage, 0, id, 0, 0.3, 0.2);
+        stage_look(stage, 0);
+        probe = skv_stage_probe(stage, 0, id);
+        assert_true(probe->def.x0 == 0.3 && probe->def.y0 == 0.2);
+        assert_true(fabs(probe->def.x1 - 0.3 - wide) + fabs(probe->def.y1 - 0.2 - high) < 1e-9);
+        skv_control_drag(stage, 0, id, 1, -1, 1e9);
+        skv_control_drag(stage, 0, id, 1, (double)NAN, 0);
+        stage_look(stage, 0);
+        probe = skv_stage_probe(stage, 0, id);
+        assert_true(probe->def.x0 == 0.3 && probe->def.x1 == 0);
+        assert_true(probe->def.y1 == camera.world_height);
+    }
+    assert_int_equal(count, 6);
+    assert_null(skv_gauge_of(SKV_INSTRUMENT_ENERGY));
+    /* Two of a kind do not hide each other. */
+    uint32_t one = skv_control_add_gauge(stage, skv_gauge_at(0));
+    stage_look(stage, 0);
+    double x = skv_stage_probe(stage, 0, one)->def.x0;
+    uint32_t two = skv_control_add_gauge(stage, skv_gauge_at(0));
+    stage_look(stage, 0);
+    assert_true(fabs(skv_stage_probe(stage, 0, two)->def.x0 - x) > 0.02);
+    skv_control_drag(stage, 0, 99, 0, 0, 0); /* there is none */
+    skv_stage_destroy(stage);
+}
+
+static void test_choices(void **state)
+{
+    (void)state;
+    const skv_choice *choice;
+    int count = 0;
+    for (; (choice = skv_choice_at(count)); count++) {
+        assert_ptr_equal(skv_choice_named(choice->name), choice);
+        skv_stage *stage = open_pool(400);
+        int before = stage_look(stage, 0)->frame.particles.count;
+        skv_control_compare(stage, choice);
+        assert_string_equal(stage_compared(stage).error.text, "");
+        const skv_picture *other = stage_look(stage, 1);
+        assert_int_equal(skv_stage_sides(stage), 2);
+        double times = choice->particles > 0 ? choice->particles : 1;
+        assert_true(fabs(other->frame.particles.count / (before * times) - 1) < 0.3);
+        if (choice->path) {
+            char text[64];
+            skv_world_def_get(&other->parameters, choice->path, text, sizeof text, NULL);
+            assert_string_equal(text, choice->value);
+        }
+        skv_stage_destroy(stage);
+    }
+    assert_int_equal(count, 8);
+    assert_null(skv_choice_named("syrup"));
+    assert_string_equal(skv_experiment_like("slosh"), "waves");
+    assert_null(skv_experiment_like("nothing"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_speeds), cmocka_unit_test(test_going),
+        cmocka_unit_test(test_time),   cmocka_unit_test(test_planets_and_tools),
+        cmocka_unit_test(test_gauges), cmocka_unit_test(test_choices),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
