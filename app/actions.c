@@ -5,6 +5,7 @@
 #include "compare.h"
 #include "files.h"
 #include "input.h"
+#include "keys.h"
 #include "preferences.h"
 #include "sensor.h"
 #include "share.h"
@@ -268,54 +269,6 @@ static void update_states(PlayWindow *window)
     set_enabled(window, "redo", now.can_redo);
 }
 
-/* Keys without Ctrl must not take letters from what is typed into: they come last. */
-static void add_keys(PlayWindow *window)
-{
-    static const struct {
-        const char *trigger, *action;
-    } keys[] = {
-        {"space", "win.pause"},
-        {"period|s", "win.step"},
-        {"comma", "win.go(-1)"},
-        {"r", "win.reset"},
-        {"minus|KP_Subtract", "win.change-speed(-1)"},
-        {"plus|equal|KP_Add", "win.change-speed(1)"},
-        {"0|KP_0", "win.weightless"},
-        {"t", "win.overlay-tracers"},
-        {"v", "win.next-view"},
-        {"c", "win.toggle-compare"},
-        {"g", "win.gallery"},
-        {"p", "win.properties"},
-        {"k", "win.keyboard-hand"},
-        {"m", "win.measure(0)"},
-        {"w", "win.stopwatch(false)"},
-        {"l", "win.stopwatch(true)"},
-        {"bracketleft", "win.brush(0.8)"},
-        {"bracketright", "win.brush(1.25)"},
-        {"Escape", "win.dismiss"},
-    };
-    GtkEventController *controller = gtk_shortcut_controller_new();
-    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++) {
-        GVariant *target = NULL;
-        char *name = NULL;
-        g_action_parse_detailed_name(keys[i].action, &name, &target, NULL);
-        GtkShortcut *shortcut = gtk_shortcut_new(gtk_shortcut_trigger_parse_string(keys[i].trigger),
-                                                 gtk_named_action_new(name));
-        gtk_shortcut_set_arguments(shortcut, target);
-        gtk_shortcut_controller_add_shortcut(GTK_SHORTCUT_CONTROLLER(controller), shortcut);
-        g_clear_pointer(&target, g_variant_unref);
-        g_free(name);
-    }
-    const skv_tool *tool;
-    for (int i = 0; (tool = skv_tool_info(i)); i++) {
-        GtkShortcut *shortcut = gtk_shortcut_new(gtk_keyval_trigger_new((guint)tool->key, 0),
-                                                 gtk_named_action_new("win.tool"));
-        gtk_shortcut_set_arguments(shortcut, g_variant_new_int32(i));
-        gtk_shortcut_controller_add_shortcut(GTK_SHORTCUT_CONTROLLER(controller), shortcut);
-    }
-    gtk_widget_add_controller(GTK_WIDGET(window), controller);
-}
-
 void play_actions_add(PlayWindow *window)
 {
     g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
@@ -326,33 +279,9 @@ void play_actions_add(PlayWindow *window)
     add_sensor(window);
     play_views_add(G_ACTION_MAP(window), play_window_view(window));
     play_preferences_apply(play_window_view(window), play_window_ball(window));
-    add_keys(window);
+    play_keys_add(GTK_APPLICATION_WINDOW(window));
     g_signal_connect_object(play_window_view(window), "changed", G_CALLBACK(update_states), window,
                             G_CONNECT_SWAPPED);
     g_signal_connect(window, "notify::fullscreened", G_CALLBACK(update_states), NULL);
     update_states(window);
-}
-
-void play_actions_set_keys(GtkApplication *application)
-{
-    static const struct {
-        const char *action;
-        const char *keys[4];
-    } shortcuts[] = {
-        {"win.fullscreen", {"F11"}},
-        {"win.open", {"<Control>o"}},
-        {"win.save", {"<Control>s"}},
-        {"win.screenshot", {"<Control>p"}},
-        {"win.record", {"<Control>r"}},
-        {"win.share", {"<Control><Shift>c"}},
-        {"win.paste", {"<Control>v"}},
-        {"win.undo", {"<Control>z"}},
-        {"win.redo", {"<Control><Shift>z", "<Control>y"}},
-        {"win.zoom(1.0)", {"<Control>plus", "<Control>equal", "<Control>KP_Add"}},
-        {"win.zoom(-1.0)", {"<Control>minus", "<Control>KP_Subtract"}},
-        {"win.zoom(0.0)", {"<Control>0", "<Control>KP_0"}},
-        {"window.close", {"<Control>w"}},
-    };
-    for (size_t i = 0; i < G_N_ELEMENTS(shortcuts); i++)
-        gtk_application_set_accels_for_action(application, shortcuts[i].action, shortcuts[i].keys);
 }

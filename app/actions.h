@@ -7,7 +7,4 @@
 /* Adds the "win." actions to a window, whose states follow the session from then on. */
 void play_actions_add(PlayWindow *window);
 
-/* Gives the application the keys of the shortcuts window (arrows are the view's own). */
-void play_actions_set_keys(GtkApplication *application);
-
 #endif

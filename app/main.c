@@ -22,9 +22,8 @@ enum { NO_DISPLAY = 3 };
     "In the window: hold fluid with the mouse or with several fingers; arrow keys turn\n"          \
     "gravity; Space pauses, the bar goes back in time; Ctrl+? lists all keys.\n"
 
-static void on_startup(GtkApplication *application)
+static void on_startup(void)
 {
-    play_actions_set_keys(application);
     play_quit_add();
 }
 

@@ -128,6 +128,13 @@ static void print_controls(void)
         print_text(choice->title, "what a world is compared with");
     for (int i = 0; (gauge = skv_gauge_at(i)); i++)
         print_text(gauge->title, "an instrument");
+    const skv_key *key;
+    for (int i = 0; (key = skv_key_at(i)); i++) {
+        print_text(key->section, "a section of the table of keys");
+        print_text(key->title, "what a key does");
+        if (strlen(key->key) > 1 && !strchr(key->key, '+'))
+            print_text(key->key, "a key, or a gesture");
+    }
     for (int i = 0; skv_going_words(i); i++)
         print_text(skv_going_words(i), "how the water goes");
 }

@@ -100,6 +100,20 @@ SKV_API void skv_control_compare(skv_stage *stage, const skv_choice *choice);
 /** The built-in scene that is about the same as an experiment; null if there is none. */
 SKV_API const char *skv_experiment_like(const char *experiment);
 
+/* ---- Keys ------------------------------------------------------------------------------------ */
+
+/** A key, or a gesture, and what it does. Those of one title stand together: a row of a table. */
+typedef struct skv_key {
+    const char *section;  /**< of the table */
+    const char *title;    /**< null: it is in no table */
+    const char *key;      /**< "Space", "s", "Ctrl+Shift+z", "Left"; or a gesture in words */
+    const char *action;   /**< null: a gesture, or what is held, such as an arrow */
+    const char *argument; /**< of the action: a number, or true or false; null: none */
+    bool repeats;         /**< while it is held */
+} skv_key;
+/** Null past the last. The keys of tools are in skv_tool_info. */
+SKV_API const skv_key *skv_key_at(int i);
+
 #ifdef __cplusplus
 }
 #endif

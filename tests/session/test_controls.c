@@ -225,12 +225,39 @@ static void test_choices(void **state)
     assert_null(skv_experiment_like("nothing"));
 }
 
+static void test_keys(void **state)
+{
+    (void)state;
+    const skv_key *key, *before = NULL;
+    const skv_tool *tool;
+    int count = 0;
+    for (; (key = skv_key_at(count)); before = key, count++) {
+        assert_non_null(key->section);
+        assert_true(key->title || key->action);
+        for (int i = 0; i < count; i++) { /* each is there once, or is an arrow that is held */
+            const skv_key *other = skv_key_at(i);
+            assert_true(strcmp(other->key, key->key) != 0);
+            /* Sections and rows are not torn apart. */
+            assert_true(strcmp(other->section, key->section) != 0 || !before ||
+                        strcmp(before->section, key->section) == 0);
+            assert_true(!other->title || !key->title || strcmp(other->title, key->title) != 0 ||
+                        (before->title && strcmp(before->title, key->title) == 0) ||
+                        strcmp(other->section, key->section) != 0);
+        }
+        for (int i = 0; (tool = skv_tool_info(i)); i++)
+            assert_true(key->key[0] != tool->key || key->key[1]);
+    }
+    assert_true(count > 40);
+    assert_null(skv_key_at(-1));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_speeds), cmocka_unit_test(test_going),
         cmocka_unit_test(test_time),   cmocka_unit_test(test_planets_and_tools),
         cmocka_unit_test(test_gauges), cmocka_unit_test(test_choices),
+        cmocka_unit_test(test_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

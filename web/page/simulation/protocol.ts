@@ -7,7 +7,7 @@
 // comes as a report.
 
 import type {
-    skv_choice, skv_experiment, skv_gauge, skv_going, skv_limits, skv_named_number, skv_numerals,
+    skv_choice, skv_experiment, skv_gauge, skv_going, skv_key, skv_limits, skv_named_number, skv_numerals,
     skv_scene_info, skv_tool,
 } from '../../src/interface.js';
 
@@ -272,6 +272,7 @@ export interface Catalogue {
     choices: Plain<skv_choice>[];
     speeds: Plain<skv_named_number>[];
     planets: Plain<skv_named_number>[];
+    keys: Plain<skv_key>[];
     limits: Plain<skv_limits>;
     /** What can be set while it runs, and what a scene or an experiment can be opened with. */
     parameters: Field[];

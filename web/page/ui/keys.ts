@@ -13,45 +13,34 @@ import { openLinkText, shareLink } from './sharing';
 import { saveFile } from './files';
 import { toggleFullscreen } from './device';
 
-/** Keys that do something by themselves. */
-const plain: Record<string, () => void> = {
-    ' ': togglePause,
-    '.': step,
-    s: step,
-    ',': () => simulation.seekBy(-1),
-    r: () => simulation.reset(),
-    '-': () => simulation.shiftSpeed(-1),
-    '+': () => simulation.shiftSpeed(1),
-    '=': () => simulation.shiftSpeed(1),
-    '0': () => simulation.setGravity(0, 0),
-    t: () => toggleOverlay('tracers'),
-    v: nextView,
-    c: () => (compared.value ? simulation.compare(null) : showPanel('compare')),
-    g: () => togglePanel('scenes'),
-    p: () => togglePanel('properties'),
-    k: toggleKeyboardHand,
-    m: () => simulation.addGauge(catalogue.gauges[0].kind),
-    w: () => simulation.pressStopwatch(false),
-    l: () => simulation.pressStopwatch(true),
-    '[': () => simulation.scaleBrush(0.8),
-    ']': () => simulation.scaleBrush(1.25),
-    f: toggleFullscreen,
-    '?': () => togglePanel('keys'),
-};
-
-/** Keys with Ctrl, or with the command key. */
-const withCtrl: Record<string, () => void> = {
-    z: () => simulation.undo(),
-    Z: () => simulation.redo(),
-    y: () => simulation.redo(),
-    C: () => void shareLink(),
-    o: () => showPanel('scenes'),
-    s: () => void saveFile('skvr'),
-    p: () => void saveFile('png'),
-    '+': () => zoom(1),
-    '=': () => zoom(1),
-    '-': () => zoom(-1),
-    '0': () => zoom(0),
+/** What a key does: the actions of the library's table that the page has. */
+export const actions: Record<string, ((argument: string) => void) | null> = {
+    pause: togglePause,
+    step,
+    go: (frames) => simulation.seekBy(Number(frames)),
+    reset: () => simulation.reset(),
+    'change-speed': (direction) => simulation.shiftSpeed(Number(direction)),
+    undo: () => simulation.undo(),
+    redo: () => simulation.redo(),
+    stopwatch: (lap) => simulation.pressStopwatch(lap === 'true'),
+    brush: (factor) => simulation.scaleBrush(Number(factor)),
+    measure: (kind) => simulation.addGauge(Number(kind)),
+    'keyboard-hand': toggleKeyboardHand,
+    weightless: () => simulation.setGravity(0, 0),
+    'next-view': nextView,
+    'overlay-tracers': () => toggleOverlay('tracers'),
+    zoom: (steps) => zoom(Number(steps)),
+    fullscreen: toggleFullscreen,
+    gallery: () => togglePanel('scenes'),
+    properties: () => togglePanel('properties'),
+    open: () => showPanel('scenes'),
+    save: () => void saveFile('skvr'),
+    screenshot: () => void saveFile('png'),
+    'toggle-compare': () => (compared.value ? simulation.compare(null) : showPanel('compare')),
+    share: () => void shareLink(),
+    paste: null, // the browser does it: onPaste
+    dismiss: leave,
+    'show-help-overlay': () => togglePanel('keys'),
 };
 
 const arrows: Record<string, [number, number]> = {
@@ -68,15 +57,22 @@ effect(() => {
         closed = false;
 });
 
-/** What is done again while its key is held; all else once. */
-const repeating = new Set([',', '.', 's', '-', '+', '=', '[', ']', 'z', 'Z', 'y']);
+/** As the library's table names it: "Space", "Ctrl+Shift+z". */
+function nameOf({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
+    const letter = /^[a-z]$/i.test(key);
+    const name = letter ? key.toLowerCase() : key === ' ' ? 'Space' : key;
+    return `${ctrlKey || metaKey ? 'Ctrl+' : ''}${letter && shiftKey ? 'Shift+' : ''}${name}`;
+}
 
-function act(event: KeyboardEvent, action: (() => void) | undefined): void {
-    if (!action)
+/** Does what a key is for. */
+function act(event: KeyboardEvent): void {
+    const name = nameOf(event);
+    const known = catalogue.keys.find(({ key, action }) => key === name && action && actions[action]);
+    if (!known)
         return;
     event.preventDefault();
-    if (!event.repeat || repeating.has(event.key))
-        action();
+    if (!event.repeat || known.repeats)
+        actions[known.action]!(known.argument);
 }
 
 /** The hand moves while arrows are held; gravity points where they point, and stays there. */
@@ -137,7 +133,9 @@ function onPlain(event: KeyboardEvent): void {
         return;
     }
     const tool = catalogue.tools.findIndex((known) => known.key === event.key);
-    act(event, tool >= 0 ? () => simulation.chooseTool(tool) : plain[event.key]);
+    if (tool >= 0 && !event.repeat)
+        simulation.chooseTool(tool);
+    act(event);
 }
 
 function onDown(event: KeyboardEvent): void {
@@ -150,7 +148,7 @@ function onDown(event: KeyboardEvent): void {
     if (isTaken(event) || event.altKey)
         return;
     if (event.ctrlKey || event.metaKey) {
-        act(event, withCtrl[event.key]);
+        act(event);
         return;
     }
     if (preferences.value.keys || event.key in arrows)
