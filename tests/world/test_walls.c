@@ -1,6 +1,7 @@
 /* Water at rest on slanted and curved walls, black and white or smooth: staircases neither make it
  * creep nor heat it, and no layer is stacked on them. */
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -119,6 +120,8 @@ static void staircases_neither_creep_nor_heat(void **unused)
     (void)unused;
     const double angles[] = {10, 30, 45};
     for (int a = 0; a < 3; a++) {
+        if (angles[a] != 30 && !long_tests())
+            continue;
         float level = 0.5f;
         skv_world *world = pool_on(slope, angles[a], false, level);
         fixture_run(world, FIXTURE_SWING(6));
@@ -146,6 +149,8 @@ static void no_layer_is_stacked_on_any_wall(void **unused)
         {"hill of 0.3 m", hill, 0.3},
     };
     for (size_t i = 0; i < sizeof floors / sizeof *floors; i++) {
+        if (i % 2 == 0 && !long_tests())
+            continue;
         for (int smooth = 0; smooth < 2; smooth++) {
             skv_world *world = pool_on(floors[i].floor, floors[i].parameter, smooth, 0.5f);
             fixture_run(world, FIXTURE_SWING(6));
