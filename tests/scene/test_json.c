@@ -78,7 +78,7 @@ static const mistake mistakes[] = {
     {"{\"title\": \"\xc2\x9b\"}", SKV_ERROR_VALUE,
      "a.json:1: title: \"?\" holds a control character; allowed is text of at most 100 bytes"},
     {"{\"name\": \"\\u009b2J\"}", SKV_ERROR_VALUE,
-     "a.json:1: name: \"?2J\" holds a control character; allowed is text of at most 100 bytes"},
+     "a.json:1: name: \"?2J\" holds a control character; allowed is text of at most 64 bytes"},
     {"{\"description\": \"\\u202e\"}", SKV_ERROR_VALUE,
      "a.json:1: description: \"?\" holds a control character; allowed is text of at most 1000 "
      "bytes"},
