@@ -61,7 +61,26 @@ static int try_to_go_on(skv_world *world)
     return misuses - before;
 }
 
-enum { GOES_ON = 7, CHANGES = 15 };
+enum { GOES_ON = 7, CHANGES = 25 };
+
+/* The names of a hand, a force, an emitter and a drain, which are added unless that is refused. */
+static void name_one_each(skv_world *world, skv_acting_id names[SKV_ACTING_DRAIN + 1])
+{
+    const skv_hand hand = skv_default_hand();
+    const skv_force force = {.area = skv_box(0, 0, 1, 1)};
+    const skv_emitter emitter = {.x = 1, .y = 0.7f, .width = 0.1f};
+    const skv_drain drain = {.area = skv_box(1.5f, 0, 1.6f, 0.02f)};
+    for (int kind = 0; kind <= SKV_ACTING_DRAIN; kind++)
+        names[kind] = skv_world_acting_id(world, (skv_acting_kind)kind, 0);
+    if (!names[SKV_ACTING_HAND])
+        skv_world_add_hand(world, &hand, &names[SKV_ACTING_HAND], NULL);
+    if (!names[SKV_ACTING_FORCE])
+        skv_world_add_force(world, &force, &names[SKV_ACTING_FORCE], NULL);
+    if (!names[SKV_ACTING_EMITTER])
+        skv_world_add_emitter(world, &emitter, &names[SKV_ACTING_EMITTER], NULL);
+    if (!names[SKV_ACTING_DRAIN])
+        skv_world_add_drain(world, &drain, &names[SKV_ACTING_DRAIN], NULL);
+}
 
 /* What changes the world, one call of each; returns how many were refused. */
 static int try_to_change(skv_world *world)
@@ -77,6 +96,9 @@ static int try_to_change(skv_world *world)
     const skv_force force = {.area = skv_box(0, 0, 1, 1), .ax = 1};
     const skv_emitter emitter = {.x = 1, .y = 0.7f, .vy = -1, .width = 0.1f};
     const skv_drain drain = {.area = skv_box(1.5f, 0, 1.6f, 0.02f)};
+    const float place = 0.75f;
+    skv_acting_id names[SKV_ACTING_DRAIN + 1];
+    name_one_each(world, names);
     int before = misuses;
     const skv_result results[CHANGES] = {
         skv_world_add_particle(world, 0.7f, 0.7f, 0, 0, NULL),
@@ -94,6 +116,16 @@ static int try_to_change(skv_world *world)
         skv_world_set_emitters(world, &emitter, 1, NULL),
         skv_world_set_drains(world, &drain, 1, NULL),
         skv_world_set(world, "fluid.viscosity", "0.0001", NULL),
+        skv_world_set_number(world, skv_world_parameter("fluid.adhesion"), 0.5, NULL),
+        skv_world_set_positions(world, &id, 1, &place, &place, NULL),
+        skv_world_add_hand(world, &hand, NULL, NULL),
+        skv_world_add_force(world, &force, NULL, NULL),
+        skv_world_add_emitter(world, &emitter, NULL, NULL),
+        skv_world_add_drain(world, &drain, NULL, NULL),
+        skv_world_change_hand(world, names[SKV_ACTING_HAND], &hand, NULL),
+        skv_world_change_force(world, names[SKV_ACTING_FORCE], &force, NULL),
+        skv_world_change_emitter(world, names[SKV_ACTING_EMITTER], &emitter, NULL),
+        skv_world_change_drain(world, names[SKV_ACTING_DRAIN], &drain, NULL),
     };
     int refused = misuses - before;
     for (int i = 0; i < CHANGES; i++)
