@@ -102,10 +102,12 @@ skv_result skv_scene_create_world(const skv_scene *scene, int threads, skv_world
     SKV_ASSERT_OR(scene != NULL, SKV_ERROR_VALUE);
     skv_world_def def = skv_scene_world_def(scene);
     def.threads = threads;
-    skv_result result = skv_world_create(&def, world, error);
+    skv_error cause;
+    skv_result result = skv_world_create(&def, world, &cause);
     if (result != SKV_OK) {
         skv_terrain_destroy(def.terrain);
-        return result;
+        const char *file = scene->files[0] ? scene->files[0] : scene->name;
+        return skv_fail(error, result, "%s: %s", file, cause.text);
     }
     result = skv_scene_fill(scene, *world, error);
     if (result != SKV_OK) {

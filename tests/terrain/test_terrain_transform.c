@@ -200,7 +200,7 @@ static void dense_walls_take_no_more_steps(void **state)
         float *field = calloc(pixels, sizeof *field);
         uint64_t steps = 0;
         assert_int_equal(skv_distance_fill(&coverage, 1, NULL, field, &steps, NULL), SKV_OK);
-        if (steps > pixels * (kind >= HOLES ? 110 : 40) || steps < pixels)
+        if (steps > pixels * (kind >= HOLES ? 110 : 50) || steps < pixels)
             fail_msg("kind %d: %.1f steps a pixel", kind, (double)steps / (double)pixels);
         free(field);
         free(coverage.bytes);
