@@ -118,6 +118,7 @@ sed -i '1i build/release/skvalp run no-such-scene' "$work/copy/README.md"
 bites test_readme.sh "a command that fails" "no-such-scene' fails"
 
 # shellcheck disable=SC2016  # the backquotes are the page's
+# shellcheck disable=SC2016  # the backquotes are Markdown's
 printf '%s\n' '[nowhere](docs/nowhere.md)' '`src/base/sin.c`' '`skv_world_sin`' '`skvalp lab sin`' \
     '`skvalp run sin`' '`skvalp run pool --sin`' '`sin.of=1`' >>"$work/copy/README.md"
 sed -i 's/model.md#substeps/model.md#sin/' "$work/copy/docs/performance.md"
@@ -125,6 +126,7 @@ sed -i 's/^\(#define SPEED_OF_SOUND *\)0.78/\10.79/' "$work/copy/src/world/const
 sed -i 's/,65\.2[0-9]*,/,65.9,/' "$work/copy/bench/results/amd-epyc.csv"
 sed -i '/^| slosh | period /s/ 0\.99[0-9] / 0.979 /' "$work/copy/docs/lab.md"
 sed -i '/lab.momentum.md/d' "$work/copy/docs/lab.md"
+# shellcheck disable=SC2016
 sed -i 's/`warm_push`/`warm_sin`/' "$work/copy/docs/model.md"
 sed -i '/the-lattice.md/d' "$work/copy/docs/notebook/README.md"
 printf '/* docs/model.md, "A sin" */\n' >>"$work/copy/src/base/memory.c"
