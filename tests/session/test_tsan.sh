@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The session under ThreadSanitizer: both threads at once, with everything that a face can ask for.
+# The stage under ThreadSanitizer: its threads at once, with everything that a face can ask for.
 # With SKV_LONG_TESTS=1 all programs of the session that have two; none in a long form of its own,
 # since the sanitizer makes each of them take twenty times as long.
 # Arguments: build folder, source folder.
@@ -13,7 +13,7 @@ if grep -q 'CMAKE_C_FLAGS:STRING=.*-fsanitize' "$build/CMakeCache.txt"; then
     exit
 fi
 programs=(test_stress)
-[[ ${SKV_LONG_TESTS:-0} != 1 ]] || programs+=(test_session test_tools test_threads test_pair test_sharing)
+[[ ${SKV_LONG_TESTS:-0} != 1 ]] || programs+=(test_session test_tools test_threads test_stage test_time test_sharing)
 unset SKV_LONG_TESTS
 cmake -S "$source" -B "$build/tsan" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DSKVALP_APP=OFF \
     "-DCMAKE_C_COMPILER=$(sed -n 's/^CMAKE_C_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")" \
