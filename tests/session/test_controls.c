@@ -81,6 +81,7 @@ static void test_time(void **state)
 {
     (void)state;
     const skv_limits *limits = skv_control_limits();
+    assert_int_equal(limits->reach, 30 * 60); /* half a minute, as the bar's hint says */
     skv_stage *stage = open_pool(100);
     pass_frames(stage, 20);
     skv_control_seek(stage, 10);
@@ -114,6 +115,8 @@ static void test_planets_and_tools(void **state)
         const skv_picture *picture = stage_look(stage, 0);
         assert_true(fabs(picture->parameters.gravity_y - planet->number) < 1e-6);
         assert_true(picture->parameters.gravity_x == 0);
+        static const double wanted[] = {-1.62, -3.71, -9.81, -24.79};
+        assert_true(planet->number == wanted[count]);
     }
     assert_int_equal(count, 4);
     skv_camera camera = skv_stage_camera(stage, 0);
@@ -216,6 +219,7 @@ static void test_choices(void **state)
             char text[64];
             skv_world_def_get(&other->parameters, choice->path, text, sizeof text, NULL);
             assert_string_equal(text, choice->value);
+            assert_string_equal(choice->name, choice->value);
         }
         skv_stage_destroy(stage);
     }
