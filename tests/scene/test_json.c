@@ -82,7 +82,10 @@ static const mistake mistakes[] = {
     {"{\"description\": \"\\u202e\"}", SKV_ERROR_VALUE,
      "a.json:1: description: \"?\" holds a control character; allowed is text of at most 1000 "
      "bytes"},
-    {"{\"\\u202e\": 1}", SKV_ERROR_VALUE, "a.json:1: ?: unknown field"},
+    {"{\"\\u202e\": 1}", SKV_ERROR_VALUE,
+     "a.json:1: ?: unknown field; allowed are name, title, description, seconds, world, "
+     "settle, particles, substeps, sleep, depth, gravity, emission, fluid, solid, water, forces, "
+     "emitters, drains"},
     {"{\"seconds\": \"\"}", SKV_ERROR_VALUE,
      "a.json:1: seconds: it is empty; allowed is a number from 0.1 to 3600 s"},
     {"{\"world\": {\"open\": {\"left\": 1}}}", SKV_ERROR_VALUE,
