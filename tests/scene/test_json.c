@@ -494,6 +494,25 @@ static void test_other_locale(void **state)
     reset_locale();
 }
 
+/* Where gravity leans, fluid may pile up as deep as the world is long. */
+static void test_depth_of_a_tilted_scene(void **state)
+{
+    (void)state;
+    for (int tilted = 0; tilted < 2; tilted++) {
+        const char *settings[] = {"gravity.x", tilted ? "1" : "0", NULL};
+        skv_scene *scene;
+        assert_int_equal(load_text("{" WATER "}", settings, &scene, NULL), SKV_OK);
+        skv_world_def def = skv_scene_world_def(scene);
+        float width = skv_terrain_width(def.terrain);
+        assert_true(width > skv_terrain_height(def.terrain));
+        bool whole = def.depth > 0.999f * width;
+        if (whole != (tilted == 1))
+            fail_msg("%g m deep in %g m", (double)def.depth, (double)width);
+        skv_terrain_destroy(def.terrain);
+        skv_scene_destroy(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -502,6 +521,7 @@ int main(void)
         cmocka_unit_test(test_deep_nesting),
         cmocka_unit_test(test_limits_of_lists),
         cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_depth_of_a_tilted_scene),
         cmocka_unit_test(test_settings_override_in_order),
         cmocka_unit_test(test_values_arrive),
         cmocka_unit_test(test_other_locale),

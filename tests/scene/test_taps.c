@@ -18,14 +18,15 @@ static rgb paint(int x, int y, void *user)
     return (rgb){0, green ? 255 : 0, 0};
 }
 
-static skv_emitter emitter_of(strip s)
+static skv_emitter emitter_under(strip s, const char *gravity_x, const char *gravity_y)
 {
     buffer picture = write_rgb(SIZE, SIZE, paint, &s);
     /* A coarse fluid: its walls are made sooner. */
-    const skv_setting spacing = {"fluid.spacing", "0.05"};
+    const skv_setting settings[] = {
+        {"fluid.spacing", "0.05"}, {"gravity.x", gravity_x}, {"gravity.y", gravity_y}};
     skv_scene_options options = skv_default_scene_options();
-    options.settings = &spacing;
-    options.setting_count = 1;
+    options.settings = settings;
+    options.setting_count = 3;
     skv_scene *scene;
     skv_world *world;
     skv_error error = {0};
@@ -41,6 +42,24 @@ static skv_emitter emitter_of(strip s)
     skv_scene_destroy(scene);
     buffer_free(&picture);
     return emitter;
+}
+
+static skv_emitter emitter_of(strip s)
+{
+    return emitter_under(s, "0", "-9.81");
+}
+
+/* A dot has no sides: it emits to where things fall. */
+static void a_dot_emits_downwards(void **unused)
+{
+    (void)unused;
+    const strip dot = {40, 40, 6, 6};
+    skv_emitter e = emitter_under(dot, "3", "-4");
+    assert_float_equal(e.vx, 0.6f, 1e-5f);
+    assert_float_equal(e.vy, -0.8f, 1e-5f);
+    e = emitter_under(dot, "0", "0");
+    assert_float_equal(e.vx, 0, 1e-5f);
+    assert_float_equal(e.vy, -1, 1e-5f);
 }
 
 static void a_strip_emits_to_where_there_is_more_room(void **unused)
@@ -94,6 +113,7 @@ static void a_strip_that_is_too_wide_is_named(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_dot_emits_downwards),
         cmocka_unit_test(a_strip_emits_to_where_there_is_more_room),
         cmocka_unit_test(a_little_more_room_does_not_tell),
         cmocka_unit_test(a_strip_that_is_too_wide_is_named),
