@@ -24,7 +24,8 @@ size_t skv_def_size(const void *def);
 /* A public function's first look at a def: `opened` is skv_def_open(def, ...). */
 #define SKV_ASSERT_INITIALISED(def, opened, ...)                                                   \
     do {                                                                                           \
-        if (!((def) = (opened))) {                                                                 \
+        (def) = (opened);                                                                          \
+        if (!(def)) {                                                                              \
             SKV_ASSERT_FAILED(#def " was initialised by its _init or skv_default_... function");   \
             return __VA_ARGS__;                                                                    \
         }                                                                                          \
