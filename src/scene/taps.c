@@ -230,7 +230,8 @@ static skv_result find_tap(skv_scene *scene, finder *f, int place, double *point
                            const char *label, skv_taps *taps, skv_error *error)
 {
     bool green = f->paint[place] == SKV_PAINT_EMITTER;
-    int most = green ? SKV_MAX_EMITTERS : SKV_MAX_DRAINS;
+    const int limits[] = {[false] = SKV_MAX_DRAINS, [true] = SKV_MAX_EMITTERS};
+    int most = limits[green];
     if ((green ? taps->count : scene->drain_count) == most)
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "%s: there are more than %d %s areas; paint fewer, or join some", label,

@@ -25,7 +25,8 @@ const skv_numerals *skv_numerals_at(int i)
 
 const skv_numerals *skv_numerals_of(const char *language)
 {
-    size_t length = language ? strcspn(language, "_-.@\n") : 0;
+    language = language ? language : "";
+    size_t length = strcspn(language, "_-.@\n");
     for (int i = 0; i < LANGUAGES; i++) {
         const char *known = numerals_table[i].language;
         if (strlen(known) == length && memcmp(known, language, length) == 0)

@@ -266,7 +266,7 @@ static skv_result count_along(const skv_wall_builder *b, double h, int *columns,
 skv_result skv_wall_map_check(const skv_terrain *terrain, float radius, skv_error *error)
 {
     const skv_wall_builder b = skv_wall_builder_of(NULL, terrain, (double)radius);
-    int columns, rows, count = 0;
+    int columns = 0, rows = 0, count = 0;
     skv_result result = count_along(&b, (double)radius, &columns, &rows, error);
     for (int y = 0; result == SKV_OK && y < rows; y++) {
         for (int x = 0; x < columns; x++)
