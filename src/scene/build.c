@@ -244,6 +244,22 @@ static void thicken_walls(skv_scene *scene)
                        count, text);
 }
 
+/* Draws the shapes, unless that would take very long. */
+static skv_result draw_walls(builder *c)
+{
+    skv_scene *scene = c->scene;
+    int last =
+        skv_raster_too_much(scene->solids, scene->solid_count, scene->height, scene->pixel_size);
+    if (last == scene->solid_count)
+        return skv_raster_solids(scene->solids, scene->solid_count, scene->width, scene->height,
+                                 scene->pixel_size, scene->coverage, c->error);
+    const skv_shape_values *shapes = c->draft->values.list[SKV_LIST_SOLID].shapes;
+    return skv_draft_fail(c->draft, shapes[last].origin, "solid", c->error, SKV_ERROR_LIMIT,
+                          "its lines are too long for pixels so small: all pieces together may go "
+                          "through %d rows of pixels; choose larger pixels or fewer points",
+                          SKV_RASTER_MOST_ROWS);
+}
+
 static bool has_air(const skv_scene *scene)
 {
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
@@ -271,8 +287,7 @@ static skv_result build_walls(builder *c)
             build_list(c, SKV_LIST_WATER, &scene->water.shapes, &scene->water.shape_count, &points);
     thicken_walls(scene);
     if (result == SKV_OK && scene->solid_count > 0)
-        result = skv_raster_solids(scene->solids, scene->solid_count, scene->width, scene->height,
-                                   scene->pixel_size, scene->coverage, c->error);
+        result = draw_walls(c);
     if (result != SKV_OK)
         return result;
     if (!has_air(scene)) {

@@ -209,6 +209,32 @@ static bool allocate(raster *r, const skv_shape *shapes, int count, raster_memor
     return true;
 }
 
+/* The rows of the picture that a shape's pieces go through, if it is a thick line. */
+static double count_rows(const skv_shape *shape, int height, double pixel_size)
+{
+    double rows = 0.0;
+    for (int i = 1; shape->kind == SKV_SHAPE_LINE && i < shape->point_count; i++) {
+        double from = shape->points[2 * i - 1], to = shape->points[2 * i + 1];
+        double low = ((from < to ? from : to) - shape->radius) / pixel_size;
+        double high = ((from < to ? to : from) + shape->radius) / pixel_size;
+        low = low > 0.0 ? low : 0.0;
+        high = high < height ? high : height;
+        rows += high > low ? high - low : 0.0;
+    }
+    return rows;
+}
+
+int skv_raster_too_much(const skv_shape *shapes, int count, int height, double pixel_size)
+{
+    double rows = 0.0;
+    for (int i = 0; i < count; i++) {
+        rows += count_rows(&shapes[i], height, pixel_size);
+        if (rows > SKV_RASTER_MOST_ROWS)
+            return i;
+    }
+    return count;
+}
+
 skv_result skv_raster_solids(const skv_shape *shapes, int count, int width, int height,
                              double pixel_size, uint8_t *coverage, skv_error *error)
 {

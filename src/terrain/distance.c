@@ -70,14 +70,24 @@ typedef struct transform {
     uint64_t steps;      /* rows and segments looked at so far */
 } transform;
 
-/* The squared distance from a point to a segment that begins (px, py) before it. */
-static inline float squared_distance(float px, float py, float ux, float uy)
+/* How far along a segment that begins (px, py) before a point its nearest place lies: 0 to 1. */
+static inline float share_along(float px, float py, float ux, float uy)
 {
     float along = px * ux + py * uy, square = ux * ux + uy * uy;
     /* A segment may be shorter than float can tell; then its start serves. */
-    float t = skv_maxf(skv_minf(along / skv_maxf(square, FLT_MIN), 1), 0);
-    float dx = px - t * ux, dy = py - t * uy;
+    return skv_maxf(skv_minf(along / skv_maxf(square, FLT_MIN), 1), 0);
+}
+
+/* The squared distance of the point from the segment's place at this share. */
+static inline float square_beyond(float px, float py, float ux, float uy, float share)
+{
+    float dx = px - share * ux, dy = py - share * uy;
     return dx * dx + dy * dy;
+}
+
+static inline float squared_distance(float px, float py, float ux, float uy)
+{
+    return square_beyond(px, py, ux, uy, share_along(px, py, ux, uy));
 }
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
@@ -303,7 +313,8 @@ static inline void swap(float *a, float *b)
 }
 
 /* Writes how far the first `count` segments are from a point, and returns the least of it, squared;
- * FLT_MAX if there are none. */
+ * FLT_MAX if there are none. In two loops: in one, compilers split the second step by how the first
+ * was clamped, which takes twice as long. */
 static float measure(transform *t, int count, float x, float y)
 {
     t->steps += (uint64_t)count;
@@ -311,16 +322,21 @@ static float measure(transform *t, int count, float x, float y)
     const float *gx = g->x, *gy = g->y, *ux = g->ux, *uy = g->uy;
     float *restrict square = g->square;
     for (int i = 0; i < count; i++)
-        square[i] = squared_distance(x - gx[i], y - gy[i], ux[i], uy[i]);
+        square[i] = share_along(x - gx[i], y - gy[i], ux[i], uy[i]);
+    for (int i = 0; i < count; i++)
+        square[i] = square_beyond(x - gx[i], y - gy[i], ux[i], uy[i], square[i]);
     /* Several at a time, as each comparison waits for the one before. */
-    float least[4] = {FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX};
+    float a = FLT_MAX, b = FLT_MAX, c = FLT_MAX, d = FLT_MAX;
     int i = 0;
-    for (; i + 4 <= count; i += 4)
-        for (int l = 0; l < 4; l++)
-            least[l] = skv_minf(square[i + l], least[l]);
+    for (; i + 4 <= count; i += 4) {
+        a = skv_minf(square[i], a);
+        b = skv_minf(square[i + 1], b);
+        c = skv_minf(square[i + 2], c);
+        d = skv_minf(square[i + 3], d);
+    }
     for (; i < count; i++)
-        least[0] = skv_minf(square[i], least[0]);
-    return skv_minf(skv_minf(least[0], least[1]), skv_minf(least[2], least[3]));
+        a = skv_minf(square[i], a);
+    return skv_minf(skv_minf(a, b), skv_minf(c, d));
 }
 
 /* Moves those of the first `count` segments to the front that may be nearest to a pixel of a square

@@ -2,6 +2,7 @@
  * counted is memory, which is the same on every machine. */
 #include "support.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -105,12 +106,56 @@ static void test_too_many_taps(void **state)
     buffer_free(&picture);
 }
 
+/* Loads a world of 16 x 8000 pixels with lines up and down it, of so many pieces in all. */
+static skv_result load_lines(int pieces, skv_scene **scene, skv_error *error)
+{
+    enum { MOST = 999, SIZE = 65536 };
+    char *text = malloc(SIZE);
+    assert_non_null(text);
+    int used = snprintf(text, SIZE,
+                        "{ \"world\": { \"width\": 0.032, \"height\": 16, \"pixel\": 0.002 },\n"
+                        "  \"water\": [ { \"shape\": \"box\", \"x0\": 0.006 } ],\n  \"solid\": [");
+    for (int made = 0; made < pieces; made += MOST) {
+        used += snprintf(text + used, (size_t)(SIZE - used),
+                         "%s\n{ \"shape\": \"line\", \"thickness\": 0.0024, \"points\": [[0, 0]",
+                         made > 0 ? "," : "");
+        for (int i = made; i < made + MOST && i < pieces; i++)
+            used += snprintf(text + used, (size_t)(SIZE - used), ", [0, %d]", i % 2 ? 0 : 16);
+        used += snprintf(text + used, (size_t)(SIZE - used), "] }");
+    }
+    used += snprintf(text + used, (size_t)(SIZE - used), " ] }");
+    assert_in_range(used, 1, SIZE - 1);
+    skv_result result = load_text(text, NULL, scene, error);
+    free(text);
+    return result;
+}
+
+/* What thick lines may ask for is counted before they are drawn: pieces times rows of pixels. */
+static void test_too_long_lines(void **state)
+{
+    (void)state;
+    skv_scene *scene;
+    skv_error error = {0};
+    int most = 2097152 / 8000;
+    check_refused(
+        load_lines(2500, &scene, &error), scene, &error,
+        "a.json:4: solid: its lines are too long for pixels so small: all pieces together "
+        "may go through 2097152 rows of pixels; choose larger pixels or fewer points");
+    check_refused(
+        load_lines(most + 1, &scene, &error), scene, &error,
+        "a.json:4: solid: its lines are too long for pixels so small: all pieces together "
+        "may go through 2097152 rows of pixels; choose larger pixels or fewer points");
+    assert_int_equal(load_lines(most, &scene, &error), SKV_OK);
+    skv_scene_destroy(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_too_fine_a_spacing),
         cmocka_unit_test(test_too_fine_walls),
         cmocka_unit_test(test_too_many_taps),
+        cmocka_unit_test(test_too_long_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
