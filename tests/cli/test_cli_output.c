@@ -319,11 +319,13 @@ static void test_reader_leaves(void **state)
     assert_int_equal(folder_entries(*state), 0);
 }
 
+enum { COLUMNS = 62 };
+
 /* `script` gives the program a terminal and records what it shows. */
 static program_result on_terminal(const char *folder, const char *command)
 {
     char line[4096];
-    snprintf(line, sizeof line, "%s/skvalp %s", SKV_BINARY_DIR, command);
+    snprintf(line, sizeof line, "stty cols %d; %s/skvalp %s", COLUMNS, SKV_BINARY_DIR, command);
     return program_run(folder, (const char *const[]){"script", "-qec", line, "/dev/null", NULL});
 }
 
@@ -348,6 +350,8 @@ static void test_progress(void **state)
     assert_non_null(at);
     at += 1 + strspn(at + 1, " ");
     assert_int_equal(*at, '\r');
+    /* A line that reaches the last column would wrap. */
+    assert_int_equal(at - strchr(last, '\r'), COLUMNS);
     assert_int_equal(at[1] >= 'A' && at[1] <= 'Z', 1);
     program_free(&result);
 

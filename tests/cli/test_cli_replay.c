@@ -107,6 +107,11 @@ static void test_another_way(void **state)
     assert_int_equal(result.status, 1);
     assert_non_null(strstr(result.out, "\"same\": false"));
     program_free(&result);
+    /* No link is made of it. */
+    result = SKVALP(folder, "share", "game.skvr");
+    assert_int_equal(result.status, 1);
+    assert_string_equal(result.out, "");
+    program_free(&result);
 }
 
 static void test_no_replay(void **state)

@@ -254,10 +254,34 @@ static void test_trace_is_the_state(void **state)
     json_decref(object);
 }
 
+/* A row of the series is what the last block of the trace adds up to. */
+static void expect_sums(const double *row, const char *trace, int particles)
+{
+    double x = 0, y = 0, vx = 0, vy = 0, squares = 0;
+    const char *line = next_line(trace);
+    for (int i = 0; i < particles; i++) /* the start */
+        line = next_line(line);
+    for (int i = 0; i < particles; i++, line = next_line(line)) {
+        double one[8];
+        assert_int_equal(read_row(line, one, 8), 7);
+        x += one[2] / particles;
+        y += one[3] / particles;
+        vx += one[4];
+        vy += one[5];
+        squares += one[4] * one[4] + one[5] * one[5];
+    }
+    double mass = 2 * row[2] / squares;
+    assert_true(fabs(row[4] / (mass * vx) - 1) < 1e-5);
+    assert_true(fabs(row[5] / (mass * vy) - 1) < 1e-5);
+    assert_true(fabs(row[6] / sqrt(squares / particles) - 1) < 1e-5);
+    assert_true(fabs(row[9] / x - 1) < 1e-5);
+    assert_true(fabs(row[10] / y - 1) < 1e-5);
+}
+
 static void test_series(void **state)
 {
-    json_t *object =
-        RUN_JSON(*state, "dam-break", "--particles", "200", "--seconds", "0.25", "--csv", "s.csv");
+    json_t *object = RUN_JSON(*state, "dam-break", "--particles", "200", "--seconds", "0.25",
+                              "--csv", "s.csv", "--trace", "t.csv", "--trace-every", "7");
     char *text = file_read(*state, "s.csv");
     static const char head[] =
         "t,particles,kinetic_energy,potential_energy,momentum_x,momentum_y,rms_speed,max_speed,"
@@ -273,6 +297,9 @@ static void test_series(void **state)
     assert_int_equal(*line, '\0');
     double kinetic = number(object, "kinetic_energy");
     assert_true(fabs(row[2] - kinetic) <= 1e-8 * kinetic);
+    char *trace = file_read(*state, "t.csv");
+    expect_sums(row, trace, (int)row[1]);
+    free(trace);
     free(text);
     json_decref(object);
 }

@@ -80,6 +80,7 @@ const pictures = [...read('scenes/painted', '.png'), ...read('tests/fuzz/corpus/
 texts.forEach((text) => add('json', text));
 settled.forEach((text) => add('json', Buffer.from(text)));
 pictures.forEach((picture) => add('png', picture));
+morsels.forEach((morsel) => add('json', Buffer.concat([Buffer.from('{"name": '), morsel, Buffer.from('}')])));
 const chance = random(Number(seed));
 const small = pictures.filter((picture) => picture.length < 4000);
 for (let made = 0, i = 0; made < Number(count); i++) {

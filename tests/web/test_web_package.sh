@@ -54,6 +54,18 @@ world.destroy();
 world.destroy();
 assert.throws(() => later.vy, /destroyed/);
 assert.throws(() => world.step(), /destroyed/);
+// The fluid goes where gravity points to.
+const tilted = skvalp.scene('dam-break', { particles: 200 }).world();
+const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+const means = ({ x, y, vx, vy }) => [x, y, vx, vy].map(mean);
+const before = means(tilted.particles());
+tilted.setGravity(9.81, 0);
+for (let i = 0; i < 6; i++) {
+    tilted.step();
+}
+const [x, y, vx, vy] = means(tilted.particles()).map((now, i) => now - before[i]);
+assert(vx > 0.5 && Math.abs(vy) < vx / 4, `it goes (${vx}, ${vy}) m/s`);
+assert(x > 0.03 && Math.abs(y) < x / 4, `it has gone (${x}, ${y}) m`);
 await skvalp.end();
 END
 node stale.js || complain "stale.js failed"

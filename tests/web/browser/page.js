@@ -66,6 +66,18 @@ const trials = {
         await until(page, () => window.skvalp.state.value.canUndo, 'a wall can be undone');
         await button(page, 'Undo').click();
         await until(page, () => window.skvalp.state.value.canRedo, 'and redone');
+        await page.keyboard.press('Control+Shift+z');
+        await until(page, () => window.skvalp.state.value.canUndo, 'it is back');
+        const zoomed = (times) => until(page, (times) =>
+            Math.abs(window.skvalp.state.value.worlds[0].camera.zoom - times) < 1e-3, `${times} times as large`, times);
+        await page.mouse.move(600, 200);
+        await page.mouse.wheel(0, -100);
+        await zoomed(1.15);
+        const { limits } = await page.evaluate(() => window.skvalp.simulation.catalogue());
+        await page.keyboard.press('Control++');
+        await zoomed(1.15 * limits.zoom_step);
+        await page.keyboard.press('Control+0');
+        await zoomed(1);
     },
 
     async 'a probe reads, moves and shows its curve'(browser) {
@@ -83,6 +95,9 @@ const trials = {
         });
         await until(page, (x) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - x) < 1e-6,
             'each step of a held key counts', before + 0.05);
+        await chip.press('Shift+ArrowLeft');
+        await until(page, (x) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - x) < 1e-6,
+            'with Shift it is a millimetre', before + 0.049);
         const { probes: [{ x0 }], camera: { scale } } = (await stateOf(page)).worlds[0];
         const { x, y, width, height } = await page.locator('.grip .disc').boundingBox();
         await page.mouse.move(x + width / 2, y + height / 2);
@@ -94,6 +109,12 @@ const trials = {
         assert.deepEqual(await page.evaluate(() => ['.grip .disc', '.ball circle', '.status', '.canvas'].filter((name) =>
             document.querySelector(name).dispatchEvent(new Event('selectstart', { bubbles: true, cancelable: true })))),
         [], 'what is dragged selects text, as WebKit does it');
+        await page.evaluate(() => window.skvalp.simulation.compare({ 'gravity.y': '-5' }));
+        await page.waitForFunction(() => {
+            const [, a, b] = document.querySelector('.chip')?.textContent.match(/A: (.*?)  B: (.*)/) ?? [];
+            return a && a !== b;
+        });
+        await page.evaluate(() => window.skvalp.simulation.compare(null));
         await chip.click();
         await page.locator('.plot canvas').waitFor();
         await button(page, 'Remove').click();
@@ -504,6 +525,9 @@ const trials = {
         await page.keyboard.down('ArrowDown');
         await pulls(0, -1);
         await page.keyboard.up('ArrowDown');
+        await page.getByRole('slider', { name: 'Gravity' }).press('ArrowRight'); // it turns by 5 degrees
+        await pulls(Math.sin(Math.PI / 36), -Math.cos(Math.PI / 36));
+        await page.evaluate(() => document.activeElement.blur());
         await page.keyboard.press('0');
         await pulls(0, 0);
 

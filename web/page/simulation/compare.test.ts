@@ -1,6 +1,7 @@
 // Two worlds side by side.
 import { expect, test } from 'vitest';
 
+import type { skv_pointer_event } from '../../src/interface.js';
 import { makeTrial } from './testing';
 
 /** A dam break, and the same of honey beside it. */
@@ -27,10 +28,18 @@ test('both are at one moment, and share time, fingers and instruments', async ()
     expect([a.area, b.area]).toEqual([
         { x: 0, y: 0, width: 320, height: 360 }, { x: 320, y: 0, width: 320, height: 360 },
     ]);
+    expect(b.camera.originX - a.camera.originX).toBeCloseTo(320, 6);
+    const { c } = trial.library, touch = c.skv_stage_touch, touched: number[] = [];
+    c.skv_stage_touch = (stage, side, event, tremble) => {
+        const { px, py } = event as skv_pointer_event;
+        touched.push(side, px, py);
+        return touch(stage, side, event, tremble);
+    };
     simulation.pointer({
         phase: 'down', device: 'mouse', pointer: 1, x: 400, y: 200, time: 0, pressure: 0, secondary: false,
         straight: false, side: 1,
     });
+    expect(touched).toEqual([1, 80, 200]); // in its own area
     simulation.addProbe(0, 0.3, 0.1, 0.3, 0.1);
     trial.run(2);
     expect(trial.state.worlds.map(({ hands }) => hands)).toEqual([1, 1]);

@@ -122,6 +122,23 @@ test('a scene begins again with other settings', () => {
     expect(trial.state.worlds[0].particles).toBeGreaterThan(500);
 });
 
+test('after one that cannot be opened, what begins again is what is open', () => {
+    const trial = makeTrial();
+    const { simulation } = trial;
+    simulation.open('dam-break');
+    simulation.open('no-such-scene');
+    trial.take();
+    simulation.change({ particles: '600' });
+    expect(trial.take()).toEqual([{ kind: 'open', error: null }]);
+    expect(trial.state.worlds[0].name).toBe('dam-break');
+});
+
+test('a fault in a file is told with its line', () => {
+    const trial = makeTrial();
+    trial.simulation.openBytes(new TextEncoder().encode('{\n"world": ]\n}'), 'json', 'wrong.json');
+    expect(trial.take()[0].error).toMatch(/wrong\.json:2\b/);
+});
+
 test('a photo becomes walls where it is dark', () => {
     const width = 64, height = 36;
     const photo = Uint8ClampedArray.from({ length: 4 * width * height },

@@ -130,6 +130,23 @@ test('a sensor is as strong as it is set', () => {
     }
 });
 
+test('a shake is as strong as the sensor is set', () => {
+    const shake = (strength: number) => {
+        const { simulation } = makeTrial();
+        const pushes: number[] = [];
+        simulation.push = (vx) => pushes.push(vx);
+        simulation.open('pool');
+        simulation.setTilt(strength);
+        for (let i = 1; i <= 20; i++) {
+            simulation.motion(i % 4 < 2 ? 30 : -30, 9.81, 0, 0, i / 60);
+        }
+        return pushes;
+    };
+    const once = shake(1);
+    expect(once.length).toBeGreaterThan(0);
+    expect(shake(2)).toEqual(once.map((push) => 2 * push));
+});
+
 test('nothing that is no number reaches the library', () => {
     const trial = makeTrial();
     const { simulation } = trial;

@@ -44,14 +44,35 @@ test('asks for no frame while paused, hidden or at rest', () => {
     trial.run(2);
     expect(trial.wants).toBe(false);
     simulation.setPaused(false);
+    trial.run(2);
     expect(trial.wants).toBe(true);
     simulation.setHidden(true);
-    trial.run(2);
+    trial.run(600); // ten seconds, for which nothing makes up
     expect(trial.wants).toBe(false);
     const { moment } = trial.state;
     simulation.setHidden(false);
     trial.run(2);
     expect(trial.state.moment).toBe(moment + 2);
+});
+
+test('the stopwatch forgets presses that are cut off, and those of another scene', () => {
+    const trial = makeTrial();
+    const { simulation } = trial;
+    simulation.open('dam-break');
+    trial.run(10);
+    simulation.pressStopwatch(false);
+    trial.run(5);
+    expect(trial.state.stopwatch).toMatchObject({ used: true, running: true, frames: 5 });
+    simulation.setPaused(true);
+    simulation.seek(4);
+    trial.run(2);
+    simulation.setPaused(false); // what came after is cut off
+    trial.run(2);
+    expect(trial.state.stopwatch).toMatchObject({ used: false, running: false, frames: 0 });
+    simulation.pressStopwatch(false);
+    trial.run(2);
+    simulation.open('pool');
+    expect(trial.state.stopwatch.used).toBe(false);
 });
 
 test('a finger picks water up', () => {
@@ -103,6 +124,7 @@ test('what is asked for again and again leaves nothing behind in the memory', ()
             simulation.motion(0, 9.81, 0, 0, i / 60);
             simulation.zoom(i % 2 ? 2 : 0.5, 300, 200);
             simulation.setView(600 + (i % 2), 300, 2);
+            simulation.compare(i % 10 === 0 ? { 'no.such': '1' } : null);
             expect(trial.state.worlds).toHaveLength(1);
         }
     };
