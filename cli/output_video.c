@@ -22,16 +22,17 @@ extern char **environ;
 
 static const char no_ffmpeg[] = "install the package ffmpeg, or omit --video";
 
-/* Starts ffmpeg with the given standard streams; -1 is /dev/null. */
+/* Starts ffmpeg with the given standard streams; -1 is /dev/null. A signal finds it either not
+ * begun, or known to cleanup.h. */
 static skv_result spawn_ffmpeg(const char *const *arguments, int in, int out, int err, pid_t *pid,
                                skv_error *error)
 {
     const int streams[] = {in, out, err};
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
-    sigset_t none, defaults;
+    sigset_t none, all, before;
     sigemptyset(&none);
-    sigfillset(&defaults);
+    sigfillset(&all);
     posix_spawn_file_actions_init(&actions);
     posix_spawnattr_init(&attributes);
     for (int i = 0; i < 3; i++)
@@ -42,10 +43,14 @@ static skv_result spawn_ffmpeg(const char *const *arguments, int in, int out, in
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF |
                                               POSIX_SPAWN_SETSIGMASK);
     posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setsigdefault(&attributes, &all);
     posix_spawnattr_setsigmask(&attributes, &none);
+    sigprocmask(SIG_BLOCK, &all, &before);
     int reason =
         posix_spawnp(pid, arguments[0], &actions, &attributes, (char *const *)arguments, environ);
+    if (!reason)
+        cleanup_set_child(*pid);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
     if (reason == ENOENT) {
@@ -162,7 +167,6 @@ skv_result video_start(output_video *video, int width, int height, skv_error *er
         close(ends[1]);
         return result;
     }
-    cleanup_set_child(video->process);
     video->frames = ends[1];
     return SKV_OK;
 }
