@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """The same as hello.c in Python: ctypes and the shared library, no more.
 
-Definitions come from the library and are changed by path and text, so that a structure's layout
-need not be written down twice: of each stands here what is used, and room for the rest.
+Definitions are filled by the library and changed by path and text, so that a structure's layout
+need not be written down twice: of each stands here what is used. skv_fill_def_init is told how much
+that is, and the library takes the default for the rest.
 SKVALP_LIBRARY names the library where the system does not find it.
 """
 import ctypes
 import os
 import sys
-from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_float, c_int, c_uint64, c_void_p
+from ctypes import (POINTER, byref, c_char, c_char_p, c_double, c_float, c_int, c_size_t, c_uint32,
+                    c_uint64, c_void_p, sizeof)
 
 library = ctypes.CDLL(os.environ.get("SKVALP_LIBRARY", "libskvalp.so.0"))
 
@@ -22,8 +24,8 @@ class WorldDef(ctypes.Structure):
 
 
 class FillDef(ctypes.Structure):
-    _fields_ = [("x0", c_float), ("y0", c_float), ("x1", c_float), ("y1", c_float),
-                ("room", c_double * 32)]
+    _fields_ = [("cookie", c_uint32), ("x0", c_float), ("y0", c_float), ("x1", c_float),
+                ("y1", c_float)]
 
 
 class Particles(ctypes.Structure):
@@ -40,7 +42,7 @@ def declare(name, result, *arguments):
 
 version = declare("skv_version", c_char_p)
 default_world_def = declare("skv_default_world_def", WorldDef)
-default_fill_def = declare("skv_default_fill_def", FillDef)
+fill_def_init = declare("skv_fill_def_init", None, c_void_p, c_size_t)
 world_def_set = declare("skv_world_def_set", c_int, c_void_p, c_char_p, c_char_p, c_void_p)
 world_create = declare("skv_world_create", c_int, c_void_p, POINTER(c_void_p), c_void_p)
 world_destroy = declare("skv_world_destroy", None, c_void_p)
@@ -61,7 +63,8 @@ definition = default_world_def()
 check(world_def_set, byref(definition), b"fluid.spacing", b"0.02")
 world = c_void_p()
 check(world_create, byref(definition), byref(world))
-column = default_fill_def()
+column = FillDef()
+fill_def_init(byref(column), sizeof(column))
 column.x1, column.y1 = 0.4, 0.6
 check(world_fill, world, byref(column), None)
 for frame in range(30):
