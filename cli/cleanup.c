@@ -92,7 +92,7 @@ static void sweep(const char *folder)
     DIR *list = opendir(folder);
     for (struct dirent *entry; list && (entry = readdir(list));) {
         char path[PATH_MAX];
-        if (strncmp(entry->d_name, PREFIX + 1, prefix) == 0 &&
+        if (strncmp(entry->d_name, &PREFIX[1], prefix) == 0 &&
             strlen(entry->d_name) == prefix + letters &&
             snprintf(path, sizeof path, "%s/%s", folder, entry->d_name) < PATH_MAX)
             sweep_file(path);

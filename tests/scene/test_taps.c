@@ -28,7 +28,7 @@ static skv_emitter emitter_under(strip s, const char *gravity_x, const char *gra
     options.settings = settings;
     options.setting_count = 3;
     skv_scene *scene;
-    skv_world *world;
+    skv_world *world = NULL;
     skv_error error = {0};
     if (skv_scene_load_memory(picture.data, picture.size, "png", "p.png", &options, &scene,
                               &error) != SKV_OK ||
