@@ -215,9 +215,14 @@ SKV_API skv_instrument skv_lab_instrument(const skv_lab *lab, int i);
 SKV_API const skv_instrument_def *skv_lab_def(const skv_lab *lab, skv_instrument id);
 
 /** Reads every instrument. Call it after each frame, always with the same world; if the world's
- * time has gone back (a reset), every history starts anew. No allocation once every instrument has
- * read a world of this size once. Same world, same readings, bit by bit. */
+ * time has gone back (a reset), every history starts anew. Called again at the same moment, because
+ * the world or an instrument was changed, it replaces that moment's sample. No allocation once
+ * every instrument has read a world of this size once. Same world, same readings, bit by bit. */
 SKV_API skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error);
+
+/** Every history starts anew, and no gate counts who has passed since the last sample: for a world
+ * whose time has jumped. */
+SKV_API void skv_lab_restart(skv_lab *lab);
 
 /** The survey of the last sample, for questions besides the instruments. Owned by the lab. */
 SKV_API const skv_survey *skv_lab_survey(const skv_lab *lab);

@@ -242,6 +242,15 @@ static void remember(instrument *it, double time, const double *values)
         it->count++;
 }
 
+/* Takes back the last sample if it is of this moment. */
+static void forget(instrument *it, double time)
+{
+    if (it->count == 0 || it->times[skv_instrument_slot(it, 0)] != time)
+        return;
+    it->next = skv_instrument_slot(it, 0);
+    it->count--;
+}
+
 static double reading(const instrument *it, int channel)
 {
     if (channel < 0 || channel >= it->channels || it->count == 0)
@@ -264,6 +273,20 @@ static double reading(const instrument *it, int channel)
     return used ? sum / used : (double)NAN;
 }
 
+static void reset_all(const skv_lab *lab)
+{
+    for (int i = 0; i < lab->count; i++)
+        skv_instrument_reset(lab->instruments[i]);
+}
+
+void skv_lab_restart(skv_lab *lab)
+{
+    SKV_ASSERT(lab);
+    reset_all(lab);
+    skv_survey_forget(lab->survey);
+    lab->time = -1;
+}
+
 skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error)
 {
     SKV_ASSERT_OR(lab && world, SKV_ERROR_VALUE);
@@ -271,13 +294,12 @@ skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error
     if (result != SKV_OK)
         return result;
     double time = skv_world_time(world);
-    if (time < lab->time) {
-        for (int i = 0; i < lab->count; i++)
-            skv_instrument_reset(lab->instruments[i]);
-    }
+    if (time < lab->time)
+        reset_all(lab);
     lab->time = time;
     for (int i = 0; i < lab->count && result == SKV_OK; i++) {
         instrument *it = lab->instruments[i];
+        forget(it, time);
         double values[SKV_MAX_CHANNELS];
         for (int c = 0; c < SKV_MAX_CHANNELS; c++)
             values[c] = (double)NAN;

@@ -98,6 +98,8 @@ static skv_result reserve_particles(skv_survey *s, int count, skv_error *error)
         memcpy(fresh.id, s->id, known * sizeof *fresh.id);
     }
     free_particles(s);
+    s->count_before = 0;
+    s->time_before = -1;
     s->x = fresh.x;
     s->y = fresh.y;
     s->vx = fresh.vx;
@@ -214,6 +216,12 @@ static void remember(skv_survey *s, bool same_world)
     s->time_before = same_world ? s->time : -1;
 }
 
+void skv_survey_forget(skv_survey *s)
+{
+    s->count = 0;
+    s->time = -1;
+}
+
 skv_result skv_survey_take(skv_survey *s, const skv_world *world, skv_error *error)
 {
     SKV_ASSERT_OR(s && world, SKV_ERROR_VALUE);
@@ -231,7 +239,9 @@ skv_result skv_survey_take(skv_survey *s, const skv_world *world, skv_error *err
         s->h = h_before;
         return result;
     }
-    remember(s, same_world);
+    /* Of a moment that is looked at again, what was before it stays. */
+    if (!same_world || skv_world_time(world) > s->time)
+        remember(s, same_world);
     float gx, gy;
     skv_world_gravity(world, &gx, &gy);
     s->gravity_x = (double)gx;

@@ -30,6 +30,9 @@ struct skv_survey {
     double solid_share[SOLID_TABLE + 1]; /* of the kernel beyond a flat wall at i/SOLID_TABLE h */
 };
 
+/* The next look is the first one. */
+void skv_survey_forget(skv_survey *survey);
+
 /* The cells that a box touches, clamped to the grid. */
 typedef struct cell_range {
     int column0, column1, row0, row1; /* inclusive */

@@ -12,9 +12,18 @@ void skv_probes_destroy(skv_probes *probes)
     *probes = (skv_probes){0};
 }
 
+/* Every frame is read; after a jump in time histories begin anew. */
+#define LONGEST_FRAME (1.5 / 60)
+
 skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, skv_error *error)
 {
-    return probes->count ? skv_lab_sample(probes->lab, world, error) : SKV_OK;
+    double time = skv_world_time(world);
+    if (probes->count == 0)
+        return SKV_OK;
+    if (time > probes->time + LONGEST_FRAME)
+        skv_lab_restart(probes->lab);
+    probes->time = time;
+    return skv_lab_sample(probes->lab, world, error);
 }
 
 static int find(const skv_probes *probes, uint32_t id)

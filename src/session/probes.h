@@ -13,6 +13,7 @@ typedef struct skv_probes {
         bool watched;
     } list[SKV_MOST_PROBES];
     int count;
+    double time; /* of the last sample, s */
 } skv_probes;
 
 void skv_probes_destroy(skv_probes *probes);

@@ -34,7 +34,7 @@ static bool give(skv_worker *worker, const skv_command *command, bool edits, skv
     if (result != SKV_OK)
         return false;
     worker->following = false;
-    worker->changed = true;
+    worker->changed = worker->unread = true;
     return true;
 }
 
@@ -67,6 +67,7 @@ static void look_at_gravity(skv_worker *worker)
 static void change_probes(skv_worker *worker, const skv_message *message)
 {
     skv_error error;
+    worker->unread = true;
     if (worker->player && skv_probes_handle(&worker->probes, message, &error) != SKV_OK)
         skv_worker_report(worker, SKV_OUTCOME_EDIT, &error);
 }
@@ -144,7 +145,7 @@ static void arrive(skv_worker *worker, skv_result result, const skv_error *error
     }
     look_at_gravity(worker);
     worker->hands_known = false;
-    worker->changed = true;
+    worker->changed = worker->unread = true;
     skv_pace_rest(&worker->pace);
 }
 
@@ -189,6 +190,7 @@ static bool step_frame(skv_worker *worker)
         fail_step(worker, &error);
         return false;
     }
+    worker->unread = false;
     skv_pace_stepped(&worker->pace, worker->def.clock() - before);
     worker->changed = true;
     return true;
@@ -377,6 +379,17 @@ static void handle_messages(skv_worker *worker)
 
 /* ---- The loop -------------------------------------------------------------------------------- */
 
+/* What was changed shows in the next picture, whether it is stepped or not. */
+static void read_probes(skv_worker *worker)
+{
+    skv_error error;
+    if (!worker->unread || !worker->player || skv_player_seeking(worker->player))
+        return;
+    worker->unread = false;
+    if (skv_probes_sample(&worker->probes, skv_player_world(worker->player), &error) != SKV_OK)
+        skv_worker_report(worker, SKV_OUTCOME_EDIT, &error);
+}
+
 /* A piece of work; false if there was none. */
 static bool work(skv_worker *worker)
 {
@@ -399,6 +412,7 @@ static bool work(skv_worker *worker)
         atomic_store(&worker->active, active);
         worker->changed = true;
     }
+    read_probes(worker);
     if (worker->changed && skv_worker_publish(worker)) {
         worker->changed = worker->refused = false;
         if (worker->def.wake)

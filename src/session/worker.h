@@ -55,6 +55,7 @@ typedef struct skv_worker {
     bool begins;      /* an edit, with the next command that the world takes */
     bool refused;     /* an edit was, since the last picture: said once */
     uint64_t wary;    /* hash of the last that was not opened because it asks for much; 0: none */
+    bool unread;      /* instruments, since they or the world were changed */
     bool changed;     /* since the last picture */
 
     /* Between the threads, again. */

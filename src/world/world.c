@@ -208,7 +208,8 @@ int64_t skv_world_substep_count(const skv_world *world)
 int skv_world_awake_count(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
-    return world->sleep.stepped;
+    int restless = world->state.count - world->sleep.calm;
+    return restless > world->sleep.stepped ? restless : world->sleep.stepped;
 }
 
 float skv_world_spacing(const skv_world *world)

@@ -1,4 +1,4 @@
-/* Gauges: what they take for a surface, and the depth below it. */
+/* Gauges: what they take for a surface, the depth below it, and moments read again. */
 #include "rest.h"
 #include "support/fixture.h"
 
@@ -36,6 +36,37 @@ static skv_lab *new_lab(void)
 static void sample(skv_lab *lab, const skv_world *world)
 {
     assert_int_equal(skv_lab_sample(lab, world, NULL), SKV_OK);
+}
+
+/* A moment that is read again has one sample, and a gate counts from the moment before; after a
+ * jump in time nobody is counted, and histories begin anew. */
+static void a_moment_is_read_again(void **unused)
+{
+    (void)unused;
+    skv_world *world = rest_pool(0.02f, 0.5f);
+    skv_lab *lab = new_lab();
+    skv_instrument gate = add(lab, SKV_INSTRUMENT_GATE, 0.8, 0, 0.8, 0.3);
+    skv_instrument region = add(lab, SKV_INSTRUMENT_REGION, 0, 0, 2, 2);
+    sample(lab, world);
+    rest_shift(world, 0.05f, 0, 0.1);
+    sample(lab, world);
+    double passed = skv_lab_reading(lab, gate, 3), count = skv_lab_reading(lab, region, 0);
+    assert_true(passed > 0);
+    for (int again = 0; again < 2; again++) {
+        rest_remove(world, 0); /* at the left wall: nobody who has passed */
+        sample(lab, world);
+    }
+    assert_near(skv_lab_reading(lab, gate, 3), passed, 1e-9);
+    assert_near(skv_lab_reading(lab, region, 0), count - 2, 1e-9);
+    assert_int_equal(skv_lab_history(lab, region, 0, NULL, NULL, 0), 2);
+    rest_shift(world, 0.05f, 0, 0.1);
+    skv_lab_restart(lab);
+    assert_int_equal(skv_lab_history(lab, region, 0, NULL, NULL, 0), 0);
+    sample(lab, world);
+    assert_true(isnan(skv_lab_reading(lab, gate, 3)));
+    assert_int_equal(skv_lab_history(lab, region, 0, NULL, NULL, 0), 1);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
 }
 
 /* A drop of seven particles above the pool is dense enough for fluid, but has no depth. */
@@ -271,6 +302,7 @@ static void a_lid_carries_the_water_above_it(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_moment_is_read_again),
         cmocka_unit_test(spray_is_no_surface),
         cmocka_unit_test(a_shaft_has_its_level),
         cmocka_unit_test(gauges_end_with_the_world),

@@ -405,9 +405,9 @@ static void test_probes(void **state)
     assert_true(picture.probes[0].value[0] == picture.probes[1].value[0]);
     skv_stage_look(stage);
     const skv_picture *held = skv_stage_picture(stage, 0);
-    assert_int_equal(held->probes[0].samples, 30);
-    assert_true(held->probes[0].history[0][29] == held->probes[0].value[0]);
-    assert_true(fabs(held->probes[0].times[29] - held->frame.time) < 1e-9);
+    assert_int_equal(held->probes[0].samples, 31); /* the start, and 30 frames */
+    assert_true(held->probes[0].history[0][30] == held->probes[0].value[0]);
+    assert_true(fabs(held->probes[0].times[30] - held->frame.time) < 1e-9);
     assert_int_equal(held->probes[1].samples, 0);
 
     skv_stage_move_probe(stage, other, 0.8, 0.8, 0.8, 0.8);

@@ -177,7 +177,8 @@ static void a_hole_in_sleeping_fluid_is_filled(void **unused)
     int removed;
     assert_int_equal(skv_world_remove_area(world, &hole, &removed, NULL), SKV_OK);
     assert_true(removed > 20);
-    assert_int_equal(skv_world_awake_count(world), 0);
+    /* What lay beside it is awake by now: a host that steps no sleeping world goes on. */
+    assert_in_range(skv_world_awake_count(world), 50, skv_world_particle_count(world) - 50);
     fixture_run(world, 1);
     assert_in_range(skv_world_awake_count(world), 50, skv_world_particle_count(world) - 50);
     fixture_run(world, 60);
