@@ -13,7 +13,7 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
     int before = world->state.capacity;
     skv_result result = skv_state_reserve(&world->state, count, error);
     if (result == SKV_OK && world->state.capacity > before) {
-        skv_world_regroup(world);
+        world->array_moves++;
         if (before &&
             world->busy != SKV_AT_WORK) /* what emitters need is not for the host to know */
             skv_world_say(world,
@@ -246,7 +246,7 @@ const skv_terrain *skv_world_terrain(const skv_world *world)
 uint32_t skv_world_revision(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
-    return world->generation;
+    return world->generation + world->array_moves;
 }
 
 skv_particles skv_world_particles(const skv_world *world)

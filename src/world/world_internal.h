@@ -46,7 +46,8 @@ struct skv_world {
 
     skv_state state;
     uint32_t next_id;
-    uint32_t generation; /* of solver.h */
+    uint32_t generation;  /* of solver.h: it must not tell how much room there is */
+    uint32_t array_moves; /* how often the particles' arrays went to other memory */
     skv_tiling tiling;
     skv_sleep sleep;
     skv_load load;
