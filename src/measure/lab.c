@@ -289,8 +289,14 @@ void skv_lab_restart(skv_lab *lab)
 
 skv_result skv_lab_sample(skv_lab *lab, const skv_world *world, skv_error *error)
 {
+    return skv_lab_sample_with(lab, world, NULL, error);
+}
+
+skv_result skv_lab_sample_with(skv_lab *lab, const skv_world *world, const float *pressure,
+                               skv_error *error)
+{
     SKV_ASSERT_OR(lab && world, SKV_ERROR_VALUE);
-    skv_result result = skv_survey_take(lab->survey, world, error);
+    skv_result result = skv_survey_take_with(lab->survey, world, pressure, error);
     if (result != SKV_OK)
         return result;
     double time = skv_world_time(world);

@@ -224,8 +224,15 @@ void skv_survey_forget(skv_survey *s)
 
 skv_result skv_survey_take(skv_survey *s, const skv_world *world, skv_error *error)
 {
+    return skv_survey_take_with(s, world, NULL, error);
+}
+
+skv_result skv_survey_take_with(skv_survey *s, const skv_world *world, const float *pressure,
+                                skv_error *error)
+{
     SKV_ASSERT_OR(s && world, SKV_ERROR_VALUE);
     skv_particles particles = skv_world_particles(world);
+    particles.pressure = pressure ? pressure : particles.pressure;
     const skv_terrain *terrain = skv_world_terrain(world);
     bool same_world = s->terrain == terrain && skv_world_time(world) >= s->time;
     double width = (double)skv_terrain_width(terrain);

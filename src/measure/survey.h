@@ -30,6 +30,13 @@ struct skv_survey {
     double solid_share[SOLID_TABLE + 1]; /* of the kernel beyond a flat wall at i/SOLID_TABLE h */
 };
 
+/* As skv_survey_take and skv_lab_sample; with other pressures, by particle, unless they are null.
+ */
+skv_result skv_survey_take_with(skv_survey *survey, const skv_world *world, const float *pressure,
+                                skv_error *error);
+skv_result skv_lab_sample_with(skv_lab *lab, const skv_world *world, const float *pressure,
+                               skv_error *error);
+
 /* The next look is the first one. */
 void skv_survey_forget(skv_survey *survey);
 

@@ -396,6 +396,13 @@ static const struct row {
     [SKV_COMMAND_FORCE] = {change_force, code_force},
 };
 
+bool skv_command_changes_balance(skv_command_kind kind)
+{
+    return kind == SKV_COMMAND_GRAVITY || kind == SKV_COMMAND_SET || kind == SKV_COMMAND_POUR ||
+           kind == SKV_COMMAND_TAKE || kind == SKV_COMMAND_PAINT || kind == SKV_COMMAND_CLOSE ||
+           kind == SKV_COMMAND_FORCE;
+}
+
 skv_result skv_command_apply(const skv_command *command, skv_world *world, skv_error *error)
 {
     SKV_ASSERT_OR((unsigned)command->kind < SKV_COMMAND_KINDS, SKV_ERROR_VALUE);

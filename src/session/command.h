@@ -11,6 +11,9 @@ enum { SKV_COMMAND_KINDS = SKV_COMMAND_FORCE + 1 };
 /* Does it to the world. On failure the world is as it was. */
 skv_result skv_command_apply(const skv_command *command, skv_world *world, skv_error *error);
 
+/* Whether what the fluid weighs, or what holds it, is another afterwards. */
+bool skv_command_changes_balance(skv_command_kind kind);
+
 /* Writes the kind, a byte, and what belongs to it. */
 void skv_command_encode(const skv_command *command, skv_writer *writer);
 

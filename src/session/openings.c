@@ -182,6 +182,8 @@ static void take_over(skv_worker *worker, skv_player *player, const skv_player_d
     worker->tilt_y = (double)y / worker->tools.steps.strength;
     worker->tilt_pending = false;
     worker->unread = true;
+    worker->unbalanced = skv_player_unbalanced(player);
+    worker->forecast.known = false;
     worker->following = skv_player_end(player) > 0;
     if (!worker->following) /* what stands in a log without a frame */
         skv_player_seek(player, 0, NULL);

@@ -157,6 +157,21 @@ int64_t skv_player_mismatch(const skv_player *player)
     return player->mismatch;
 }
 
+bool skv_player_unbalanced(const skv_player *player)
+{
+    const skv_position *now = &player->now;
+    const skv_key *before = skv_history_find(&player->keys, (skv_position){now->frame, 0});
+    size_t at = before ? before->position.at : 0;
+    bool changed = skv_world_substep_count(player->world) == 0;
+    while (at < now->at && !changed) {
+        skv_command command;
+        bool recent = skv_log_frame(&player->log, at) == now->frame;
+        at = skv_log_read(&player->log, at, &command);
+        changed = recent && skv_command_changes_balance(command.kind);
+    }
+    return changed;
+}
+
 /* ---- Going on -------------------------------------------------------------------------------- */
 
 /* Whether the log has commands of this frame before `until`. */

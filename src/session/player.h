@@ -63,7 +63,11 @@ int64_t skv_player_redo_frame(const skv_player *player);
 /* Finds the marks of the log from `at` on. */
 skv_result skv_player_find_marks(skv_player *player, size_t at, skv_error *error);
 
-/* player.c: gives a player that has none its scene. Nothing changes on failure. */
+/* player.c: whether nothing was stepped since the balance was changed, or at all: pressures are
+ * those of what was there before. */
+bool skv_player_unbalanced(const skv_player *player);
+
+/* Gives a player that has none its scene. Nothing changes on failure. */
 skv_result skv_player_take_scene(skv_player *player, skv_scene *scene, skv_error *error);
 /* Back to a frame, and what comes after is cut off: as undo goes to a mark. */
 skv_result skv_player_go_back(skv_player *player, int64_t frame, skv_error *error);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "measure/survey.h"
 
 void skv_probes_destroy(skv_probes *probes)
 {
@@ -15,7 +16,8 @@ void skv_probes_destroy(skv_probes *probes)
 /* Every frame is read; after a jump in time histories begin anew. */
 #define LONGEST_FRAME (1.5 / 60)
 
-skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, skv_error *error)
+skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, const float *pressure,
+                             skv_error *error)
 {
     double time = skv_world_time(world);
     if (probes->count == 0)
@@ -23,7 +25,7 @@ skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, skv_err
     if (time > probes->time + LONGEST_FRAME)
         skv_lab_restart(probes->lab);
     probes->time = time;
-    return skv_lab_sample(probes->lab, world, error);
+    return skv_lab_sample_with(probes->lab, world, pressure, error);
 }
 
 static int find(const skv_probes *probes, uint32_t id)

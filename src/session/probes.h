@@ -18,8 +18,9 @@ typedef struct skv_probes {
 
 void skv_probes_destroy(skv_probes *probes);
 
-/* Reads them; nothing without a probe. */
-skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, skv_error *error);
+/* Reads them; nothing without a probe. With other pressures than the world's, unless null. */
+skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, const float *pressure,
+                             skv_error *error);
 
 /* Does what a message of theirs says. */
 skv_result skv_probes_handle(skv_probes *probes, const skv_message *message, skv_error *error);

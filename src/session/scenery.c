@@ -1,6 +1,7 @@
 /* What the worker tells the face: reports, and pictures of everything there is to see. Invariant:
  * only the worker's thread is here, and it waits for nobody: what has no room is left out. */
 #include <math.h>
+#include <string.h>
 
 #include "session/worker.h"
 
@@ -126,6 +127,10 @@ bool skv_worker_publish(skv_worker *worker)
     skv_canvas *canvas = skv_gallery_begin(&worker->gallery, world, worker->opened);
     if (!canvas)
         return false;
+    const skv_forecast *forecast = &worker->forecast;
+    if (world && forecast->known && forecast->count > 0)
+        memcpy(canvas->pressure, forecast->pressure,
+               (size_t)forecast->count * sizeof *canvas->pressure);
     paint_time(worker, &canvas->picture);
     paint_tools(worker, &canvas->picture);
     if (world) {

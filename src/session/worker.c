@@ -26,6 +26,13 @@ static void fail_step(skv_worker *worker, const skv_error *error)
     skv_worker_report(worker, SKV_OUTCOME_STEP, error);
 }
 
+/* The pressures are those of what was there before. */
+static void unbalance(skv_worker *worker)
+{
+    worker->unbalanced = worker->unread = true;
+    worker->forecast.known = false;
+}
+
 /* What a person does takes over from a replay. */
 static bool give(skv_worker *worker, const skv_command *command, bool edits, skv_error *error)
 {
@@ -35,6 +42,8 @@ static bool give(skv_worker *worker, const skv_command *command, bool edits, skv
         return false;
     worker->following = false;
     worker->changed = worker->unread = true;
+    if (skv_command_changes_balance(command->kind))
+        unbalance(worker);
     return true;
 }
 
@@ -146,6 +155,8 @@ static void arrive(skv_worker *worker, skv_result result, const skv_error *error
     look_at_gravity(worker);
     worker->hands_known = false;
     worker->changed = worker->unread = true;
+    worker->unbalanced = skv_player_unbalanced(worker->player);
+    worker->forecast.known = false;
     skv_pace_rest(&worker->pace);
 }
 
@@ -185,12 +196,12 @@ static bool step_frame(skv_worker *worker)
     double before = worker->def.clock();
     skv_result result = skv_player_step(worker->player, &error);
     if (result == SKV_OK)
-        result = skv_probes_sample(&worker->probes, skv_player_world(worker->player), &error);
+        result = skv_probes_sample(&worker->probes, skv_player_world(worker->player), NULL, &error);
     if (result != SKV_OK) {
         fail_step(worker, &error);
         return false;
     }
-    worker->unread = false;
+    worker->unread = worker->unbalanced = worker->forecast.known = false;
     skv_pace_stepped(&worker->pace, worker->def.clock() - before);
     worker->changed = true;
     return true;
@@ -380,13 +391,22 @@ static void handle_messages(skv_worker *worker)
 /* ---- The loop -------------------------------------------------------------------------------- */
 
 /* What was changed shows in the next picture, whether it is stepped or not. */
-static void read_probes(skv_worker *worker)
+static void read_still(skv_worker *worker)
 {
     skv_error error;
-    if (!worker->unread || !worker->player || skv_player_seeking(worker->player))
+    if (!worker->player || skv_player_seeking(worker->player))
+        return;
+    const skv_world *world = skv_player_world(worker->player);
+    if (worker->unbalanced && !atomic_load(&worker->active)) {
+        skv_forecast_make(&worker->forecast, world, worker->pool);
+        worker->unbalanced = false;
+        worker->changed = worker->unread = true;
+    }
+    if (!worker->unread)
         return;
     worker->unread = false;
-    if (skv_probes_sample(&worker->probes, skv_player_world(worker->player), &error) != SKV_OK)
+    const float *pressure = worker->forecast.known ? worker->forecast.pressure : NULL;
+    if (skv_probes_sample(&worker->probes, world, pressure, &error) != SKV_OK)
         skv_worker_report(worker, SKV_OUTCOME_EDIT, &error);
 }
 
@@ -412,7 +432,7 @@ static bool work(skv_worker *worker)
         atomic_store(&worker->active, active);
         worker->changed = true;
     }
-    read_probes(worker);
+    read_still(worker);
     if (worker->changed && skv_worker_publish(worker)) {
         worker->changed = worker->refused = false;
         if (worker->def.wake)
@@ -458,5 +478,6 @@ void skv_worker_close(skv_worker *worker)
     for (int i = 0; i < 2; i++)
         skv_free(atomic_load(&worker->shared[i]));
     skv_probes_destroy(&worker->probes);
+    skv_forecast_free(&worker->forecast);
     skv_gallery_destroy(&worker->gallery);
 }

@@ -4,6 +4,7 @@
 #define SKV_SESSION_WORKER_H
 
 #include "base/platform.h"
+#include "session/forecast.h"
 #include "session/gallery.h"
 #include "session/mailbox.h"
 #include "session/pace.h"
@@ -55,8 +56,10 @@ typedef struct skv_worker {
     bool begins;      /* an edit, with the next command that the world takes */
     bool refused;     /* an edit was, since the last picture: said once */
     uint64_t wary;    /* hash of the last that was not opened because it asks for much; 0: none */
-    bool unread;      /* instruments, since they or the world were changed */
-    bool changed;     /* since the last picture */
+    skv_forecast forecast;
+    bool unbalanced; /* no substep was taken since the balance was changed, and none foreseen */
+    bool unread;     /* instruments, since they or the world were changed */
+    bool changed;    /* since the last picture */
 
     /* Between the threads, again. */
     atomic_bool paused;

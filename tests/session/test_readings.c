@@ -65,6 +65,55 @@ static void test_still(void **state)
     }
 }
 
+static double greatest_pressure(skv_stage *stage)
+{
+    const skv_particles *p = &stage_look(stage, 0)->frame.particles;
+    double most = 0;
+    for (int i = 0; i < p->count; i++)
+        most = fmax(most, (double)p->pressure[i]);
+    return most;
+}
+
+/* While nothing is stepped pressures are those to which things lead: at the start, where nothing
+ * was pressed yet, and with another liquid. None of it changes the way that the water goes. */
+static void test_forecast(void **state)
+{
+    (void)state;
+    skv_stage *stage = stage_make(false, stage_still), *other = stage_make(false, stage_still);
+    skv_stage *both[] = {stage, other};
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = 300;
+    for (int i = 0; i < 2; i++) {
+        skv_stage_open(both[i], "dam-break", &options);
+        stage_pass_frames(both[i], 30);
+    }
+    uint32_t probe = add(stage, SKV_INSTRUMENT_PRESSURE, 0.1, 0.1, 0, 0);
+    skv_stage_set_paused(stage, true);
+    skv_stage_seek(stage, 0);
+    assert_true(greatest_pressure(stage) > 1000);
+    double water = reading(stage, probe, 0);
+    assert_true(water > 300);
+    for (int moment = 0; moment < 30; moment += 20) {
+        skv_stage_seek(stage, moment);
+        water = reading(stage, probe, 0);
+        skv_stage_set(stage, 0, "fluid.density", "2000");
+        double heavy = reading(stage, probe, 0);
+        assert_true(heavy > 1.3 * water);
+        skv_stage_set(stage, 0, "gravity.y", "-19.62");
+        assert_true(reading(stage, probe, 0) != heavy);
+        skv_stage_undo(stage);
+        assert_true(reading(stage, probe, 0) == heavy);
+        skv_stage_undo(stage);
+        assert_true(reading(stage, probe, 0) == water);
+        skv_stage_set_paused(stage, false);
+        stage_pass_frames(stage, 30 - moment);
+        skv_stage_set_paused(stage, true);
+    }
+    assert_true(stage_hash(stage, 0) == stage_hash(other, 0));
+    skv_stage_destroy(stage);
+    skv_stage_destroy(other);
+}
+
 /* A reading at rest is that of what is there: what changes it wakes the water. */
 static void test_rest(void **state)
 {
@@ -150,6 +199,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_still, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_moments, stage_setup, stage_teardown),
+        cmocka_unit_test(test_forecast),
         cmocka_unit_test_setup_teardown(test_rest, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_every_parameter, stage_setup, stage_teardown),
     };
