@@ -7,6 +7,7 @@
 #include "input.h"
 #include "keys.h"
 #include "preferences.h"
+#include "saving.h"
 #include "sensor.h"
 #include "share.h"
 #include "stopwatch.h"
@@ -169,11 +170,6 @@ static void on_properties(GSimpleAction *action, GVariant *state, gpointer windo
     play_window_show_properties(window, g_variant_get_boolean(state));
 }
 
-ACTIVATION(on_complain)
-{
-    play_window_complain(window, g_variant_get_string(value, NULL));
-}
-
 /* Escape leaves what was entered last: a message, the gallery, the panel, the keyboard's hand, full
  * screen. */
 ACTIVATION(on_dismiss)
@@ -234,7 +230,6 @@ static const GActionEntry entries[] = {
     {.name = "gallery", .state = "false", .change_state = on_gallery},
     {.name = "experiment", .parameter_type = "i", .activate = on_experiment},
     {.name = "properties", .state = "false", .change_state = on_properties},
-    {.name = "complain", .parameter_type = "s", .activate = on_complain},
     {.name = "dismiss", .activate = on_dismiss},
     {.name = "preferences", .activate = on_preferences},
     {.name = "about", .activate = on_about},
@@ -272,6 +267,7 @@ static void update_states(PlayWindow *window)
 void play_actions_add(PlayWindow *window)
 {
     g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
+    play_saving_add(window);
     play_files_add(window);
     play_share_add(window);
     play_compare_add(window);

@@ -65,15 +65,13 @@ static void on_remove(G_GNUC_UNUSED GtkButton *button, chip *c)
 
 static void on_name_chosen(GtkNativeDialog *dialog, int response, PlayPlot *plot)
 {
-    if (response == GTK_RESPONSE_ACCEPT) {
-        char *path = play_chosen_path(dialog);
-        GError *error = NULL;
-        if (path && !play_plot_save(plot, path, &error)) {
-            gtk_widget_activate_action(GTK_WIDGET(plot), "win.complain", "s", error->message);
-            g_error_free(error);
-        }
-        g_free(path);
+    char *path = response == GTK_RESPONSE_ACCEPT ? play_chosen_path(dialog) : NULL;
+    if (path) {
+        GString *csv = play_plot_csv(plot);
+        gtk_widget_activate_action(GTK_WIDGET(plot), "win.write", "(^ays)", path, csv->str);
+        g_string_free(csv, TRUE);
     }
+    g_free(path);
     g_object_unref(plot);
     g_object_unref(dialog);
 }

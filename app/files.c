@@ -7,16 +7,12 @@
 
 #include "dialogs.h"
 #include "recorder.h"
+#include "saving.h"
 #include "settings.h"
 #include "words.h"
 
 #define VIDEO_SECONDS 10.0
 #define MOST_RECENT   6
-
-static skv_stage *stage_of(PlayWindow *window)
-{
-    return play_view_stage(play_window_view(window));
-}
 
 /* Dialogs. */
 
@@ -166,11 +162,17 @@ void play_files_show_recent(PlayWindow *window, GMenu *section)
 
 /* Saving. */
 
+static void on_saved(PlayWindow *window, const char *path, const char *cause,
+                     G_GNUC_UNUSED gpointer data)
+{
+    play_saving_tell(window, path, cause);
+}
+
 static void save(PlayWindow *window, const char *path)
 {
     bool known = g_str_has_suffix(path, ".skv") || g_str_has_suffix(path, ".skvr");
     char *whole = known ? g_strdup(path) : g_strconcat(path, ".skvr", NULL);
-    skv_stage_save(stage_of(window), whole);
+    play_saving_ask(window, whole, on_saved, NULL);
     g_free(whole);
 }
 
@@ -214,14 +216,11 @@ static void save_drawn(GdkFrameClock *clock, picture_to_save *to_save)
         return;
     GskRenderer *renderer = gtk_native_get_renderer(gtk_widget_get_native(stage));
     GdkTexture *texture = gsk_renderer_render_texture(renderer, node, NULL);
-    if (gdk_texture_save_to_png(texture, to_save->path)) {
-        play_window_toast(to_save->window, _("The picture was saved"));
-    } else {
-        char *text =
-            g_strdup_printf(_("%s cannot be written; choose another folder."), to_save->path);
-        play_window_complain(to_save->window, text);
-        g_free(text);
-    }
+    GBytes *png = gdk_texture_save_to_png_bytes(texture);
+    play_saving_tell(
+        to_save->window, to_save->path,
+        play_saving_write(to_save->path, g_bytes_get_data(png, NULL), g_bytes_get_size(png)));
+    g_bytes_unref(png);
     g_object_unref(texture);
     gsk_render_node_unref(node);
     g_signal_handlers_disconnect_by_data(clock, to_save);
@@ -257,9 +256,7 @@ typedef struct video {
     PlayWindow *window;
     char *folder, *replay, *path;
     gint64 moment;
-    gulong waiting; /* for the log */
     gulong closing; /* for the window */
-    bool closed;
     GCancellable *stop;
 } video;
 
@@ -268,10 +265,9 @@ static void end_video(video *v)
     play_window_set_progress(v->window, -1);
     g_object_set_data(G_OBJECT(v->window), "video", NULL);
     g_signal_handler_disconnect(v->window, v->closing);
-    if (v->closed)
-        gtk_window_destroy(GTK_WINDOW(v->window));
     g_remove(v->replay);
     g_rmdir(v->folder);
+    play_saving_release(v->window);
     g_free(v->folder);
     g_free(v->replay);
     g_free(v->path);
@@ -280,12 +276,10 @@ static void end_video(video *v)
     g_free(v);
 }
 
-static gboolean on_close(GtkWindow *window, video *v)
+static gboolean on_close(G_GNUC_UNUSED GtkWindow *window, video *v)
 {
-    v->closed = true;
     g_cancellable_cancel(v->stop);
-    gtk_widget_set_visible(GTK_WIDGET(window), FALSE);
-    return GDK_EVENT_STOP;
+    return GDK_EVENT_PROPAGATE; /* it is held */
 }
 
 static void on_recorded(double share, bool ended, const char *error, gpointer data)
@@ -295,23 +289,24 @@ static void on_recorded(double share, bool ended, const char *error, gpointer da
         play_window_set_progress(v->window, share);
         return;
     }
-    if (error)
-        play_window_complain(v->window, error);
+    if (error && g_cancellable_is_cancelled(v->stop))
+        play_window_toast(v->window, _("The video was stopped."));
     else
-        play_window_toast(v->window, _("The video was saved"));
+        play_saving_tell(v->window, v->path, error);
     end_video(v);
 }
 
-static void on_log_saved(G_GNUC_UNUSED PlayView *view, const char *error, video *v)
+static void on_log_saved(PlayWindow *window, G_GNUC_UNUSED const char *path, const char *cause,
+                         gpointer data)
 {
-    g_signal_handler_disconnect(play_window_view(v->window), v->waiting);
-    if (error) {
-        play_window_complain(v->window, error);
+    video *v = data;
+    if (cause) {
+        play_saving_tell(window, v->path, cause);
         end_video(v);
         return;
     }
     play_record(v->replay, v->path, v->moment, VIDEO_SECONDS,
-                play_view_style(play_window_view(v->window)), v->stop, on_recorded, v);
+                play_view_style(play_window_view(window)), v->stop, on_recorded, v);
 }
 
 static void record(PlayWindow *window, const char *path)
@@ -334,14 +329,20 @@ static void record(PlayWindow *window, const char *path)
                  .stop = g_cancellable_new()};
     g_object_set_data(G_OBJECT(window), "video", v);
     v->closing = g_signal_connect(window, "close-request", G_CALLBACK(on_close), v);
-    v->waiting = g_signal_connect(play_window_view(window), "saved", G_CALLBACK(on_log_saved), v);
+    play_saving_hold(window);
     play_window_set_progress(window, 0);
-    skv_stage_save(stage_of(window), v->replay);
+    play_saving_ask(window, v->replay, on_log_saved, v);
 }
 
 static void on_record(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
                       gpointer window)
 {
+    char *program = g_find_program_in_path("ffmpeg");
+    g_free(program);
+    if (!program) {
+        play_window_complain(window, _("Videos need ffmpeg: install it and try again."));
+        return;
+    }
     char *name = name_with(window, ".mp4");
     add_filter(ask(window, _("Save the Last 10 Seconds"), name, record), _("Videos (MP4)"),
                (const char *const[]){"mp4", NULL});
@@ -356,6 +357,14 @@ static void on_stop_recording(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED
         g_cancellable_cancel(v->stop);
 }
 
+/* What a part of the window that does not know it has made: name and content. */
+static void on_write(G_GNUC_UNUSED GSimpleAction *action, GVariant *file, gpointer window)
+{
+    const char *path, *text;
+    g_variant_get(file, "(^&ay&s)", &path, &text);
+    play_saving_tell(window, path, play_saving_write(path, text, strlen(text)));
+}
+
 void play_files_add(PlayWindow *window)
 {
     static const GActionEntry entries[] = {
@@ -363,6 +372,7 @@ void play_files_add(PlayWindow *window)
         {.name = "open-scene", .parameter_type = "s", .activate = on_open_scene},
         {.name = "open-uri", .parameter_type = "s", .activate = on_open_uri},
         {.name = "save", .activate = on_save},
+        {.name = "write", .parameter_type = "(ays)", .activate = on_write},
         {.name = "screenshot", .activate = on_screenshot},
         {.name = "record", .activate = on_record},
         {.name = "stop-recording", .activate = on_stop_recording},

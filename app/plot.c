@@ -267,7 +267,7 @@ void play_plot_show(PlayPlot *plot, const char *x_label, const char *y_label, do
     gtk_widget_queue_draw(GTK_WIDGET(plot));
 }
 
-bool play_plot_save(PlayPlot *plot, const char *path, GError **error)
+GString *play_plot_csv(PlayPlot *plot)
 {
     GString *text = g_string_new(NULL);
     g_string_append_printf(text, "series,%s,%s\n", plot->x_label, plot->y_label);
@@ -281,9 +281,7 @@ bool play_plot_save(PlayPlot *plot, const char *path, GError **error)
                                        g_ascii_formatd(y, sizeof y, "%.7g", curve->y[k]));
         }
     }
-    bool done = g_file_set_contents(path, text->str, (gssize)text->len, error);
-    g_string_free(text, TRUE);
-    return done;
+    return text;
 }
 
 static void measure(G_GNUC_UNUSED GtkWidget *widget, GtkOrientation orientation,

@@ -27,9 +27,8 @@ typedef struct PlayCurve {
 void play_plot_show(PlayPlot *plot, const char *x_label, const char *y_label, double unit,
                     const PlayCurve *curves, int count);
 
-/* Writes what is shown as CSV: series, and the two axes. Returns false and sets the error if it
- * cannot. */
-bool play_plot_save(PlayPlot *plot, const char *path, GError **error);
+/* What is shown, as CSV: series, and the two axes. To be freed. */
+GString *play_plot_csv(PlayPlot *plot);
 
 G_END_DECLS
 

@@ -1,7 +1,11 @@
-/* Quitting. Invariant: whatever dialog or menu is open, the main window closes as if by hand, and
- * the app goes with it. An application's own keys reach its main windows alone, so this key is one
+/* Quitting, by key or because the system asks for it. Invariant: whatever dialog or menu is open,
+ * the main window closes as if by hand, so that nothing is left half-written, and the app goes with
+ * it. An application's own keys reach its main windows alone, so this key is one
  * of every window's and every menu's. */
 #include "quit.h"
+
+#include <glib-unix.h>
+#include <signal.h>
 
 #include "window.h"
 
@@ -24,8 +28,17 @@ static gboolean on_key(G_GNUC_UNUSED GtkWidget *widget, G_GNUC_UNUSED GVariant *
     return GDK_EVENT_STOP;
 }
 
+static gboolean on_signal(G_GNUC_UNUSED gpointer data)
+{
+    quit(NULL);
+    return G_SOURCE_CONTINUE;
+}
+
 void play_quit_add(void)
 {
+    const int signals[] = {SIGTERM, SIGINT, SIGHUP};
+    for (size_t i = 0; i < G_N_ELEMENTS(signals); i++)
+        g_unix_signal_add(signals[i], on_signal, NULL);
     const GType types[] = {GTK_TYPE_WINDOW, GTK_TYPE_POPOVER};
     for (size_t i = 0; i < G_N_ELEMENTS(types); i++) {
         GtkWidgetClass *class = g_type_class_ref(types[i]);

@@ -2,10 +2,12 @@
  * video appears under its name when it is complete, or not at all. */
 #include "recorder.h"
 
+#include <errno.h>
 #include <glib/gi18n.h>
 #include <glib/gstdio.h>
 #include <math.h>
 #include <skvalp/player.h>
+#include <stdio.h>
 #include <string.h>
 
 #define FRAMES_A_SECOND 60
@@ -103,7 +105,7 @@ static GSubprocess *start_ffmpeg(job *work, int width, int height, const char *o
                          "-s", size, "-r", "30", "-i", "-", "-pix_fmt", "yuv420p", "-movflags",
                          "+faststart", "-f", "mp4", output, NULL);
     if (!process) {
-        fail(work, _("Videos need ffmpeg: install it and try again."));
+        fail(work, problem->message);
         g_clear_error(&problem);
     }
     return process;
@@ -122,12 +124,22 @@ static bool write_pictures(job *work, skv_player *player, skv_offscreen *offscre
             if (skv_offscreen_render(offscreen, &frame, &work->style, rgb, &error) != SKV_OK)
                 return fail(work, error.text);
             if (!g_output_stream_write_all(to, rgb, size, NULL, NULL, NULL))
-                return fail(work, _("ffmpeg ended early; is the disk full?"));
+                return fail(work, _("ffmpeg ended early, as on a full disk"));
             tell(work, (double)i / (double)count);
         }
         if (i < count && skv_player_step(player, &error) != SKV_OK)
             return fail(work, error.text);
     }
+    return true;
+}
+
+/* What keeps a file from being made is the system's to say: of ffmpeg nobody hears it. */
+static bool can_write(job *work, const char *output)
+{
+    FILE *file = g_fopen(output, "wb");
+    if (!file)
+        return fail(work, g_strerror(errno));
+    fclose(file);
     return true;
 }
 
@@ -149,7 +161,7 @@ static bool make_video(job *work, skv_player *player, const char *output)
         done = write_pictures(work, player, offscreen, rgb, size, to);
         g_output_stream_close(to, NULL, NULL);
         if (!g_subprocess_wait_check(ffmpeg, NULL, NULL) && done)
-            done = fail(work, _("ffmpeg could not write the video; is the disk full?"));
+            done = fail(work, _("ffmpeg ended early, as on a full disk"));
         g_free(rgb);
         g_object_unref(ffmpeg);
     }
@@ -164,9 +176,10 @@ static void run(GTask *task, G_GNUC_UNUSED gpointer source, gpointer data,
     char *output = g_strconcat(work->path, ".part", NULL);
     skv_player *player = load(work);
     gint64 from = MAX(0, work->moment - (gint64)(work->seconds * FRAMES_A_SECOND));
-    bool done = player && go_to(work, player, from) && make_video(work, player, output);
+    bool done = player && can_write(work, output) && go_to(work, player, from) &&
+                make_video(work, player, output);
     if (done && g_rename(output, work->path) != 0)
-        done = fail(work, _("The video could not be given its name."));
+        done = fail(work, g_strerror(errno));
     if (!done)
         g_remove(output);
     skv_player_destroy(player);
@@ -178,10 +191,7 @@ static void on_ended(G_GNUC_UNUSED GObject *source, GAsyncResult *result, gpoint
 {
     job *work = data;
     bool done = g_task_propagate_boolean(G_TASK(result), NULL);
-    if (done || !g_cancellable_is_cancelled(work->stop))
-        work->told(1, true, done ? NULL : work->error, work->user);
-    else
-        work->told(1, true, _("The video was stopped."), work->user);
+    work->told(1, true, done ? NULL : work->error, work->user);
     g_free(work->replay);
     g_free(work->path);
     g_object_unref(work->stop);

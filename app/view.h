@@ -4,7 +4,7 @@
  * while something moves. The first side's view emits, too: "opened" when something was opened;
  * "saved" when a file was, "shared" when what a link holds is ready, and "compared" when a second
  * world is there, with a line of text if it is not, or null; and "failed" with such a line when
- * something else was not done.
+ * something else was not done. Who has something saved asks play_saving_ask.
  */
 #ifndef SKVALP_PLAY_VIEW_H
 #define SKVALP_PLAY_VIEW_H

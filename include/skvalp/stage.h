@@ -81,7 +81,8 @@ SKV_API void skv_stage_open_memory(skv_stage *stage, const void *data, size_t si
 SKV_API void skv_stage_replay(skv_stage *stage);
 
 /** Writes the first world's state (a name that ends in .skv) or replay (.skvr) to a file, which
- * appears when it is complete. Reported as SKV_OUTCOME_SAVE. */
+ * appears when it is complete. Reported as SKV_OUTCOME_SAVE, in the order of these calls; why it
+ * failed is the cause alone, "No space left on device", for who asks knows the file. */
 SKV_API void skv_stage_save(skv_stage *stage, const char *path);
 
 /** Makes what a link holds (skv_player_share) of the first world's moment. Reported as

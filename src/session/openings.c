@@ -77,9 +77,8 @@ static skv_result save(const skv_worker *worker, const char *path, skv_error *er
 
 void skv_worker_save(skv_worker *worker, const skv_request *request)
 {
-    skv_error cause = {0}, error = {0};
-    if (save(worker, request->name, &cause) != SKV_OK)
-        skv_fail(&error, cause.code, "%s: could not be written: %s", request->name, cause.text);
+    skv_error error = {0};
+    save(worker, request->name, &error);
     skv_worker_report(worker, SKV_OUTCOME_SAVE, &error);
 }
 

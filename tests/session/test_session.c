@@ -1,5 +1,6 @@
 /* The stage below every toolkit: opening and failing to, time, gravity, camera, pictures. Told
  * twice: once with all work done within the calls, once on a thread of its own. */
+#include <errno.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -452,12 +453,14 @@ static void test_saving(void **state)
     }
     stage_copy(stage, &picture);
     assert_false(picture.mismatch);
-    const char *const bad[] = {"no/such/folder/a.skv", "a.txt"};
+    /* The cause alone. */
+    const char *const bad[][2] = {{"no/such/folder/a.skv", strerror(ENOENT)}, {"a.txt", ".skvr"}};
     for (int i = 0; i < 2; i++) {
-        skv_stage_save(stage, bad[i]);
+        skv_stage_save(stage, bad[i][0]);
         skv_stage_wait(stage);
         assert_true(stage_report(stage, &report) > 0);
-        assert_non_null(strstr(report.error.text, bad[i]));
+        assert_non_null(strstr(report.error.text, bad[i][1]));
+        assert_null(strstr(report.error.text, bad[i][0]));
     }
     skv_stage_open(stage, "missing.skv", NULL);
     skv_stage_wait(stage);
