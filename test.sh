@@ -180,7 +180,7 @@ done
 # The house's rules read everything that is built.
 ! asked house || targets=()
 page=1
-if asked web && ! install_npm; then
+if asked web && ! { install_npm && { ((!long)) || install_npm_folder tests/web/bundlers; }; }; then
     page=0
     ((whole)) || die "without npm packages the page cannot be tested"
 fi

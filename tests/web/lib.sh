@@ -86,3 +86,24 @@ make_page() {
         fi
     done
 }
+
+# unpack_package FOLDER: the npm package, packed, as npm would lay it out in the project FOLDER/project, which
+# asks no network. The sources may belong to somebody else: it is packed in FOLDER. Ends the test if that fails.
+unpack_package() {
+    local work=$1 package
+    mkdir -p "$work/web" "$work/project/node_modules/skvalp"
+    cp -r web/src web/tools web/package.json web/tsconfig.json web/README.md "$work/web"
+    cp LICENSE "$work"
+    ln -s "$PWD/web/node_modules" "$work/web/node_modules"
+    (
+        cd "$work/web"
+        SKV_MODULES=$modules "${newer[@]}" npm pack --silent --pack-destination "$work"
+    ) >"$build/package.log" 2>&1 || {
+        tail -n 5 "$build/package.log" >&2
+        exit 1
+    }
+    tar xzf "$work"/skvalp-*.tgz --strip-components=1 -C "$work/project/node_modules/skvalp"
+    for package in jsonc-parser fast-png pako fflate iobuffer; do
+        ln -s "$PWD/web/node_modules/$package" "$work/project/node_modules/$package"
+    done
+}

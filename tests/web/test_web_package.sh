@@ -11,23 +11,8 @@ make_modules
 source=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# The sources may belong to somebody else: it is packed elsewhere.
-mkdir "$work/web" "$work/project"
-cp -r web/src web/tools web/package.json web/tsconfig.json web/README.md "$work/web"
-ln -s "$PWD/web/node_modules" "$work/web/node_modules"
-(
-    cd "$work/web"
-    SKV_MODULES=$modules "${newer[@]}" npm pack --silent --pack-destination "$work"
-) >"$build/package.log" 2>&1 || {
-    tail -n 5 "$build/package.log" >&2
-    exit 1
-}
-# As npm would lay it out, without asking the network.
-mkdir -p "$work/project/node_modules/skvalp"
-tar xzf "$work"/skvalp-*.tgz --strip-components=1 -C "$work/project/node_modules/skvalp"
-for package in jsonc-parser fast-png pako fflate iobuffer; do
-    ln -s "$PWD/web/node_modules/$package" "$work/project/node_modules/$package"
-done
+unpack_package "$work"
+cmp -s LICENSE "$work/project/node_modules/skvalp/LICENSE" || complain "the package has no licence"
 
 cd "$work/project"
 printf '{ "type": "module" }\n' >package.json
@@ -44,6 +29,8 @@ import assert from 'node:assert';
 const skvalp = await open({ threads: 2 });
 assert(skvalp.scenes.includes('dam-break'));
 assert.throws(() => skvalp.scene('no such scene'), SkvalpError);
+assert.throws(() => skvalp.scene('pool', { particles: -1 }), { message: /^particles: / });
+assert.throws(() => skvalp.scene('pool', { settings: { 'gravity.y': 'up' } }), { message: /^gravity\.y: / });
 const world = skvalp.scene('pool', { particles: 200 }).world();
 const particles = world.particles();
 assert.equal(particles.x.length, particles.count);
@@ -66,9 +53,19 @@ for (let i = 0; i < 6; i++) {
 const [x, y, vx, vy] = means(tilted.particles()).map((now, i) => now - before[i]);
 assert(vx > 0.5 && Math.abs(vy) < vx / 4, `it goes (${vx}, ${vy}) m/s`);
 assert(x > 0.03 && Math.abs(y) < x / 4, `it has gone (${x}, ${y}) m`);
+// What nobody destroyed is told of once it is collected; what was destroyed is not.
+const warned = [];
+console.warn = (text) => warned.push(text);
+skvalp.scene('pool', { particles: 200 });
+for (let i = 0; i < 1000 && warned.length === 0; i++) {
+    globalThis.gc();
+    await new Promise((resolve) => setTimeout(resolve, 10));
+}
+assert.match(warned.join(), /a scene was left without destroy/);
+assert.doesNotMatch(warned.join(), /world/);
 await skvalp.end();
 END
-node stale.js || complain "stale.js failed"
+node --expose-gc stale.js || complain "stale.js failed"
 cat >typed.ts <<'END'
 import { open, World } from 'skvalp';
 const world: World = (await open()).scene('pool').world();

@@ -13,19 +13,24 @@ const frame = 1 / 60;
 /**
  * @typedef {object} SceneOptions
  * @property {number} [particles] how many; the scene's own number if it is not given
- * @property {Record<string, string | number | boolean>} [settings] by path, as docs/scenes.md has them:
+ * @property {Record<string, string | number | boolean>} [settings] by path, as scene files have them:
  *     { 'fluid.law': 'clavet' }
  */
+
+/** Who collects what nobody holds any more cannot free it: the module may have ended. */
+const left = new FinalizationRegistry((/** @type {string} */ kind) =>
+    console.warn(`skvalp: a ${kind} was left without destroy(): its memory stays taken`));
 
 /** Something in the module's memory that is there until it is destroyed. */
 class Owned {
     #pointer;
     #free;
 
-    /** @param {number} pointer @param {(pointer: number) => void} free */
-    constructor(pointer, free) {
+    /** @param {number} pointer @param {(pointer: number) => void} free @param {string} kind */
+    constructor(pointer, free, kind) {
         this.#pointer = pointer;
         this.#free = free;
+        left.register(this, kind, this);
     }
 
     /** Its address, for `library.c`. */
@@ -40,11 +45,15 @@ class Owned {
         if (this.#pointer !== 0) {
             this.#free(this.#pointer);
             this.#pointer = 0;
+            left.unregister(this);
         }
     }
 }
 
-/** A world's particles at one moment: views of the module's memory, not copies. */
+/**
+ * A world's particles at one moment: views of the module's memory, not copies. Asked for too late, they throw; an
+ * array that is kept shows whatever its memory holds by then: `x.slice()` keeps the moment.
+ */
 export class Particles {
     #world;
     #moment;
@@ -96,7 +105,7 @@ export class World extends Owned {
 
     /** @param {Library} library @param {number} pointer */
     constructor(library, pointer) {
-        super(pointer, (world) => library.c.skv_world_destroy(world));
+        super(pointer, (world) => library.c.skv_world_destroy(world), 'world');
         this.#library = library;
     }
 
@@ -136,7 +145,7 @@ export class Scene extends Owned {
 
     /** @param {Library} library @param {number} pointer @param {number} threads */
     constructor(library, pointer, threads) {
-        super(pointer, (scene) => library.c.skv_scene_destroy(scene));
+        super(pointer, (scene) => library.c.skv_scene_destroy(scene), 'scene');
         this.#library = library;
         this.#threads = threads;
     }
@@ -164,7 +173,7 @@ export class Skvalp {
     }
 
     /**
-     * @param {string | object | Uint8Array} source a built-in scene's name, a scene as docs/scenes.md has it, or
+     * @param {string | object | Uint8Array} source a built-in scene's name, a scene as files have it, or
      *     the bytes of such a JSON file or of a PNG that is painted
      * @param {SceneOptions} [wanted]
      */

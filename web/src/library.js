@@ -19,9 +19,9 @@ const sizes = { bool: 1, i8: 1, u8: 1, i32: 4, u32: 4, i64: 8, u64: 8, f32: 4, f
 
 /** What a public function reports: the line, and the code by which programs tell. */
 export class SkvalpError extends Error {
-    /** @param {number} code @param {string} text */
+    /** @param {number} code @param {string} text which names a setting as the command line has it */
     constructor(code, text) {
-        super(text);
+        super(text.replace(/^--(set )?/, ''));
         this.name = 'SkvalpError';
         this.code = code;
     }

@@ -12,20 +12,34 @@ const web = fileURLToPath(new URL('..', import.meta.url));
 const lib = `${web}lib`;
 
 rmSync(lib, { recursive: true, force: true });
+/**
+ * Whoever bundles the package is to find the addresses of its files as they stand: `new URL('./x', import.meta.url)`.
+ * @type {import('vite').Plugin}
+ */
+const addresses = {
+    name: 'addresses',
+    enforce: 'pre',
+    resolveId: (id) => (/\/interface\.js$/.test(id) ? { id: './interface.js', external: true } : null),
+    transform: (code) => code.replaceAll('import.meta.url', '__SKV_HERE__'),
+    renderChunk: (code) => code.replaceAll('__SKV_HERE__', 'import.meta.url'),
+};
 await build({
     configFile: false,
     root: web,
-    base: './',
     logLevel: 'error',
-    worker: { format: 'es' },
+    plugins: [addresses],
     build: {
-        outDir: lib, target: 'es2022', emptyOutDir: false, assetsDir: '',
-        lib: { entry: `${web}src/index.browser.js`, formats: ['es'], fileName: () => 'skvalp.js' },
+        outDir: lib, target: 'es2022', emptyOutDir: false,
+        lib: {
+            entry: { skvalp: `${web}src/index.browser.js`, 'pool.worker': `${web}src/pool.worker.js` },
+            formats: ['es'], fileName: (_, name) => `${name}.js`,
+        },
     },
 });
 for (const file of ['skvalp.wasm', 'skvalp-threads.wasm', 'interface.js', 'interface.d.ts']) {
     copyFileSync(`${folder}/${file}`, `${lib}/${file}`);
 }
+copyFileSync(`${web}../LICENSE`, `${web}LICENSE`);
 mkdirSync(`${lib}/types`);
 copyFileSync(`${folder}/interface.d.ts`, `${lib}/types/interface.d.ts`);
 const project = `${lib}/tsconfig.json`;
