@@ -75,8 +75,9 @@ SKV_API const skv_gauge *skv_gauge_at(int i);
 /** That of a kind; null if it is none of them. */
 SKV_API const skv_gauge *skv_gauge_of(skv_instrument_kind kind);
 
-/** Adds one in the middle of what the first side shows, low, where water is, and beside those that
- * are there; 0 if nothing is open. */
+/** Adds one under the mouse or pen if that is over a view, else in the water nearest to the middle
+ * of what the first side shows; a level in any case in water. Never in a wall, nor where another
+ * begins: close by, then. 0 if nothing is open. */
 SKV_API uint32_t skv_control_add_gauge(skv_stage *stage, const skv_gauge *gauge);
 /** Drags an end of one (0 or 1) to a place, which is kept within the world. The first end takes the
  * second with it. */

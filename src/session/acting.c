@@ -174,9 +174,20 @@ int skv_stage_dye(const skv_stage *stage)
     return stage->dye;
 }
 
+/* A finger that is lifted is nowhere. */
+static void note_hover(skv_stage *stage, int side, const skv_pointer_event *event)
+{
+    stage->hover.known = event->phase != SKV_PHASE_LEAVE && event->device != SKV_DEVICE_FINGER &&
+                         isfinite(event->px) && isfinite(event->py);
+    stage->hover.side = skv_stage_at(stage, side);
+    stage->hover.px = event->px;
+    stage->hover.py = event->py;
+}
+
 void skv_stage_pointer(skv_stage *stage, int side, const skv_pointer_event *event)
 {
     SKV_ASSERT(stage && event);
+    note_hover(stage, side, event);
     skv_camera seen = skv_stage_camera(stage, side);
     double x, y;
     skv_camera_to_world(&seen, event->px, event->py, &x, &y);
@@ -222,6 +233,7 @@ double skv_stage_touch_waited(skv_stage *stage, int side)
 void skv_stage_cancel_pointers(skv_stage *stage)
 {
     SKV_ASSERT(stage);
+    stage->hover.known = false;
     for (int i = 0; i < stage->count; i++) {
         stage->fingers[i] = (skv_fingers){0};
         skv_session_cancel_pointers(stage->worlds[i]);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "session/placing.h"
 
 #define COUNT(table) ((int)(sizeof(table) / sizeof *(table)))
 #define AT(table, i) ((i) >= 0 && (i) < COUNT(table) ? &(table)[i] : NULL)
@@ -169,37 +170,37 @@ static double within(double value, double most)
     return fmin(fmax(value, 0), most);
 }
 
-/* Shares of what is seen: how low the first point lies, how high a level's second one does, and how
- * long other lines are; of the world, how far apart instruments begin, in a row of so many. */
-#define LOW     0.2
-#define HIGH    0.4
-#define LENGTH  0.3
-#define SPACING 0.05
-#define IN_ROW  8
+/* Shares of what is seen: how high a level's upper end lies over the middle, and how long other
+ * lines are. */
+#define HIGH   0.4
+#define LENGTH 0.3
+
+/* To the other side where the world ends before. */
+static double beside(double from, double length, double most)
+{
+    return from + length <= most ? from + length : fmax(from - length, 0);
+}
 
 uint32_t skv_control_add_gauge(skv_stage *stage, const skv_gauge *gauge)
 {
     SKV_ASSERT_OR(stage && gauge, 0);
-    const skv_picture *picture = skv_stage_picture(stage, 0);
-    skv_camera camera = skv_stage_camera(stage, 0);
-    if (picture->opened == 0)
+    if (skv_stage_picture(stage, 0)->opened == 0)
         return 0;
+    skv_camera camera = skv_stage_camera(stage, 0);
     skv_instrument_def def = skv_default_instrument_def(gauge->kind);
     double width = camera.world_width, height = camera.world_height;
     double length = LENGTH * fmin(width, height) / camera.zoom;
-    double aside = SPACING * width * (picture->probe_count % IN_ROW - 3);
-    def.x0 = def.x1 = camera.centre_x + aside;
-    def.y0 = def.y1 = camera.centre_y - LOW * height / camera.zoom;
+    skv_place(stage, gauge->kind == SKV_INSTRUMENT_LEVEL, &def.x0, &def.y0);
+    def.x1 = def.x0, def.y1 = def.y0;
     if (gauge->kind == SKV_INSTRUMENT_LEVEL) {
-        def.y1 = camera.centre_y + HIGH * height / camera.zoom;
+        double top = camera.centre_y + HIGH * height / camera.zoom;
+        def.y1 = def.y0 < top ? fmin(top, height) : height;
     } else if (gauge->kind == SKV_INSTRUMENT_GATE) {
-        def.y1 += length;
+        def.y1 = beside(def.y0, length, height);
     } else if (gauge->line) {
-        def.x1 += length;
-        def.y1 += gauge->box ? length / 2 : 0;
+        def.x1 = beside(def.x0, length, width);
+        def.y1 = gauge->box ? beside(def.y0, length / 2, height) : def.y0;
     }
-    def.x0 = within(def.x0, width), def.y0 = within(def.y0, height);
-    def.x1 = within(def.x1, width), def.y1 = within(def.y1, height);
     skv_format(def.name, sizeof def.name, "%s", skv_instrument_kind_name(gauge->kind));
     return skv_stage_add_probe(stage, &def);
 }

@@ -18,6 +18,12 @@ struct skv_stage {
     uint32_t next_probe;
     int64_t goal; /* the moment sought last, until it is reached; -1: none */
     skv_fingers fingers[2];
+    /* Where a mouse or pen is over a side's view, in its pixels. */
+    struct {
+        bool known;
+        int side;
+        double px, py;
+    } hover;
 
     /* On the way to a second world. */
     int offers;          /* that were asked of the first, and not reported yet */

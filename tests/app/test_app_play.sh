@@ -86,15 +86,19 @@ until is "dye == $old"; do # and round to the first
 done
 await "shows('Dye: rose')"
 
-# 3. A pressure probe: its grip is dragged, its chip has a plot and moves it by keys.
+# 3. A pressure probe under the pointer, while paused: its grip is dragged, its chip has a plot and moves
+# it by keys.
 is 'not worlds[0].probes and not says("Pressure")' || fail "measured before anything was: $answer"
-key m s
-await 'worlds[0].probes[0].kind == 0 and says("1  Pressure  ")'
+point 60 15
+key m
+await 'worlds[0].probes[0].kind == 0 and says("1  Pressure  ") and paused'
+await 'abs(worlds[0].probes[0].x0 - 0.96) < 0.01 and abs(worlds[0].probes[0].y0 - 0.135) < 0.01'
 await 'worlds[0].probes[0].value > 100 and not says("1  Pressure  –")'
 go 'grip()'
 xdotool mousedown 1
-point 30 20
-await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.01 and abs(worlds[0].probes[0].y0 - 0.18) < 0.01'
+point 30 80
+await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.01 and abs(worlds[0].probes[0].y0 - 0.72) < 0.01'
+await 'worlds[0].probes[0].value is None'
 let_go
 press '1  Pressure  –' Toggle
 await 'menus() == 1 and shows("Save as CSV…")'
@@ -114,19 +118,20 @@ press Measure
 await 'menus() == 1'
 press 'Ruler'
 await 'len(worlds[0].probes) == 1 and says("  Ruler  ") and menus() == 0'
-await 'worlds[0].probes[0].x0'
-old=$answer
+await 'worlds[0].probes[0].x0, worlds[0].probes[0].y0'
+read -r x y <<<"$answer"
 go 'grip(0, 1)'
 xdotool mousedown 1
 point 90 20
 let_go
-await "abs(worlds[0].probes[0].x1 - 1.44) < 0.01 and worlds[0].probes[0].x0 == $old"
+await "abs(worlds[0].probes[0].x1 - 1.44) < 0.01 and worlds[0].probes[0].x0 == $x"
 go 'grip()'
 xdotool mousedown 1
 point 20 40
 await 'abs(worlds[0].probes[0].x0 - 0.32) < 0.01 and abs(worlds[0].probes[0].y0 - 0.36) < 0.01'
 let_go
-await 'abs(worlds[0].probes[0].x1 - worlds[0].probes[0].x0 - 0.88) < 0.02 and abs(worlds[0].probes[0].y1 - 0.27) < 0.01'
+await "abs(worlds[0].probes[0].x1 - worlds[0].probes[0].x0 - 1.44 + $x) < 0.02"
+await "abs(worlds[0].probes[0].y1 - worlds[0].probes[0].y0 - 0.18 + $y) < 0.02"
 go 'grip()'
 xdotool mousedown 1
 go 'middle("Rewind")'

@@ -189,14 +189,105 @@ static void test_gauges(void **state)
     }
     assert_int_equal(count, 6);
     assert_null(skv_gauge_of(SKV_INSTRUMENT_ENERGY));
-    /* Two of a kind do not hide each other. */
-    uint32_t one = skv_control_add_gauge(stage, skv_gauge_at(0));
-    stage_look(stage, 0);
-    double x = skv_stage_probe(stage, 0, one)->def.x0;
-    uint32_t two = skv_control_add_gauge(stage, skv_gauge_at(0));
-    stage_look(stage, 0);
-    assert_true(fabs(skv_stage_probe(stage, 0, two)->def.x0 - x) > 0.02);
     skv_control_drag(stage, 0, 99, 0, 0, 0); /* there is none */
+    skv_stage_destroy(stage);
+}
+
+static const skv_probe *add_gauge(skv_stage *stage, skv_instrument_kind kind)
+{
+    uint32_t id = skv_control_add_gauge(stage, skv_gauge_of(kind));
+    stage_look(stage, 0);
+    const skv_probe *probe = skv_stage_probe(stage, 0, id);
+    assert_non_null(probe);
+    return probe;
+}
+
+static void hover(skv_stage *stage, double x, double y)
+{
+    skv_camera camera = skv_stage_camera(stage, 0);
+    double px, py;
+    skv_camera_to_view(&camera, x, y, &px, &py);
+    stage_touch(stage, SKV_PHASE_MOVE, SKV_DEVICE_MOUSE, 0, px, py, 1);
+}
+
+static bool is_at(const skv_probe *probe, double x, double y, double reach)
+{
+    return hypot(probe->def.x0 - x, probe->def.y0 - y) <= reach;
+}
+
+/* Instruments begin in the open, and apart from each other. */
+static void expect_apart(skv_stage *stage)
+{
+    const skv_picture *picture = stage_look(stage, 0);
+    for (int i = 0; i < picture->probe_count; i++) {
+        const skv_instrument_def *one = &picture->probes[i].def;
+        assert_true(skv_terrain_distance(picture->frame.terrain, (float)one->x0, (float)one->y0) >
+                    0);
+        for (int k = 0; k < i; k++)
+            assert_false(is_at(&picture->probes[k], one->x0, one->y0, 0.03));
+    }
+}
+
+/* Under the pointer while that is over the view, in the dry, too, but for a level. */
+static void test_under_the_pointer(void **state)
+{
+    (void)state;
+    skv_stage *stage = open_pool(300);
+    skv_stage_set_paused(stage, true);
+    hover(stage, 0.2, 0.1);
+    assert_true(is_at(add_gauge(stage, SKV_INSTRUMENT_PRESSURE), 0.2, 0.1, 1e-9));
+    hover(stage, 0.3, 0.8);
+    assert_true(is_at(add_gauge(stage, SKV_INSTRUMENT_VELOCITY), 0.3, 0.8, 1e-9));
+    hover(stage, 0.7, 0.8);
+    const skv_probe *level = add_gauge(stage, SKV_INSTRUMENT_LEVEL);
+    assert_true(fabs(level->def.x0 - 0.7) < 0.1 && !isnan(level->value[0]));
+    /* On another, and in the floor's wall: close by. */
+    hover(stage, 0.2, 0.1);
+    const skv_probe *close = add_gauge(stage, SKV_INSTRUMENT_RULER);
+    assert_true(is_at(close, 0.2, 0.1, 0.3) && !is_at(close, 0.2, 0.1, 0.05));
+    hover(stage, 1.2, 0);
+    assert_true(is_at(add_gauge(stage, SKV_INSTRUMENT_PRESSURE), 1.2, 0, 0.1));
+    expect_apart(stage);
+    /* Gone from the view: in the water, and in the middle, as far as there is room. */
+    stage_touch(stage, SKV_PHASE_LEAVE, SKV_DEVICE_MOUSE, 0, 0, 0, 2);
+    const skv_probe *middle = add_gauge(stage, SKV_INSTRUMENT_PRESSURE);
+    assert_true(fabs(middle->def.x0 - 0.8) < 0.2 && middle->value[0] > 0);
+    skv_stage_destroy(stage);
+}
+
+/* In every scene a new instrument reads, one after the other, and so do those of a part that is
+ * seen from near. */
+static void test_in_the_water(void **state)
+{
+    (void)state;
+    const skv_scene_info *info;
+    for (int i = 0; (info = skv_builtin_scene(i)); i++) {
+        skv_stage *stage = stage_make(false, stage_still);
+        skv_scene_options options = skv_default_scene_options();
+        options.particles = 500;
+        skv_stage_set_paused(stage, true);
+        skv_stage_open(stage, info->name, &options);
+        if (stage_look(stage, 0)->frame.particles.count < 100) /* it fills by and by */
+            for (int frame = 0; frame < 120; frame++)
+                skv_stage_step_once(stage);
+        stage_look(stage, 0);
+        for (int k = 0; k < 9; k++) {
+            const skv_probe *probe =
+                add_gauge(stage, k % 2 ? SKV_INSTRUMENT_LEVEL : SKV_INSTRUMENT_PRESSURE);
+            if (isnan(probe->value[0]))
+                fail_msg("%s: instrument %d reads nothing at (%g, %g)", info->name, k,
+                         probe->def.x0, probe->def.y0);
+        }
+        expect_apart(stage);
+        skv_stage_destroy(stage);
+    }
+    skv_stage *stage = open_pool(2000);
+    skv_stage_set_paused(stage, true);
+    skv_stage_zoom(stage, 0, 6, 100, 880);
+    skv_camera camera = skv_stage_camera(stage, 0);
+    const skv_probe *near = add_gauge(stage, SKV_INSTRUMENT_PRESSURE);
+    assert_true(near->value[0] > 0);
+    assert_true(is_at(near, camera.centre_x, camera.centre_y, 0.1));
     skv_stage_destroy(stage);
 }
 
@@ -258,9 +349,10 @@ static void test_keys(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_speeds), cmocka_unit_test(test_going),
-        cmocka_unit_test(test_time),   cmocka_unit_test(test_planets_and_tools),
-        cmocka_unit_test(test_gauges), cmocka_unit_test(test_choices),
+        cmocka_unit_test(test_speeds),       cmocka_unit_test(test_going),
+        cmocka_unit_test(test_time),         cmocka_unit_test(test_planets_and_tools),
+        cmocka_unit_test(test_gauges),       cmocka_unit_test(test_under_the_pointer),
+        cmocka_unit_test(test_in_the_water), cmocka_unit_test(test_choices),
         cmocka_unit_test(test_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
