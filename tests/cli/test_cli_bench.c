@@ -146,7 +146,7 @@ static void check_plot(const char *svg)
 
 static void test_files(void **state)
 {
-    program_result result = SKVALP(*state, "bench", "--quick", "--particles", "3000", "--threads",
+    program_result result = SKVALP(*state, "bench", "--quick", "--particles", "2000", "--threads",
                                    "2", "--markdown", "--csv", "bench.csv", "--plot", "bench.svg");
     assert_int_equal(result.status, 0);
     assert_string_equal(result.err, "");
@@ -167,7 +167,8 @@ static void test_files(void **state)
     free(csv);
     free(svg);
 
-    result = SKVALP(*state, "bench", "--quick", "--particles", "1000", "--csv", "-");
+    result =
+        SKVALP(*state, "bench", "--quick", "--particles", "1000", "--threads", "1", "--csv", "-");
     assert_int_equal(result.status, 0);
     assert_memory_equal(result.out, "cpu,", 4);
     program_free(&result);

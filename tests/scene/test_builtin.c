@@ -2,6 +2,7 @@
  * exactly the particles that were asked for. */
 #include "support.h"
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -81,7 +82,7 @@ static void test_numbers_of_particles(void **state)
     (void)state;
     static const int numbers[] = {0, 500, 1000, 6000};
     for (int i = 0; i < SCENES; i++) {
-        for (int k = 0; k < 4; k++)
+        for (int k = 0; k < (long_tests() ? 4 : 3); k++)
             build(names[i], numbers[k],
                   numbers[k] > 0                      ? numbers[k]
                   : strcmp(names[i], "fountain") == 0 ? 1500

@@ -2,6 +2,7 @@
  * goes is an event and is counted; what is full takes no more; and the future is one. */
 #include "base/fields.h"
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -61,7 +62,7 @@ static void a_tap_gives_what_it_says(void **unused)
 {
     (void)unused;
     const float spacings[] = {0.02f, 0.012f}, speeds[] = {0.5f, 1, 3};
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < (long_tests() ? 2 : 1); k++) {
         for (int v = 0; v < 3; v++) {
             float speed = speeds[v], s = spacings[k], seconds = v == 0 ? 3 : 1.5f;
             skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, s, 0, 0, 1);

@@ -3,6 +3,7 @@
 #include "base/bytes.h"
 #include "support/failing_memory.h"
 #include "support/fixture.h"
+#include "support/long.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -325,9 +326,11 @@ static void every_byte_may_be_wrong(void **unused)
         blob good = save(world, true), bad = {malloc(good.size), good.size};
         static const uint8_t flips[] = {0x01, 0x80, 0xff};
         int refused = 0;
-        for (size_t at = 0; at < good.size; at++) {
+        /* All that stands before the particles, and of these one byte in three. */
+        size_t sparse = long_tests() ? 1 : 3;
+        for (size_t at = 0; at < good.size; at += at < good.size / 2 ? 1 : sparse) {
             memcpy(bad.bytes, good.bytes, good.size);
-            bad.bytes[at] ^= flips[at % 3];
+            bad.bytes[at] ^= flips[at / sparse % 3];
             assert_true(try_bytes(world, bad, good));
             sign(bad);
             refused += try_bytes(world, bad, good);

@@ -296,6 +296,9 @@ const trials = {
 };
 
 await carryOut([folder], trials, [
+    'of keys that come faster than states each counts',
+    'a turned screen keeps water that is in the air',
+    'who is asked for the sensor may say no',
     'a page that nobody sees waits, and goes on where it was',
     'two fingers at once zoom, a pen draws, a touch knocks, and the screen is full',
     'a graphics processor that is taken away comes back',

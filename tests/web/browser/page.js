@@ -638,6 +638,10 @@ const trials = {
 };
 
 await carryOut([folder], trials, [
+    'a browser whose language is none has plots',
+    'the address says how it begins',
+    'a page around it can ask for all that a player can, and nobody else',
+    'who wants less motion sees none that nobody asked for',
     'colours of the system show what is chosen, too',
     'what is chosen shows under the mouse, too',
     'every screen is accessible',

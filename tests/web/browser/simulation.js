@@ -143,4 +143,4 @@ await carryOut([bundle], {
     'a context that is lost and comes back': testLostContext,
     'two worlds that come and go': testComparing,
     'an experiment': testLab,
-});
+}, ['in a worker and on the page, isolated or not, with WebGL or without']);
