@@ -149,6 +149,13 @@ typedef struct skv_pool skv_pool;
 SKV_API skv_result skv_pool_create(int threads, skv_pool **pool, skv_error *error);
 SKV_API void skv_pool_destroy(skv_pool *pool);
 
+/** Sets who is asked between substeps, and between the rounds in which fluid settles, whether to
+ * stop; null, the default: nobody. Who says yes gets SKV_STOPPED from the call that ran: a world
+ * that stepped is half done then, and may only be restored or destroyed. It is called on one of the
+ * pool's threads at a time, and must not call the library. */
+typedef bool skv_stop(void *user);
+SKV_API void skv_pool_set_stop(skv_pool *pool, skv_stop *stop, void *user);
+
 /** Instruction sets that the fast solver can compute with. The results are the same. */
 typedef enum skv_instruction_set {
     SKV_ISA_BEST, /**< the best that the processor has */

@@ -55,7 +55,8 @@ SKV_API void skv_stage_def_init(skv_stage_def *def, size_t size);
 /** Makes a stage on which nothing is open; `def` may be null. SKV_ERROR_LIMIT if the system refuses
  * to start so many threads. */
 SKV_API skv_result skv_stage_create(const skv_stage_def *def, skv_stage **stage, skv_error *error);
-/** Ends a stage, after the steps or files that it is busy with. Null is allowed. */
+/** Ends a stage, after the file or the substep that it is busy with; what else was asked for is not
+ * done. Null is allowed. */
 SKV_API void skv_stage_destroy(skv_stage *stage);
 
 /** Waits until everything asked for so far has been done and can be seen: for tests and tools
@@ -66,7 +67,9 @@ SKV_API void skv_stage_wait(skv_stage *stage);
 
 /** Opens a scene by name or path, a state (.skv) or a replay (.skvr). Until it is there, and if it
  * fails, what is open goes on untouched; a second world goes once it is there. Reported as
- * SKV_OUTCOME_OPEN. `options` (null is allowed) are for scenes. */
+ * SKV_OUTCOME_OPEN, unless another opening, asked for meanwhile, replaces it. It does not wait for
+ * the step that runs, nor for what was asked of that world but to save or share it. `options` (null
+ * is allowed) are for scenes. */
 SKV_API void skv_stage_open(skv_stage *stage, const char *name_or_path,
                             const skv_scene_options *options);
 

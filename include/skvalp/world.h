@@ -93,7 +93,8 @@ SKV_API skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain,
  * to the next call. So frames may have any length; 1/60 s is a frame exactly. Unless the definition
  * gave their number, it follows the load after each 1/60 s, so that frames of other lengths give
  * another, as good a flow. Fails with
- * SKV_ERROR_VALUE for a dt out of range, or with SKV_ERROR_MEMORY: with the fast solver nothing has
+ * SKV_ERROR_VALUE for a dt out of range, with SKV_STOPPED (skv_pool_set_stop), or with
+ * SKV_ERROR_MEMORY: with the fast solver nothing has
  * happened then; the reference may have taken some of the substeps, and owes the others. A warm
  * world, whose number of particles has not grown, allocates nothing. */
 SKV_API skv_result skv_world_step(skv_world *world, float dt, skv_error *error);

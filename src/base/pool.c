@@ -10,6 +10,7 @@
  */
 #include "base/pool.h"
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "base/platform.h"
 
@@ -41,6 +42,9 @@ struct skv_pool {
     atomic_int arrived;
     atomic_int patience; /* turns to spin at a barrier; a hint, so races do no harm */
     bool quit;
+    skv_stop *stop; /* null: nobody is asked */
+    void *stop_user;
+    bool stopped; /* the work that runs */
     skv_member *member;
     void *context;
 };
@@ -96,6 +100,31 @@ static void wait_for_change(skv_pool *pool, atomic_uint *counter, unsigned old)
         skv_threads_sleep(pool->workers, counter, old);
     if (next != patience)
         atomic_store_explicit(&pool->patience, next, memory_order_relaxed);
+}
+
+void skv_pool_set_stop(skv_pool *pool, skv_stop *stop, void *user)
+{
+    SKV_ASSERT(pool);
+    pool->stop = stop;
+    pool->stop_user = user;
+}
+
+void skv_pool_go(skv_pool *pool)
+{
+    if (pool)
+        pool->stopped = false;
+}
+
+bool skv_pool_asks_to_stop(skv_pool *pool)
+{
+    if (pool && pool->stop && !pool->stopped)
+        pool->stopped = pool->stop(pool->stop_user);
+    return skv_pool_is_stopped(pool);
+}
+
+bool skv_pool_is_stopped(const skv_pool *pool)
+{
+    return pool && pool->stopped;
 }
 
 void skv_pool_gather(skv_pool *pool, void (*work)(void *context), void *context)

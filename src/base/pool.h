@@ -35,6 +35,12 @@ void skv_pool_barrier(skv_pool *pool);
 /* A barrier at which the last member to come runs `work` before anybody goes on. */
 void skv_pool_gather(skv_pool *pool, void (*work)(void *context), void *context);
 
+/* Work that can be stopped begins. Whether it is to stop: asks, unless it was said already. Whether
+ * that was said. */
+void skv_pool_go(skv_pool *pool);
+bool skv_pool_asks_to_stop(skv_pool *pool);
+bool skv_pool_is_stopped(const skv_pool *pool);
+
 /* How far a member has come, for waits of one member for another that need no barrier: a number
  * that only rises. On a cache line of its own, where its writer meets nobody but who waits. */
 typedef struct skv_progress {

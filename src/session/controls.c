@@ -68,10 +68,10 @@ void skv_control_go(skv_stage *stage, int64_t frames)
 /* Below this share of its speed a scene counts as slow. */
 #define KEEPS_UP 0.95
 
-enum { BACK, PAUSED, AT_REST, REAL_TIME, TIMES };
+enum { BACK, PAUSED, AT_REST, STARTING, REAL_TIME, TIMES };
 static const char *const going_words[] = {
-    [BACK] = "going back",     [PAUSED] = "paused",          [AT_REST] = "at rest",
-    [REAL_TIME] = "real time", [TIMES] = "%s× of real time",
+    [BACK] = "going back",   [PAUSED] = "paused",       [AT_REST] = "at rest",
+    [STARTING] = "starting", [REAL_TIME] = "real time", [TIMES] = "%s× of real time",
 };
 
 const char *skv_going_words(int i)
@@ -86,10 +86,13 @@ skv_going skv_control_going(const skv_stage *stage)
     skv_stage_state now = skv_stage_now(stage);
     bool plays = !now.seeking && !picture->paused && !now.at_rest;
     bool slow = plays && now.pace < KEEPS_UP;
+    /* How long a step takes is not known before the first one is done. */
+    bool starting = picture->moment == 0 && now.step_ms <= 0;
     double times = picture->speed * (slow ? now.pace : 1);
     int words = now.seeking       ? BACK
                 : picture->paused ? PAUSED
                 : now.at_rest     ? AT_REST
+                : starting        ? STARTING
                 : times == 1      ? REAL_TIME
                                   : TIMES;
     return (skv_going){going_words[words], times, slow};

@@ -188,6 +188,7 @@ static void take_over(skv_worker *worker, skv_player *player, const skv_player_d
         skv_player_seek(player, 0, NULL);
     worker->followed = skv_player_seeking(player);
     worker->again = def->changed != NULL;
+    worker->halted = false;
     worker->hand_count = 0;
     worker->hands_known = false;
     double speed = worker->pace.speed;
@@ -218,5 +219,6 @@ void skv_worker_open(skv_worker *worker, const skv_request *request)
             skv_fail(&error, SKV_ERROR_MEMORY, "out of memory for what is to be opened");
         }
     }
-    skv_worker_report(worker, SKV_OUTCOME_OPEN, &error);
+    if (result != SKV_STOPPED) /* for another one, which tells */
+        skv_worker_report(worker, SKV_OUTCOME_OPEN, &error);
 }

@@ -207,6 +207,7 @@ static skv_result step_frame(skv_player *player, skv_error *error)
         return SKV_OK;
     if (result == SKV_OK)
         result = skv_world_step(player->world, FRAME, error);
+    player->adrift = result == SKV_STOPPED;
     if (result == SKV_OK)
         player->now.frame++;
     return result;
@@ -247,9 +248,10 @@ static skv_result seek_on(skv_player *player, skv_error *error)
 skv_result skv_player_step(skv_player *player, skv_error *error)
 {
     SKV_ASSERT_OR(player, SKV_ERROR_VALUE);
-    /* A key frame could not be taken up, for want of memory: again. */
+    /* A key frame could not be taken up, for want of memory, or a step was stopped: again. */
     if (player->adrift)
-        return skv_player_seek_to(player, player->now, false, error);
+        return skv_player_seek_to(player, player->seeking ? player->goal : player->now, false,
+                                  error);
     if (player->seeking)
         return seek_on(player, error);
     skv_result result = step_frame(player, error);

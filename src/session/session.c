@@ -60,6 +60,7 @@ skv_result skv_session_create(const skv_stage_def *def, skv_session **out, skv_e
     session->camera = skv_camera_fit(1280, 720, DEFAULT_WORLD_WIDTH, DEFAULT_WORLD_HEIGHT);
     skv_result result = skv_pool_create(def->threads, &worker->pool, error);
     if (result == SKV_OK) {
+        skv_pool_set_stop(worker->pool, skv_worker_is_unwanted, worker);
         worker->threads = skv_threads_create();
         if (!worker->threads)
             result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
@@ -126,9 +127,22 @@ static bool put(skv_session *session, const skv_message *message)
     return skv_mailbox_put(box, message);
 }
 
+/* Of what makes steps unwanted, or wanted; null for the rest. */
+static atomic_int *counter_of(skv_worker *worker, skv_message_kind kind)
+{
+    return kind == SKV_MESSAGE_OPEN                                ? &worker->openings
+           : kind == SKV_MESSAGE_SAVE || kind == SKV_MESSAGE_SHARE ? &worker->savings
+                                                                   : NULL;
+}
+
 bool skv_session_post(skv_session *session, const skv_message *message)
 {
+    atomic_int *counter = counter_of(&session->worker, message->kind);
+    if (counter)
+        atomic_fetch_add(counter, 1);
     bool done = put(session, message);
+    if (!done && counter)
+        atomic_fetch_sub(counter, 1);
     if (!done) {
         session->lost = true;
         session->down_count = 0;

@@ -197,8 +197,10 @@ static bool step_frame(skv_worker *worker)
     skv_result result = skv_player_step(worker->player, &error);
     if (result == SKV_OK)
         result = skv_probes_sample(&worker->probes, skv_player_world(worker->player), NULL, &error);
+    worker->halted = result == SKV_STOPPED;
     if (result != SKV_OK) {
-        fail_step(worker, &error);
+        if (!worker->halted)
+            fail_step(worker, &error);
         return false;
     }
     worker->unread = worker->unbalanced = worker->forecast.known = false;
@@ -257,7 +259,7 @@ static void step_once(skv_worker *worker)
 /* Frames that another's time grants. */
 static void play_granted(skv_worker *worker, int frames, double factor)
 {
-    if (worker->player && !atomic_load(&worker->paused)) {
+    if (worker->player && !worker->halted && !atomic_load(&worker->paused)) {
         worker->pace.factor = factor / worker->pace.speed;
         play(worker, frames, factor);
     }
@@ -295,16 +297,19 @@ static void handle(skv_worker *worker, const skv_message *message)
 {
     switch (message->kind) {
     case SKV_MESSAGE_OPEN:
+        atomic_fetch_sub(&worker->openings, 1); /* so that another one stops it */
         skv_worker_open(worker, message->request);
         break;
     case SKV_MESSAGE_SAVE:
         skv_worker_save(worker, message->request);
+        atomic_fetch_sub(&worker->savings, 1);
         break;
     case SKV_MESSAGE_EDIT:
         do_edit(worker, message->request->data);
         break;
     case SKV_MESSAGE_SHARE:
         skv_worker_share(worker, message->number != 0);
+        atomic_fetch_sub(&worker->savings, 1);
         break;
     case SKV_MESSAGE_LOOK:
         break;
@@ -374,8 +379,31 @@ static void drop(skv_worker *worker, const skv_message *message)
 /* Whether a message has to wait until the moment is reached that is sought. */
 static bool has_to_wait(const skv_worker *worker, const skv_message *message)
 {
-    return worker->player && skv_player_seeking(worker->player) &&
+    return worker->player && !worker->halted && skv_player_seeking(worker->player) &&
            message->kind != SKV_MESSAGE_SEEK && message->kind != SKV_MESSAGE_OPEN;
+}
+
+/* Whether it is for a world that is at no moment, and is going to be replaced. */
+static bool is_moot(const skv_worker *worker, const skv_message *message)
+{
+    switch (message->kind) {
+    case SKV_MESSAGE_OPEN:
+    case SKV_MESSAGE_SAVE: /* after what is to be opened: none was asked for before */
+    case SKV_MESSAGE_SHARE:
+    case SKV_MESSAGE_LOOK:
+    case SKV_MESSAGE_SPEED:
+    case SKV_MESSAGE_LED:
+    case SKV_MESSAGE_PLAY:
+    case SKV_MESSAGE_GRAVITY:
+    case SKV_MESSAGE_TOOL:
+    case SKV_MESSAGE_BRUSH:
+    case SKV_MESSAGE_DYE:
+    case SKV_MESSAGE_POINTER:
+    case SKV_MESSAGE_CANCEL:
+        return false;
+    default:
+        return worker->halted;
+    }
 }
 
 static void handle_messages(skv_worker *worker)
@@ -383,7 +411,8 @@ static void handle_messages(skv_worker *worker)
     const skv_message *message;
     while ((message = skv_mailbox_next(&worker->mailbox)) && !atomic_load(&worker->quit) &&
            !has_to_wait(worker, message)) {
-        handle(worker, message);
+        if (!is_moot(worker, message))
+            handle(worker, message);
         drop(worker, message);
     }
 }
@@ -410,22 +439,50 @@ static void read_still(skv_worker *worker)
         skv_worker_report(worker, SKV_OUTCOME_EDIT, &error);
 }
 
+/* Some steps are not waited for: those after which nothing of the world is wanted. */
+bool skv_worker_is_unwanted(void *user)
+{
+    skv_worker *worker = user;
+    return atomic_load(&worker->quit) ||
+           (atomic_load(&worker->openings) > 0 && atomic_load(&worker->savings) == 0);
+}
+
+/* A step on the way to the moment that is sought. */
+static void seek_on(skv_worker *worker)
+{
+    skv_error error;
+    skv_result result = skv_player_step(worker->player, &error);
+    worker->halted = result == SKV_STOPPED;
+    if (!worker->halted && (result != SKV_OK || !skv_player_seeking(worker->player)))
+        arrive(worker, result, &error);
+    take_elapsed(worker);
+}
+
+/* What was to be opened could not be: the world goes back to its moment. */
+static void recover(skv_worker *worker)
+{
+    skv_tools_cancel(&worker->tools);
+    seek_on(worker);
+}
+
 /* A piece of work; false if there was none. */
 static bool work(skv_worker *worker)
 {
     handle_messages(worker);
+    if (worker->halted && atomic_load(&worker->openings) > 0)
+        return false;
+    if (worker->halted)
+        recover(worker);
     bool seeking = worker->player && skv_player_seeking(worker->player);
     if (seeking) {
-        skv_error error;
-        skv_result result = skv_player_step(worker->player, &error);
-        if (result != SKV_OK || !skv_player_seeking(worker->player))
-            arrive(worker, result, &error);
-        take_elapsed(worker);
+        seek_on(worker);
     } else {
         if (worker->player)
             skv_tools_draw(&worker->tools);
         pass_time(worker);
     }
+    if (worker->halted)
+        return false;
     bool plays = worker->player && !atomic_load(&worker->paused);
     bool active = plays && !skv_worker_at_rest(worker);
     if (active != atomic_load(&worker->active)) {

@@ -32,6 +32,8 @@ typedef struct skv_worker {
     atomic_uint settled;  /* up to which of these all is done and can be seen */
     atomic_int drawing;   /* us that the last picture took to draw */
     atomic_uint played;   /* frames of those granted */
+    atomic_int openings;  /* asked for and not begun */
+    atomic_int savings;   /* of files and links, asked for and not done */
     skv_threads *threads; /* where both wait for the counters above */
     /* For a link, for a second world. Who takes one out owns it; null: none, or taken out. */
     _Atomic(skv_shared *) shared[2];
@@ -51,6 +53,7 @@ typedef struct skv_worker {
     bool following;   /* plays what a replay says, until somebody takes over */
     bool followed;    /* to the end */
     bool again;       /* it was played here before: nobody recorded it */
+    bool halted;      /* a step was stopped for what is to be opened: the world is at no moment */
     bool led;         /* frames are granted (led.h) */
     bool hands_known; /* the world's are these */
     bool begins;      /* an edit, with the next command that the world takes */
@@ -71,6 +74,9 @@ typedef struct skv_worker {
 void skv_worker_start(skv_worker *worker, const skv_stage_def *def);
 /* Frees what is open and what was not looked at. */
 void skv_worker_close(skv_worker *worker);
+
+/* Whether nobody waits any more for the step of a worker that runs. */
+bool skv_worker_is_unwanted(void *worker);
 
 /* Does all that there is to do. */
 void skv_worker_pump(skv_worker *worker);

@@ -157,7 +157,9 @@ static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
     bool again = false;
     for (int r = 0; result == SKV_OK && !again; r++) {
         again = r == rounds || (r >= LEAST_ROUNDS && is_calm(s));
-        result = take_round(s, again, error);
+        result = skv_pool_asks_to_stop(s->world->pool)
+                     ? skv_fail(error, SKV_STOPPED, "settling was stopped")
+                     : take_round(s, again, error);
     }
     return result;
 }
@@ -241,6 +243,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
         memset(p->vx, 0, count * sizeof(float));
         memset(p->vy, 0, count * sizeof(float));
         world->busy = SKV_AT_WORK;
+        skv_pool_go(world->pool);
         result = relax_all(&s, error);
         world->busy = SKV_IDLE;
         finish(&s);

@@ -66,6 +66,8 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, skv_
     world->wall_impulse.x += scale * given.x;
     world->wall_impulse.y += scale * given.y;
     world->wall_impulse.moment += scale * given.moment;
+    if (skv_pool_is_stopped(world->pool))
+        return skv_fail(error, SKV_STOPPED, "the step was stopped");
     skv_sleep_watch(world, time);
     return SKV_OK;
 }
@@ -112,7 +114,10 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
         open || flows || world->before_substep || world->solver->type->most_substeps < count;
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
+    skv_pool_go(world->pool);
     for (; *done < count; *done += at_once) {
+        if (skv_pool_asks_to_stop(world->pool))
+            return skv_fail(error, SKV_STOPPED, "the step was stopped");
         call_host(world);
         skv_result result = SKV_OK;
         if (flows)

@@ -97,4 +97,11 @@ await 'not message'
 key F10
 await 'menus() == 1'
 quit_app # in spite of it
+
+# 8. Before the first of 200 000 particles' frames, which takes seconds, nobody says how fast it goes; and
+# the window does not wait for it.
+printf '{"particles": 200000, "water": [{"shape": "box", "x1": 0.8, "y1": 0.6}]}' >"$work/many.json"
+start_app "$work/many.json"
+await 'moment == 0 and says("starting")'
+quit_app
 echo "app: a pool was lifted, paused, stepped, reset, tilted, at rest; broken files were refused"

@@ -59,11 +59,13 @@ static void test_speeds(void **state)
 static void test_going(void **state)
 {
     (void)state;
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 6; i++)
         assert_non_null(skv_going_words(i));
-    assert_null(skv_going_words(5));
+    assert_null(skv_going_words(6));
     skv_stage *stage = open_pool(200);
     skv_stage_set_gravity(stage, 0, 1, 0); /* it moves */
+    stage_look(stage, 0);
+    assert_string_equal(skv_control_going(stage).words, "starting"); /* it may take long */
     pass_frames(stage, 5);
     assert_string_equal(skv_control_going(stage).words, "real time");
     skv_stage_set_speed(stage, 0.25);

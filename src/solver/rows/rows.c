@@ -28,6 +28,7 @@ static void begin_relaxation(void *context)
     skv_row_run *shared = context;
     skv_rows_turn_over(shared->rows);
     shared->rows->gauged = --shared->to_take == 0;
+    skv_pool_asks_to_stop(shared->pool); /* after this substep */
 }
 
 static void sort(const skv_row_worker *w, bool first)
@@ -91,7 +92,7 @@ static void member(int thread, int threads, void *context)
     double start = skv_clock();
     skv_rows_load(rows, thread, shared->frame, shared->boundary);
     book(rows, thread, ROW_TRANSFER, &start);
-    for (int s = 0; s < shared->substeps; s++)
+    for (int s = 0; s < shared->substeps && !skv_pool_is_stopped(shared->pool); s++)
         take_substep(&w, s == 0);
     start = skv_clock();
     skv_pool_barrier(shared->pool);
