@@ -2,6 +2,7 @@
  * instrument of the picture and goes with it; its history is kept only while its card is open. */
 #include "chips.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "dialogs.h"
@@ -188,15 +189,23 @@ static chip *find_chip(PlayChips *chips, guint32 probe)
     return NULL;
 }
 
+/* What it reads, or why it doesn't. */
+static char *words_of(const skv_probe *probe)
+{
+    int channel = main_channel(probe->def.kind);
+    const skv_channel *info = skv_instrument_channel(probe->def.kind, channel);
+    return isnan(probe->value[channel]) && *probe->lack
+               ? g_strdup(play_word(probe->lack))
+               : play_words_of_reading(probe->value[channel], info->unit);
+}
+
 static void show_chip(chip *c, const skv_probe *probe)
 {
-    int channel = main_channel(c->kind);
-    const skv_channel *info = skv_instrument_channel(c->kind, channel);
-    char *reading = play_words_of_reading(probe->value[channel], info->unit), *other = NULL;
+    char *reading = words_of(probe), *other = NULL;
     const skv_probe *beside = skv_stage_probe(play_view_stage(c->all->view), 1, c->probe);
     const char *number = play_chip_number(c->probe), *title = title_of(c->kind);
     if (beside)
-        other = play_words_of_reading(beside->value[channel], info->unit);
+        other = words_of(beside);
     char *text = beside ? g_strdup_printf("%s  %s  A: %s  B: %s", number, title, reading, other)
                         : g_strdup_printf("%s  %s  %s", number, title, reading);
     gtk_label_set_text(GTK_LABEL(c->label), text);

@@ -135,6 +135,8 @@ static void print_controls(void)
         if (strlen(key->key) > 1 && !strchr(key->key, '+'))
             print_text(key->key, "a key, or a gesture");
     }
+    for (int i = 0; skv_lack_words(i); i++)
+        print_text(skv_lack_words(i), "why there is no reading");
     for (int i = 0; skv_going_words(i); i++)
         print_text(skv_going_words(i), "how the water goes");
 }

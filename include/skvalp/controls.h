@@ -68,7 +68,7 @@ typedef struct skv_gauge {
     const char *title;
     bool line;   /**< has two points */
     bool box;    /**< which are corners of a box */
-    int channel; /**< for which it is read */
+    int channel; /**< for which it is read: what its title says, in the axes of the rulers */
 } skv_gauge;
 /** In the order in which they are offered; null past the last. */
 SKV_API const skv_gauge *skv_gauge_at(int i);

@@ -138,11 +138,13 @@ typedef enum skv_instrument_kind {
                                 NaN without gravity, or where a wall is before the surface */
     SKV_INSTRUMENT_VELOCITY, /**< probe at (x0, y0): vx, vy, speed */
     SKV_INSTRUMENT_LEVEL, /**< gauge from (x0, y0) in the fluid to (x1, y1) outside: distance of the
-                             surface from (x0, y0), and its x, y; for a water level, upwards */
+                             surface from (x0, y0), its x, and its level, y, as the world's rulers
+                             have it; for a water level, upwards */
     SKV_INSTRUMENT_GATE,  /**< segment (x0, y0)-(x1, y1): flow and particles a second, net, forward
                              and back; forward is from its left to its right as seen from (x0, y0)
                              looking at (x1, y1) */
-    SKV_INSTRUMENT_FORCE, /**< on the walls inside the box: fx, fy, torque about its centre */
+    SKV_INSTRUMENT_FORCE, /**< on the walls inside the box: fx, fy, torque about its centre,
+                             and how strong the force is */
     SKV_INSTRUMENT_ENERGY, /**< of all fluid: kinetic, potential (against y = 0), rms speed */
     SKV_INSTRUMENT_REGION, /**< fluid inside the box: particles, area, mean x, y, vx, vy, pressure,
                               rms speed */
@@ -230,6 +232,12 @@ SKV_API const skv_survey *skv_lab_survey(const skv_lab *lab);
 /** A channel's reading: the mean over the instrument's window of the samples that had one; NaN if
  * none had (a probe in the dry, a stopwatch that still runs, no sample yet). */
 SKV_API double skv_lab_reading(const skv_lab *lab, skv_instrument id, int channel);
+
+/** Why channels have no reading, in two or three words of English: "no water here"; null if all
+ * have one. Static. */
+SKV_API const char *skv_lab_lack(const skv_lab *lab, skv_instrument id);
+/** All such words, for translators; null past the last. */
+SKV_API const char *skv_lack_words(int i);
 
 /** The last samples of a channel, oldest first, not averaged (a gate: the flow since the sample
  * before). Writes at most `capacity` times (s) and values; either array may be null. Returns how

@@ -174,8 +174,9 @@ typedef struct skv_probe {
     uint32_t id;
     skv_instrument_def def;
     double value[SKV_MAX_CHANNELS]; /**< as skv_lab_reading */
-    int samples;                    /**< of the history, oldest first; 0 unless it is watched */
-    const double *times;            /**< s */
+    const char *lack;    /**< why channels have none, as skv_lab_lack; "" if all have one */
+    int samples;         /**< of the history, oldest first; 0 unless it is watched */
+    const double *times; /**< s */
     const double *history[SKV_MAX_CHANNELS];
 } skv_probe;
 

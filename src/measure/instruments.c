@@ -153,6 +153,7 @@ static skv_result sample_force(instrument *it, const look *seen, double *values)
         values[0] = force.fx;
         values[1] = force.fy;
         values[2] = force.torque;
+        values[3] = sqrt(force.fx * force.fx + force.fy * force.fy);
     }
     return result;
 }
@@ -345,7 +346,7 @@ static const instrument_kind kinds[] = {
     [SKV_INSTRUMENT_LEVEL] = {.name = "level gauge",
                               .channels = {{"distance", "m", false},
                                            {"x", "m", false},
-                                           {"y", "m", false}},
+                                           {"level", "m", false}},
                               .is_line = true,
                               .sample = sample_level},
     [SKV_INSTRUMENT_GATE] = {.name = "flow gate",
@@ -360,7 +361,8 @@ static const instrument_kind kinds[] = {
     [SKV_INSTRUMENT_FORCE] = {.name = "force meter",
                               .channels = {{"fx", "N", false},
                                            {"fy", "N", false},
-                                           {"torque", "N m", false}},
+                                           {"torque", "N m", false},
+                                           {"force", "N", false}},
                               .sample = sample_force},
     [SKV_INSTRUMENT_ENERGY] = {.name = "energy meter",
                                .channels = {{"kinetic", "J", false},

@@ -41,6 +41,9 @@ typedef struct instrument_kind {
 const instrument_kind *skv_instrument_kind_info(skv_instrument_kind kind);
 int skv_channel_count(skv_instrument_kind kind);
 
+/* lack.c: why a channel has no reading, the first of them that lacks one. */
+const char *skv_instrument_lack(const instrument *it, const skv_survey *survey, int channel);
+
 /* Forgets everything. */
 void skv_instrument_reset(instrument *it);
 

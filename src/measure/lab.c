@@ -326,6 +326,16 @@ double skv_lab_reading(const skv_lab *lab, skv_instrument id, int channel)
     return i >= 0 ? reading(lab->instruments[i], channel) : (double)NAN;
 }
 
+const char *skv_lab_lack(const skv_lab *lab, skv_instrument id)
+{
+    SKV_ASSERT_OR(lab, NULL);
+    int i = find(lab, id), channel = 0;
+    const instrument *it = i >= 0 ? lab->instruments[i] : NULL;
+    while (it && channel < it->channels && !isnan(reading(it, channel)))
+        channel++;
+    return it && channel < it->channels ? skv_instrument_lack(it, lab->survey, channel) : NULL;
+}
+
 int skv_lab_history(const skv_lab *lab, skv_instrument id, int channel, double *times,
                     double *values, int capacity)
 {

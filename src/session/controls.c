@@ -149,10 +149,10 @@ void skv_control_scale_brush(skv_stage *stage, double factor)
 static const skv_gauge gauges[] = {
     {SKV_INSTRUMENT_PRESSURE, "Pressure", false, false, 0},
     {SKV_INSTRUMENT_VELOCITY, "Speed", false, false, 2},
-    {SKV_INSTRUMENT_LEVEL, "Water level", true, false, 0},
+    {SKV_INSTRUMENT_LEVEL, "Water level", true, false, 2},
     {SKV_INSTRUMENT_RULER, "Ruler", true, false, 0},
     {SKV_INSTRUMENT_GATE, "Flow through a gate", true, false, 0},
-    {SKV_INSTRUMENT_FORCE, "Force on walls", true, true, 1},
+    {SKV_INSTRUMENT_FORCE, "Force on walls", true, true, 3},
 };
 
 const skv_gauge *skv_gauge_at(int i)

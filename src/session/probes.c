@@ -130,6 +130,8 @@ void skv_probes_paint(const skv_probes *probes, skv_canvas *canvas)
         probe->def = *skv_lab_def(probes->lab, instrument);
         for (int c = 0; c < channels(probe->def.kind); c++)
             probe->value[c] = skv_lab_reading(probes->lab, instrument, c);
+        const char *lack = skv_lab_lack(probes->lab, instrument);
+        probe->lack = lack ? lack : "";
         if (room && probes->list[i].watched)
             samples = paint_history(probes->lab, instrument, probe, samples);
     }

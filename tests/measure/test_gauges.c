@@ -289,14 +289,58 @@ static void a_lid_carries_the_water_above_it(void **unused)
     const skv_brush_stroke lid = {.x0 = 0.7f, .y0 = 0.3f, .x1 = 0.9f, .y1 = 0.3f, .radius = 0.008f};
     skv_instrument below = add(lab, SKV_INSTRUMENT_PRESSURE, 0.8, 0.2, 0, 0);
     skv_instrument above = add(lab, SKV_INSTRUMENT_PRESSURE, 0.8, 0.4, 0, 0);
+    skv_instrument within = add(lab, SKV_INSTRUMENT_PRESSURE, 0.8, 0.3, 0, 0);
     pull(world, 0, -9.81);
     assert_int_equal(skv_terrain_paint(skv_world_terrain(world), &lid, 1, &terrain, NULL), SKV_OK);
     assert_int_equal(skv_world_set_terrain(world, terrain, NULL, NULL), SKV_OK);
     sample(lab, world);
     assert_true(isnan(skv_lab_reading(lab, below, 1)));
+    assert_string_equal(skv_lab_lack(lab, below), "wall above");
+    assert_null(skv_lab_lack(lab, above));
+    assert_string_equal(skv_lab_lack(lab, within), "in the wall");
     assert_near(skv_lab_reading(lab, above, 1), 9810 * 0.1, 9810 * 0.005);
+    pull(world, 0, 0);
+    sample(lab, world);
+    assert_string_equal(skv_lab_lack(lab, above), "weightless");
     skv_lab_destroy(lab);
     skv_world_destroy(world);
+}
+
+static void expect_lack(skv_instrument_kind kind, double x, double y, const char *wanted)
+{
+    skv_world *world = rest_pool(0.02f, 0.5f);
+    skv_lab *lab = new_lab();
+    skv_instrument id = add(lab, kind, x, y, x, 0.95);
+    assert_string_equal(skv_lab_lack(lab, id), "not yet");
+    sample(lab, world);
+    const char *lack = skv_lab_lack(lab, id);
+    assert_string_equal(lack ? lack : "", wanted);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
+/* What can't be read says why, by one of the words that translators know. */
+static void what_lacks_says_why(void **unused)
+{
+    (void)unused;
+    static const skv_instrument_kind kinds[] = {SKV_INSTRUMENT_PRESSURE, SKV_INSTRUMENT_VELOCITY,
+                                                SKV_INSTRUMENT_LEVEL};
+    for (int i = 0; i < 3; i++) {
+        expect_lack(kinds[i], 0.8, 0.2, "");
+        expect_lack(kinds[i], 0.8, 0.8, "no water here");
+        expect_lack(kinds[i], -0.1, 0.2, "outside");
+        expect_lack(kinds[i], 0.8, 1.9, "outside");
+    }
+    expect_lack(SKV_INSTRUMENT_RULER, -1, -1, "");
+    expect_lack(SKV_INSTRUMENT_GATE, 0.8, 0.2, "not yet");
+    expect_lack(SKV_INSTRUMENT_REGION, 0.8, 0.8, "no water here");
+    expect_lack(SKV_INSTRUMENT_WAVES, 0.8, 0.2, "no wave yet");
+    expect_lack(SKV_INSTRUMENT_WAVES, 0.8, 0.8, "no water here");
+    int words = 0;
+    for (; skv_lack_words(words); words++)
+        assert_in_range(strlen(skv_lack_words(words)), 3, 16);
+    assert_int_equal(words, 7);
+    assert_null(skv_lack_words(-1));
 }
 
 int main(void)
@@ -311,6 +355,7 @@ int main(void)
         cmocka_unit_test(a_running_wave_has_its_length),
         cmocka_unit_test(pressure_has_its_theory),
         cmocka_unit_test(a_lid_carries_the_water_above_it),
+        cmocka_unit_test(what_lacks_says_why),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -194,9 +194,40 @@ static void test_moments(void **state)
     assert_int_equal(skv_stage_probe(stage, 0, pressure)->samples, 1);
 }
 
+/* A level is where rulers and walls have it, wherever the gauge begins; a force is a force on
+ * whichever wall; and what can't be read says why. */
+static void test_names(void **state)
+{
+    skv_stage *stage = *state;
+    settle_down(stage);
+    double levels[2];
+    for (int i = 0; i < 2; i++) {
+        uint32_t id = add(stage, SKV_INSTRUMENT_LEVEL, 0.8, i ? 0.05 : 0.15, 0.8, 0.8);
+        int channel = skv_gauge_of(SKV_INSTRUMENT_LEVEL)->channel;
+        levels[i] = reading(stage, id, channel);
+        assert_string_equal(skv_instrument_channel(SKV_INSTRUMENT_LEVEL, channel)->name, "level");
+    }
+    const skv_picture *picture = stage_look(stage, 0);
+    const skv_particles *p = &picture->frame.particles;
+    double top = 0;
+    for (int i = 0; i < p->count; i++)
+        top = fmax(top, (double)p->y[i]);
+    assert_true(fabs(levels[0] - levels[1]) < 1e-6);
+    assert_true(fabs(levels[0] - top) < (double)picture->frame.spacing);
+    int channel = skv_gauge_of(SKV_INSTRUMENT_FORCE)->channel;
+    uint32_t side = add(stage, SKV_INSTRUMENT_FORCE, -0.1, -0.1, 0.05, 0.9);
+    double force = reading(stage, side, channel), fx = reading(stage, side, 0);
+    assert_true(force > 50 && force >= fabs(fx));
+    uint32_t dry = add(stage, SKV_INSTRUMENT_PRESSURE, 0.8, 0.8, 0, 0);
+    stage_look(stage, 0);
+    assert_string_equal(skv_stage_probe(stage, 0, dry)->lack, "no water here");
+    assert_string_equal(skv_stage_probe(stage, 0, side)->lack, "");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_names, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_still, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_moments, stage_setup, stage_teardown),
         cmocka_unit_test(test_forecast),

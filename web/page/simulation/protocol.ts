@@ -234,6 +234,16 @@ export interface Legend {
     colors: string[];
 }
 
+export interface Channel {
+    name: string;
+    value: number;
+    lack: string;
+    unit: string;
+    size: number;
+    decimals: number;
+    theory: boolean;
+}
+
 export interface Probe {
     id: number;
     kind: number;
@@ -242,8 +252,8 @@ export interface Probe {
     x1: number;
     y1: number;
     /** Values are in SI units; they are shown in `unit`, each of which is `size` of the SI unit, with so
-     * many decimals (-1: four significant digits). */
-    channels: { name: string; value: number; unit: string; size: number; decimals: number; theory: boolean }[];
+     * many decimals (-1: four significant digits). `lack` says why there is none, or is empty. */
+    channels: Channel[];
     /** If it is watched: seconds, and for each channel its values. */
     times: Float64Array | null;
     values: Float64Array[] | null;

@@ -117,9 +117,9 @@ export class Reader {
 
     #readProbe(probe: skv_probe): Probe {
         const { instance } = this.#library;
-        const { id, def, samples, value } = probe;
+        const { id, def, lack, samples, value } = probe;
         const channels = this.#channelsOf(def.kind)
-            .map(({ name, unit, theory }, i) => ({ name, value: value[i], ...this.#unit(unit), theory }));
+            .map(({ name, unit, theory }, i) => ({ name, value: value[i], lack: Number.isNaN(value[i]) ? lack : '', ...this.#unit(unit), theory }));
         const copy = (address: number) => new Float64Array(instance.copy(address, 8 * samples).buffer);
         return {
             id,

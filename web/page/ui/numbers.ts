@@ -1,5 +1,6 @@
 // Numbers as people read and type them. Invariant: each is written and read as skvalp/numbers.h has it,
 // with the signs of its table; words.test.ts sets the two against each other.
+import type { Channel } from '../simulation/protocol';
 import { catalogue } from './model';
 import { language, word } from './words';
 
@@ -40,8 +41,10 @@ export function withUnit(number: string, unit: string): string {
     return unit && number !== '–' ? `${number}${signs().group}${word(unit)}` : number;
 }
 
-/** A reading: "2,5 cm vatten". */
-export function readingText({ value, unit, size, decimals }: { value: number; unit: string; size: number; decimals: number }): string {
+/** A reading, "2,5 cm vatten", or why there is none. */
+export function readingText({ value, lack, unit, size, decimals }: Channel): string {
+    if (lack)
+        return word(lack);
     const shown = value / size;
     return withUnit(decimals < 0 ? short(shown, 4) : fixed(shown, decimals), unit);
 }

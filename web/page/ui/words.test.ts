@@ -8,6 +8,8 @@ import { begin } from './model';
 import { fixed, quantity, readingText, short, shown, typed } from './numbers';
 import { known, language, ngettext, say, speak, titleOfPath, word } from './words';
 
+const reading = { name: '', lack: '', theory: false };
+
 beforeAll(() => begin(null as never, makeCatalogue(loadLibrary().library)));
 
 test('formats are filled as printf does', () => {
@@ -50,7 +52,7 @@ test('numbers are written and read as the library does, in every language', asyn
             const unit = c.skv_unit_of(si, plain);
             const { name, size, decimals } = unit;
             const number = text(c.skv_number_in(2403.45, unit as never, numerals));
-            expect(readingText({ value: 2403.45, unit: name, size, decimals }))
+            expect(readingText({ ...reading, value: 2403.45, unit: name, size, decimals }))
                 .toBe(name ? `${number}\u00a0${word(name)}` : number);
         }
     }
@@ -77,7 +79,9 @@ test('Swedish comes from po/, with its decimals and plurals', async () => {
     expect(word('Pause')).toBe('Pausa');
     expect(word('a text that nobody translates')).toBe('a text that nobody translates');
     expect(word('constructor')).toBe('constructor');
-    expect(readingText({ value: 245, unit: 'cm of water', size: 98.1, decimals: 1 })).toMatch(/^2,5\u00a0\S+/);
+    expect(readingText({ ...reading, value: 245, unit: 'cm of water', size: 98.1, decimals: 1 })).toMatch(/^2,5\u00a0\S+/);
+    expect(readingText({ ...reading, value: NaN, lack: 'no water here', unit: 'cm', size: 1, decimals: 1 }))
+        .toBe('inget vatten här');
     expect(say(ngettext('%s particle', '%s particles', 2), '2')).toBe('2 partiklar');
     await speak('en');
     expect(say(ngettext('%s particle', '%s particles', 1), '1')).toBe('1 particle');
