@@ -149,6 +149,7 @@ void play_input_attach_keys(GtkWidget *window, PlayView *view)
 typedef struct pointers {
     PlayView *view;
     guint waiting; /* for the time of one that waits; 0: none does */
+    double x, y;   /* where it was last, in the view's device pixels: a wheel tells no place */
 } pointers;
 
 /* The event's place in the view's device pixels. */
@@ -230,36 +231,45 @@ static void send(pointers *p, GdkEvent *event, skv_phase phase)
         gdk_event_get_axis(event, GDK_AXIS_PRESSURE, &sent.pressure);
     if (phase == SKV_PHASE_DOWN)
         gtk_widget_grab_focus(GTK_WIDGET(view));
-    if (locate(view, event, &sent.px, &sent.py) || phase == SKV_PHASE_UP ||
-        phase == SKV_PHASE_LEAVE)
+    bool located = locate(view, event, &sent.px, &sent.py);
+    if (located) {
+        p->x = sent.px;
+        p->y = sent.py;
+    }
+    if (located || phase == SKV_PHASE_UP || phase == SKV_PHASE_LEAVE)
         wait(p, skv_stage_touch(play_view_stage(view), play_view_side(view), &sent,
                                 TREMBLE * gtk_widget_get_scale_factor(GTK_WIDGET(view))));
 }
 
 /* The wheel sizes the tool; with Ctrl, and by a touchpad's pinch, the picture is zoomed. */
-static void scroll(PlayView *view, GdkEvent *event)
+static void zoom(pointers *p, double factor)
 {
-    double dx = 0, dy = 0, px, py;
+    skv_stage_zoom(play_view_stage(p->view), play_view_side(p->view), factor, p->x, p->y);
+}
+
+static void scroll(pointers *p, GdkEvent *event)
+{
+    double dx = 0, dy = 0;
     GdkScrollDirection direction = gdk_scroll_event_get_direction(event);
     if (direction == GDK_SCROLL_SMOOTH)
         gdk_scroll_event_get_deltas(event, &dx, &dy);
     else
         dy = (direction == GDK_SCROLL_DOWN) - (direction == GDK_SCROLL_UP);
     double factor = pow(1.15, -dy);
-    if (!(gdk_event_get_modifier_state(event) & GDK_CONTROL_MASK))
-        skv_control_scale_brush(play_view_stage(view), factor);
-    else if (locate(view, event, &px, &py))
-        skv_stage_zoom(play_view_stage(view), play_view_side(view), factor, px, py);
+    if (gdk_event_get_modifier_state(event) & GDK_CONTROL_MASK)
+        zoom(p, factor);
+    else
+        skv_control_scale_brush(play_view_stage(p->view), factor);
 }
 
-static void pinch(PlayView *view, GdkEvent *event)
+static void pinch(pointers *p, GdkEvent *event)
 {
     static double before = 1; /* the scale is that since the pinch began */
-    double px, py, scale = gdk_touchpad_event_get_pinch_scale(event);
+    double scale = gdk_touchpad_event_get_pinch_scale(event);
     if (gdk_touchpad_event_get_gesture_phase(event) == GDK_TOUCHPAD_GESTURE_PHASE_BEGIN)
         before = 1;
-    else if (scale > 0 && locate(view, event, &px, &py)) {
-        skv_stage_zoom(play_view_stage(view), play_view_side(view), scale / before, px, py);
+    else if (scale > 0) {
+        zoom(p, scale / before);
         before = scale;
     }
 }
@@ -282,14 +292,17 @@ static gboolean on_event(G_GNUC_UNUSED GtkEventControllerLegacy *controller, Gdk
     case GDK_BUTTON_RELEASE:
         return on_button(p, event);
     case GDK_SCROLL:
-        scroll(p->view, event);
+        scroll(p, event);
         return GDK_EVENT_STOP;
     case GDK_TOUCHPAD_PINCH:
-        pinch(p->view, event);
+        pinch(p, event);
         return GDK_EVENT_STOP;
     case GDK_TOUCH_BEGIN:
         send(p, event, SKV_PHASE_DOWN);
         return GDK_EVENT_STOP;
+    case GDK_ENTER_NOTIFY:
+        locate(p->view, event, &p->x, &p->y);
+        return GDK_EVENT_PROPAGATE;
     case GDK_MOTION_NOTIFY:
         send(p, event, SKV_PHASE_MOVE);
         return GDK_EVENT_PROPAGATE;
