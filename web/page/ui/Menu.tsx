@@ -3,7 +3,7 @@ import { toggleKeyboardHand } from './actions';
 import { beginTilt, canFullscreen, canTilt, endTilt, fullscreen, tilt, toggleFullscreen } from './device';
 import { Icon } from './Icon';
 import { keyboardHand, showPanel } from './model';
-import { canRecord, recording, toggleRecording } from './recorder';
+import { canRecord, recorded, toggleRecording } from './recording';
 import { saveFile } from './files';
 import { shareLink } from './sharing';
 import { _ } from './words';
@@ -35,10 +35,10 @@ function items(): Item[][] {
             ...(canRecord
                 ? [
                       {
-                          icon: recording.value ? 'stop' : 'record',
-                          text: recording.value ? _('Stop recording') : _('Record a video'),
+                          icon: recorded.value !== null ? 'stop' : 'record',
+                          text: recorded.value !== null ? _('Stop recording') : _('Record a video'),
                           act: closing(toggleRecording),
-                          on: recording.value,
+                          on: recorded.value !== null,
                       },
                   ]
                 : []),
