@@ -4,10 +4,10 @@
  * and its spacing gives the number of particles that it reports.
  */
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "scene/notes.h"
 #include "scene/raster.h"
 #include "scene/scene_data.h"
 #include "scene/shapes.h"
@@ -51,21 +51,6 @@ static char *copy_text(const char *text, size_t length)
     if (copy != NULL)
         memcpy(copy, text, length);
     return copy;
-}
-
-void skv_scene_note(skv_scene *scene, const char *format, ...)
-{
-    char text[200];
-    va_list arguments;
-    va_start(arguments, format);
-    skv_format_list(text, sizeof text, format, arguments);
-    va_end(arguments);
-    for (int i = 0; i < SKV_MAX_NOTICES; i++) {
-        if (scene->notices[i] == NULL) {
-            scene->notices[i] = copy_text(text, strlen(text));
-            return;
-        }
-    }
 }
 
 /* ---- Texts ----------------------------------------------------------------------------------- */
@@ -562,9 +547,11 @@ skv_result skv_scene_build(const skv_draft *draft, skv_image *picture, const cha
     if (c.scene == NULL)
         return fail_memory(&c);
     skv_result result = build(&c, picture);
-    if (result == SKV_OK)
+    if (result == SKV_OK) {
+        skv_scene_add_notes(c.scene);
         *scene = c.scene;
-    else
+    } else {
         skv_scene_destroy(c.scene);
+    }
     return result;
 }

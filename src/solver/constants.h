@@ -7,6 +7,10 @@
 
 #include <stdbool.h>
 
+/* What viscosity takes of a pair's approach in a substep, at most, at q = 1. Half of a particle's
+ * pairs approach, and take half of the rest each: all of them together would reverse it with 1. */
+#define SKV_MOST_VISCOUS 0.5f
+
 /* Constants of a substep. Lengths in m, times in s. */
 typedef struct skv_constants {
     float h, inv_h, h_squared;

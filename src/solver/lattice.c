@@ -20,6 +20,8 @@ skv_lattice skv_lattice_sums(skv_kernel kernel, double eta)
             sums.density += skv_kernel_density(kernel, q);
             sums.response += force * force;
             sums.near_density += q * q * q;
+            sums.virial += r * force;
+            sums.near_virial += r * q * q;
         }
     }
     return sums;

@@ -8,6 +8,8 @@ typedef struct skv_lattice {
     double density;      /* sum W */
     double response;     /* sum F^2: how much the density answers to a push of 1, by the gain */
     double near_density; /* sum q^3 */
+    double virial;       /* sum r F, r in h */
+    double near_virial;  /* sum r q^2 */
 } skv_lattice;
 
 /* For eta = h/s, 2..4. */

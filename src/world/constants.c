@@ -27,7 +27,6 @@
 #define CLAVET_LIMIT     0.2   /* bound of rho N / h, see relaxation.c */
 #define LEAST_VISCOSITY  1e-5  /* m^2/s: less is lost in the method's own */
 #define MOST_SUBSTEPS    1000  /* a frame, as in a definition */
-#define MOST_VISCOUS     0.5   /* sigma dt */
 #define COHESION_FROM    0.25  /* rest densities: a little more than two in one place */
 #define COHESION_FULL    0.5   /* rest densities: a little less than at a flat surface */
 #define COHESION_BELOW   0.95  /* rest densities: the bulk, which wants for nothing */
@@ -107,8 +106,8 @@ int skv_substep_rule(const skv_fluid_def *f, double load)
         if (substeps < needed)
             substeps = needed;
     }
-    /* In one substep viscosity must not take more than half of a pair's approach. */
-    double viscous = linear_viscosity(f) * FRAME / MOST_VISCOUS;
+    /* Of linear viscosity nothing is lost to the solvers' bound. */
+    double viscous = linear_viscosity(f) * FRAME / (double)SKV_MOST_VISCOUS;
     if (substeps < viscous)
         substeps = viscous;
     if (!(substeps < MOST_SUBSTEPS))
@@ -160,6 +159,25 @@ double skv_surface_gradient(const skv_fluid_def *f)
 {
     double eta = (double)f->radius_ratio;
     return eta * eta / (skv_law_kernel(f->law) == SKV_KERNEL_SMOOTH ? 15 : 3);
+}
+
+/* What the clavet law's fluid pushes with at rest, in a lattice that takes so many times its area
+ * at the start; of any size. */
+static double clavet_push(const skv_fluid_def *f, double area)
+{
+    skv_lattice l = skv_lattice_sums(SKV_KERNEL_SPIKY, (double)f->radius_ratio / sqrt(area));
+    double excess = l.density - (double)f->clavet_rest_density;
+    return (double)f->clavet_stiffness * excess * l.virial +
+           (double)f->clavet_near_stiffness * l.near_density * l.near_virial;
+}
+
+int skv_clavet_swells(const skv_fluid_def *f)
+{
+    if (f->law != SKV_LAW_CLAVET)
+        return 0;
+    return clavet_push(f, SKV_CLAVET_WIDEST) > 0      ? 1
+           : clavet_push(f, SKV_CLAVET_NARROWEST) < 0 ? -1
+                                                      : 0;
 }
 
 /* A share that is meant for one frame, for a time dt instead. */

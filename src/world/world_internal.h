@@ -92,6 +92,15 @@ float skv_contact_distance(const skv_fluid_def *fluid);
 /* |g| at a flat surface: n0 times the integral of F x/r over a half disc. */
 double skv_surface_gradient(const skv_fluid_def *fluid);
 
+/* The areas, in that of the start, that a clavet fluid may take at rest: one that takes more bursts
+ * as soon as it can, and of one that takes less its particles meet in points. From 1.5 on a dam's
+ * drops fly faster than it falls. */
+#define SKV_CLAVET_WIDEST    1.45
+#define SKV_CLAVET_NARROWEST 0.4
+
+/* 1 if it takes more at rest, -1 if it takes less; else, and by another law, 0. */
+int skv_clavet_swells(const skv_fluid_def *fluid);
+
 /* m/s, with substeps of dt; 0 for a law that has none. */
 double skv_speed_of_sound(const skv_fluid_def *fluid, double dt);
 

@@ -146,7 +146,7 @@ void oracle_viscosity(oracle *o)
             double u = (o->vx[i] - o->vx[j]) * ux + (o->vy[i] - o->vy[j]) * uy;
             if (q <= 0 || u <= 0)
                 continue;
-            double full = fmin(u, o->dt * q * (o->sigma * u + o->beta * u * u));
+            double full = q * fmin(0.5, o->dt * (o->sigma + o->beta * u)) * u;
             o->dx[i] -= 0.5 * full * ux;
             o->dy[i] -= 0.5 * full * uy;
             o->dx[j] += 0.5 * full * ux;

@@ -23,6 +23,7 @@ void skv_pass_viscosity(const skv_substep *sub, int begin, int end)
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
     const skv_neighbours *n = sub->neighbours;
+    const float most = SKV_MOST_VISCOUS * c->inv_dt;
     for (int i = begin; i < end; i++) {
         float sum_x = 0, sum_y = 0;
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
@@ -33,9 +34,8 @@ void skv_pass_viscosity(const skv_substep *sub, int begin, int end)
             float u = (s->vx[i] - s->vx[j]) * pair.ux + (s->vy[i] - s->vy[j]) * pair.uy;
             if (!(u > 0))
                 continue;
-            /* More than the whole approach speed would reverse it. */
-            float share = c->dt * pair.q * (c->viscosity_linear + c->viscosity_quadratic * u);
-            float impulse = 0.5f * (share < 1 ? share : 1) * u;
+            float rate = c->viscosity_linear + c->viscosity_quadratic * u;
+            float impulse = 0.5f * (c->dt * pair.q * (rate < most ? rate : most)) * u;
             sum_x -= impulse * pair.ux;
             sum_y -= impulse * pair.uy;
         }

@@ -350,15 +350,15 @@ VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j
                        const wide *dx, const wide *dy, const wide *inverse, const wide *q,
                        wide *size)
 {
-    const wide zero = wide_set(0), one = wide_set(1), half = wide_set(0.5f);
+    const wide zero = wide_set(0), half = wide_set(0.5f), most = wide_set(SKV_MOST_VISCOUS);
     wide uj = wide_each(part_load(p->u + j)), vj = wide_each(part_load(p->v + j));
     wide sigma = wide_set(others->sigma), beta = wide_set(others->beta);
     wide w[WIDES], share[WIDES];
     EACH(k)
     w[k] = wide_add(wide_mul(wide_sub(t->u[k], uj), dx[k]), wide_mul(wide_sub(t->v[k], vj), dy[k]));
     EACH(k) w[k] = wide_mul(wide_max(w[k], zero), inverse[k]);
-    EACH(k)
-    share[k] = wide_min(wide_mul(q[k], wide_add(sigma, wide_mul(beta, w[k]))), one);
+    EACH(k) share[k] = wide_min(wide_add(sigma, wide_mul(beta, w[k])), most);
+    EACH(k) share[k] = wide_mul(q[k], share[k]);
     EACH(k) w[k] = wide_mul(wide_mul(half, share[k]), wide_mul(w[k], inverse[k]));
     EACH(k) size[k] = wide_add(size[k], w[k]);
 }

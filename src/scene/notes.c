@@ -1,0 +1,88 @@
+/* What is worth saying about a scene that can be built.
+ *
+ * Invariant: notes follow from the scene alone and change nothing of it.
+ */
+#include "scene/notes.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "world/parameters.h"
+#include "world/world_internal.h"
+
+void skv_scene_note(skv_scene *scene, const char *format, ...)
+{
+    char text[200];
+    va_list arguments;
+    va_start(arguments, format);
+    size_t length = skv_format_list(text, sizeof text, format, arguments);
+    va_end(arguments);
+    length = length < sizeof text ? length : sizeof text - 1;
+    int free = 0;
+    while (free < SKV_MAX_NOTICES && scene->notices[free] != NULL)
+        free++;
+    if (free == SKV_MAX_NOTICES)
+        return;
+    scene->notices[free] = skv_calloc(length + 1, 1);
+    if (scene->notices[free] != NULL)
+        memcpy(scene->notices[free], text, length);
+}
+
+/* ---- The clavet law's numbers ---------------------------------------------------------------- */
+
+/* Of the law's own numbers, each alone can be what lets the fluid burst. */
+static const skv_parameter clavet_numbers[] = {
+    SKV_P_FLUID_CLAVET_NEAR_STIFFNESS, SKV_P_FLUID_CLAVET_STIFFNESS,
+    SKV_P_FLUID_CLAVET_REST_DENSITY, SKV_P_FLUID_RADIUS_RATIO};
+
+/* The least and the greatest value of a parameter, the others being as they are, with which the
+ * fluid keeps its area; false if there is none. */
+static bool find_calm(const skv_world_def *def, skv_parameter parameter, double *least,
+                      double *most)
+{
+    enum { PLACES = 200 };
+    const skv_field *field = skv_world_field((int)parameter);
+    skv_world_def other = *def;
+    bool found = false;
+    for (int i = 0; i <= PLACES; i++) {
+        double value = field->minimum + (field->maximum - field->minimum) * i / PLACES;
+        skv_parameter_store(&other, (int)parameter, value);
+        if (skv_clavet_swells(&other.fluid) != 0)
+            continue;
+        *least = found ? *least : value;
+        *most = value;
+        found = true;
+    }
+    return found;
+}
+
+static void note_clavet(skv_scene *scene)
+{
+    int swells = skv_clavet_swells(&scene->def.fluid);
+    if (swells == 0)
+        return;
+    skv_world_def standard = skv_default_world_def();
+    standard.fluid = skv_default_fluid_def(SKV_LAW_CLAVET);
+    const char *what = swells > 0 ? "swells and bursts" : "collapses";
+    for (size_t i = 0; i < sizeof clavet_numbers / sizeof *clavet_numbers; i++) {
+        int parameter = (int)clavet_numbers[i];
+        double value = skv_parameter_load(&scene->def, parameter), least, most;
+        if (value == skv_parameter_load(&standard, parameter) ||
+            !find_calm(&scene->def, clavet_numbers[i], &least, &most))
+            continue;
+        char text[3][32];
+        skv_format_float(value, text[0]);
+        skv_format_number(least, text[1]);
+        skv_format_number(most, text[2]);
+        skv_scene_note(scene, "with %s %s the clavet fluid %s; %s to %s can be had",
+                       skv_world_field(parameter)->path, text[0], what, text[1], text[2]);
+        return;
+    }
+    skv_scene_note(scene, "the clavet fluid %s; its default numbers do not let it", what);
+}
+
+void skv_scene_add_notes(skv_scene *scene)
+{
+    note_clavet(scene);
+}

@@ -1,0 +1,201 @@
+/* Whatever the registry accepts stays bounded: each parameter of a world at its ends and at places
+ * between, in a dam that breaks and in a pool, by both laws.
+ *
+ * What a fall allows is the speed sqrt(2 g H) of what falls from the water's highest place through
+ * all of the tank. A dam's front may be faster: sqrt(2) of it on a dry floor (Ritter 1892), less
+ * with a pressure that is not hydrostatic. So half as much again is allowed. What hits a wall is
+ * left out, for a jet beside a wall is faster than any fall: the tank is longer than the front
+ * gets, and it is turned with gravity. */
+#include "scene/support.h"
+
+#include "support/fixture.h"
+#include "support/long.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* In spacings: a dam of 375 particles, a pool of 400, and what is above either. */
+enum {
+    DAM_WIDTH = 14,
+    DAM_HEIGHT = 24,
+    DAM_TANK = 160,
+    POOL_WIDTH = 40,
+    POOL_HEIGHT = 10,
+    TOP = 36
+};
+enum { PLACES = 12 };
+
+typedef struct run {
+    const skv_field *field;
+    double value;
+    bool clavet, pool;
+} run;
+
+/* The tank and its water, turned so that gravity, which is mostly along one side, presses the water
+ * to the floor. */
+static void write_scene(const run *r, char *text, size_t size)
+{
+    double s = strcmp(r->field->path, "fluid.spacing") == 0 ? r->value : 0.02;
+    bool aside = strcmp(r->field->path, "gravity.x") == 0;
+    bool turned = (aside || strcmp(r->field->path, "gravity.y") == 0) && r->value > 0;
+    double across = (r->pool ? POOL_WIDTH : DAM_TANK) * s, up = TOP * s;
+    double width = (r->pool ? POOL_WIDTH : DAM_WIDTH) * s;
+    double high = (r->pool ? POOL_HEIGHT : DAM_HEIGHT) * s, from = turned ? up - high : 0;
+    snprintf(text, size,
+             "{\"world\":{\"width\":%.9g,\"height\":%.9g,\"pixel\":%.9g},"
+             "\"fluid\":{\"spacing\":%.9g,\"law\":\"%s\"},"
+             "\"water\":[{\"shape\":\"box\",\"%c0\":0,\"%c1\":%.9g,\"%c0\":%.9g,\"%c1\":%.9g}]}",
+             aside ? up : across, aside ? across : up, s / 2, s,
+             r->clavet ? "clavet" : "calibrated", aside ? 'y' : 'x', aside ? 'y' : 'x', width,
+             aside ? 'x' : 'y', from, aside ? 'x' : 'y', from + high);
+}
+
+static skv_scene *open(const run *r)
+{
+    char text[600], value[32];
+    write_scene(r, text, sizeof text);
+    snprintf(value, sizeof value, "%.9g", r->value);
+    if (r->field->type == SKV_FIELD_BOOLEAN)
+        snprintf(value, sizeof value, "%s", r->value == 0 ? "false" : "true");
+    const char *const setting[] = {r->field->path, value, NULL};
+    bool in_text = strcmp(r->field->path, "fluid.spacing") == 0;
+    skv_scene *scene;
+    skv_error error;
+    if (load_text(text, in_text ? NULL : setting, &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    return scene;
+}
+
+/* sqrt(2 g H), in m/s. */
+static double fall(const skv_world *world)
+{
+    const skv_terrain *terrain = skv_world_terrain(world);
+    float gx, gy, width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
+    skv_world_gravity(world, &gx, &gy);
+    double deepest = fmax(gx, 0) * (double)width + fmax(gy, 0) * (double)height, most = 0;
+    skv_particles p = skv_world_particles(world);
+    for (int i = 0; i < p.count; i++)
+        most = fmax(most, deepest - (double)(gx * p.x[i]) - (double)(gy * p.y[i]));
+    return sqrt(2 * most);
+}
+
+/* The greatest speed in the first 0.6 s, in which a dam's front runs 1.3 times as far as it is high
+ * at Earth's gravity; as a share of the fall. */
+static double greatest(const run *r, const skv_scene *scene)
+{
+    skv_world *world;
+    skv_error error;
+    if (skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    double allowed = fall(world), most = 0;
+    int count = skv_world_particle_count(world);
+    for (int frame = 0; frame < 36; frame++) {
+        fixture_run(world, 1);
+        skv_stats stats = skv_world_stats(world);
+        most = fmax(most, stats.max_speed);
+        if (stats.not_finite || stats.escaped || stats.particles != count)
+            fail_msg("%s %g: lost particles", r->field->path, r->value);
+    }
+    skv_world_destroy(world);
+    return most / allowed;
+}
+
+static void expect_bounded(const run *r)
+{
+    skv_scene *scene = open(r);
+    double most = greatest(r, scene);
+    const char *note = skv_scene_notice(scene, 0);
+    /* Or a note names the parameter and says what can be had instead. */
+    bool noted = note && strstr(note, r->field->path) && strstr(note, "can be had");
+    if (!(most < 1.5) && !noted)
+        fail_msg("%s %g, %s, %s: %.2f of what the fall allows", r->field->path, r->value,
+                 r->clavet ? "clavet" : "calibrated", r->pool ? "pool" : "dam", most);
+    skv_scene_destroy(scene);
+}
+
+/* Whether a law has a parameter. */
+static bool has(bool clavet, const char *path)
+{
+    static const char *const calibrated[] = {"fluid.near_stiffness", "fluid.cohesion",
+                                             "fluid.relaxation", "fluid.wall_images",
+                                             "fluid.adhesion"};
+    bool is_calibrated = false;
+    for (size_t i = 0; i < sizeof calibrated / sizeof *calibrated; i++)
+        is_calibrated |= strcmp(path, calibrated[i]) == 0;
+    return clavet ? !is_calibrated : strncmp(path, "fluid.clavet", 12) != 0;
+}
+
+/* The ends in a dam; in the long form, the places between and a pool, too. */
+static void try_all(const skv_field *field, bool clavet)
+{
+    int places = field->type == SKV_FIELD_BOOLEAN ? 2 : PLACES;
+    int step = places == 2 || long_tests() ? 1 : PLACES - 1;
+    for (int i = 0; i < places; i += step) {
+        double value = field->minimum + (field->maximum - field->minimum) * i / (places - 1);
+        if (field->type == SKV_FIELD_INTEGER)
+            value = floor(value + 0.5);
+        expect_bounded(&(run){field, value, clavet, false});
+        if (long_tests())
+            expect_bounded(&(run){field, value, clavet, true});
+    }
+}
+
+static void all_that_is_accepted_stays_bounded(void **unused)
+{
+    (void)unused;
+    const skv_field *field;
+    for (int i = 0; (field = skv_world_field(i)); i++) {
+        bool hosts = strcmp(field->path, "threads") == 0 || strcmp(field->path, "capacity") == 0;
+        for (int law = 0; law < 2 && !hosts && field->type != SKV_FIELD_CHOICE; law++)
+            if (has(law == 1, field->path))
+                try_all(field, law == 1);
+    }
+}
+
+/* A note's range can be had: with its ends there is no note. */
+static void what_a_note_offers_can_be_had(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *path;
+        double value;
+    } bursting[] = {{"fluid.clavet_near_stiffness", 0.2},
+                    {"fluid.clavet_near_stiffness", 0},
+                    {"fluid.clavet_stiffness", 0},
+                    {"fluid.clavet_rest_density", 40},
+                    {"fluid.radius_ratio", 4}};
+    for (size_t i = 0; i < sizeof bursting / sizeof *bursting; i++) {
+        run r = {skv_world_field(skv_world_parameter(bursting[i].path)), bursting[i].value, true,
+                 false};
+        skv_scene *scene = open(&r);
+        const char *note = skv_scene_notice(scene, 0);
+        const char *offer = note ? strrchr(note, ';') : NULL;
+        double ends[2];
+        assert_non_null(offer);
+        assert_int_equal(sscanf(offer, "; %lf to %lf can be had", &ends[0], &ends[1]), 2);
+        skv_scene_destroy(scene);
+        for (int k = 0; k < 2; k++) {
+            r.value = ends[k];
+            scene = open(&r);
+            assert_null(skv_scene_notice(scene, 0));
+            assert_true(greatest(&r, scene) < 1.5);
+            skv_scene_destroy(scene);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_a_note_offers_can_be_had),
+        cmocka_unit_test(all_that_is_accepted_stays_bounded),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
