@@ -108,20 +108,6 @@ static void on_drag_update(G_GNUC_UNUSED GtkGestureDrag *drag, double dx, double
                      probes->end, x, y);
 }
 
-static bool is_outside(PlayProbes *probes, double px, double py)
-{
-    return px < 0 || py < 0 || px > gtk_widget_get_width(GTK_WIDGET(probes)) ||
-           py > gtk_widget_get_height(GTK_WIDGET(probes));
-}
-
-static void on_drag_end(G_GNUC_UNUSED GtkGestureDrag *drag, double dx, double dy,
-                        PlayProbes *probes)
-{
-    if (probes->dragged && is_outside(probes, probes->grab_x + dx, probes->grab_y + dy))
-        skv_stage_remove_probe(play_view_stage(probes->view), probes->dragged);
-    probes->dragged = 0;
-}
-
 /* Drawing. */
 
 static void draw_grip(cairo_t *cairo, double x, double y, const char *letter)
@@ -216,6 +202,5 @@ static void play_probes_init(PlayProbes *probes)
     GtkGesture *drag = gtk_gesture_drag_new();
     g_signal_connect(drag, "drag-begin", G_CALLBACK(on_drag_begin), probes);
     g_signal_connect(drag, "drag-update", G_CALLBACK(on_drag_update), probes);
-    g_signal_connect(drag, "drag-end", G_CALLBACK(on_drag_end), probes);
     gtk_widget_add_controller(GTK_WIDGET(probes), GTK_EVENT_CONTROLLER(drag));
 }

@@ -79,8 +79,8 @@ SKV_API const skv_gauge *skv_gauge_of(skv_instrument_kind kind);
  * of what the first side shows; a level in any case in water. Never in a wall, nor where another
  * begins: close by, then. 0 if nothing is open. */
 SKV_API uint32_t skv_control_add_gauge(skv_stage *stage, const skv_gauge *gauge);
-/** Drags an end of one (0 or 1) to a place, which is kept within the world. The first end takes the
- * second with it. */
+/** Drags an end of one (0 or 1) to a place, which is kept within what is seen of the world: who
+ * drags it out finds it at the edge. The first end takes the second with it. */
 SKV_API void skv_control_drag(skv_stage *stage, int side, uint32_t probe, int end, double x,
                               double y);
 

@@ -168,9 +168,10 @@ const skv_gauge *skv_gauge_of(skv_instrument_kind kind)
     return NULL;
 }
 
-static double within(double value, double most)
+/* Along one axis, within what is seen of the world. */
+static double within(double value, double centre, double seen, double most)
 {
-    return fmin(fmax(value, 0), most);
+    return fmin(fmax(value, fmax(centre - seen / 2, 0)), fmin(centre + seen / 2, most));
 }
 
 /* Shares of what is seen: how high a level's upper end lies over the middle, and how long other
@@ -216,7 +217,8 @@ void skv_control_drag(skv_stage *stage, int side, uint32_t probe, int end, doubl
         return;
     skv_camera camera = skv_stage_camera(stage, side);
     const skv_instrument_def *def = &dragged->def;
-    x = within(x, camera.world_width), y = within(y, camera.world_height);
+    x = within(x, camera.centre_x, camera.width / camera.scale, camera.world_width);
+    y = within(y, camera.centre_y, camera.height / camera.scale, camera.world_height);
     if (end)
         skv_stage_move_probe(stage, probe, def->x0, def->y0, x, y);
     else

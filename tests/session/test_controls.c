@@ -187,7 +187,17 @@ static void test_gauges(void **state)
         stage_look(stage, 0);
         probe = skv_stage_probe(stage, 0, id);
         assert_true(probe->def.x0 == 0.3 && probe->def.x1 == 0);
-        assert_true(probe->def.y1 == camera.world_height);
+        assert_true(fabs(probe->def.y1 - camera.world_height) < 1e-9);
+        /* Out of what is seen from near it is kept at the edge. */
+        skv_stage_zoom(stage, 0, 4, 800, 450);
+        camera = skv_stage_camera(stage, 0);
+        skv_control_drag(stage, 0, id, 0, 9, 9);
+        stage_look(stage, 0);
+        probe = skv_stage_probe(stage, 0, id);
+        double px, py;
+        skv_camera_to_view(&camera, probe->def.x0, probe->def.y0, &px, &py);
+        assert_true(fabs(px - 1600) < 1e-6 && fabs(py) < 1e-6);
+        skv_stage_show_all(stage);
     }
     assert_int_equal(count, 6);
     assert_null(skv_gauge_of(SKV_INSTRUMENT_ENERGY));

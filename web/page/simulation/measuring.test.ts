@@ -26,7 +26,7 @@ test('a probe reads what it reads natively, to the last bit', async () => {
     expect(probe.channels.map(({ value }) => value)).toEqual([pressure, theory]);
     expect(probe.channels.map((channel) => channel.theory)).toEqual([false, true]);
     expect(probe.channels[0]).toMatchObject({ unit: 'cm of water', decimals: 1 });
-    expect(probe.times).toHaveLength(30);
+    expect(probe.times).toHaveLength(31); // the start, and 30 frames
     expect(probe.values![0].at(-1)).toBe(pressure);
     trial.si = true;
     expect(trial.state.worlds[0].probes[0].channels[0]).toMatchObject({ unit: 'Pa m', size: 1, decimals: -1 });

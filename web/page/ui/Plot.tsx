@@ -5,6 +5,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Curve } from '../simulation/protocol';
 import { short } from './numbers';
+import { tableOf } from './table';
 import { language } from './words';
 
 /** As in the app: told apart by people who see colours differently, too (Okabe and Ito). */
@@ -36,12 +37,6 @@ function seriesOf(curve: Curve, index: number): uPlot.Series {
         points: { show: dots, size: 7, width: 2, fill: curve.style === 'rings' ? 'transparent' : stroke },
         paths: dots ? () => null : undefined,
     };
-}
-
-/** Curves over one axis: at each place, what each curve has there, or nothing. */
-function tableOf(curves: Curve[]): uPlot.AlignedData {
-    const places = curves.map(({ x, y }) => [x, y] as unknown as uPlot.AlignedData);
-    return places.length ? uPlot.join(places, places.map((table) => table.map(() => 2))) : [[]];
 }
 
 function optionsOf({ xLabel, yLabel, curves }: PlotProps, width: number): uPlot.Options {

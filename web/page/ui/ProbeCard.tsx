@@ -34,7 +34,8 @@ function curvesOf(probe: Probe, beside: Probe | undefined): Curve[] {
 
 function saveCurves(curves: Curve[], x: string, y: string): void {
     const lines = curves.flatMap(({ label, x: xs, y: ys }) =>
-        Array.from(xs, (at, i) => `${label},${Number(at.toPrecision(7))},${Number(ys[i].toPrecision(7))}`),
+        Array.from(xs, (at, i) => `${label},${Number(at.toPrecision(7))},${Number(ys[i].toPrecision(7))}`)
+            .filter((_line, i) => Number.isFinite(ys[i])),
     );
     download([`series,${x},${y}`, ...lines, ''].join('\n'), 'text/csv', 'readings.csv');
 }

@@ -20,15 +20,6 @@ function Grip(props: { probe: Probe; world: WorldState; side: number; end: 0 | 1
         const to = { x: event.clientX - begun.current.x, y: event.clientY - begun.current.y };
         simulation.dragProbe(probe.id, end, (to.x - originX) / scale, (originY - to.y) / scale, props.side as Side);
     }
-    function onUp(event: PointerEvent): void {
-        begun.current = null;
-        const box = (event.currentTarget as SVGElement).ownerSVGElement!.getBoundingClientRect();
-        const outside =
-            event.clientX < box.left || event.clientX > box.right ||
-            event.clientY < box.top || event.clientY > box.bottom;
-        if (outside)
-            simulation.removeProbe(probe.id);
-    }
     return (
         <g
             class="grip"
@@ -38,7 +29,7 @@ function Grip(props: { probe: Probe; world: WorldState; side: number; end: 0 | 1
                 begun.current = { x: event.clientX - x, y: event.clientY - y };
             }}
             onPointerMove={onMove}
-            onPointerUp={onUp}
+            onPointerUp={() => (begun.current = null)}
             onPointerCancel={() => (begun.current = null)}
         >
             <circle r={catalogue.limits.grip} class="reach" />
