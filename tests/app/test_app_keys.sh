@@ -142,11 +142,11 @@ for one in '?' 'Ctrl+?'; do
     await 'len(windows) == 1'
     focus
 done
-does Ctrl+w 'True'
+key ctrl+w
 ended_loudly
 start_app pool
-does Ctrl+q 'True'
-ended
+quit_app
+pressed[Ctrl+w]=1 pressed[Ctrl+q]=1
 
 missing=0
 while IFS= read -r one; do

@@ -42,6 +42,11 @@ for file in po/*.po; do
         bad=1
     }
 done
+# Who builds the app alone, as run.sh does, has them, too.
+ninja -C "$build" -t query skvalp-play | grep -q 'po/translations' || {
+    echo "skvalp-play is built without its translations"
+    bad=1
+}
 # What C files say to people goes through gettext: labels, tooltips and what plots have written at
 # them that are plain texts do not, nor what tables of the library hold.
 said='set_tooltip_text|set_label|set_title|label_new|with_label|with_mnemonic|_toast|complain'
