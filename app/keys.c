@@ -2,6 +2,7 @@
  * without Ctrl must not take letters from what is typed into: they come last. */
 #include "keys.h"
 
+#include <adwaita.h>
 #include <string.h>
 
 #include "words.h"
@@ -86,91 +87,104 @@ static void add_key(const skv_key *key, GtkApplication *application, GtkEventCon
     g_free(detailed);
 }
 
-/* The window. */
+/* The table: a window of its own, for the toolkit's has pages of fixed width. */
 
-static void append(GString *xml, const char *property, const char *text)
+/* Adds a row: what happens, and the keys or the gesture for it. */
+static void add_row(GtkWidget *group, const char *title, const char *keys)
 {
-    char *escaped = g_markup_escape_text(text, -1);
-    g_string_append_printf(xml, "<property name='%s'>%s</property>", property, escaped);
-    g_free(escaped);
+    GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12);
+    GtkWidget *labels[] = {gtk_label_new(title), gtk_label_new(keys)};
+    for (int i = 0; i < 2; i++) {
+        gtk_label_set_wrap(GTK_LABEL(labels[i]), TRUE);
+        gtk_label_set_xalign(GTK_LABEL(labels[i]), (float)i);
+        gtk_label_set_justify(GTK_LABEL(labels[i]), i ? GTK_JUSTIFY_RIGHT : GTK_JUSTIFY_LEFT);
+        gtk_box_append(GTK_BOX(row), labels[i]);
+    }
+    gtk_widget_set_hexpand(labels[0], TRUE);
+    gtk_widget_add_css_class(labels[1], "dim-label");
+    gtk_widget_add_css_class(row, "key");
+    gtk_list_box_append(GTK_LIST_BOX(group), row);
 }
 
-static void begin(GString *xml, const char *class)
+static GtkWidget *add_group(GtkWidget *box, const char *title)
 {
-    g_string_append_printf(xml, "<child><object class='%s'>", class);
+    GtkWidget *heading = gtk_label_new(title), *group = gtk_list_box_new();
+    gtk_label_set_xalign(GTK_LABEL(heading), 0);
+    gtk_widget_add_css_class(heading, "heading");
+    gtk_list_box_set_selection_mode(GTK_LIST_BOX(group), GTK_SELECTION_NONE);
+    gtk_widget_add_css_class(group, "boxed-list");
+    gtk_box_append(GTK_BOX(box), heading);
+    gtk_box_append(GTK_BOX(box), group);
+    return group;
 }
 
-static void end(GString *xml)
+/* "Ctrl+Z" as people here read it, or a gesture in words. To be freed. */
+static char *words_of(const skv_key *key)
 {
-    g_string_append(xml, "</object></child>");
+    guint value = 0;
+    GdkModifierType modifiers = 0;
+    char *trigger = accelerator_of(key->key), *words = NULL;
+    if (trigger && gtk_accelerator_parse(trigger, &value, &modifiers))
+        words = gtk_accelerator_get_label(value, modifiers);
+    g_free(trigger);
+    return words ? words : g_strdup(play_word(key->key));
 }
 
 /* A row: all keys of a title. Returns the index of the last. */
-static int append_row(GString *xml, int i)
+static int add_keys(GtkWidget *group, int i)
 {
+    const char *title = skv_key_at(i)->title;
     GString *keys = g_string_new(NULL);
-    const char *title = skv_key_at(i)->title, *gesture = NULL;
     const skv_key *key;
-    begin(xml, "GtkShortcutsShortcut");
-    append(xml, "title", play_word(title));
     for (; (key = skv_key_at(i)) && key->title && g_str_equal(key->title, title); i++) {
-        char *accelerator = accelerator_of(key->key);
-        if (accelerator)
-            g_string_append_printf(keys, "%s%s", keys->len ? " " : "", accelerator);
-        else
-            gesture = play_word(key->key);
-        g_free(accelerator);
+        char *words = words_of(key);
+        g_string_append_printf(keys, "%s%s", keys->len ? " · " : "", words);
+        g_free(words);
     }
-    if (gesture)
-        append(xml, "subtitle", gesture);
-    if (keys->len > 0)
-        append(xml, "accelerator", keys->str);
-    end(xml);
+    add_row(group, play_word(title), keys->str);
     g_string_free(keys, TRUE);
     return i - 1;
 }
 
-static void append_tools(GString *xml)
+static void fill(GtkWidget *box)
 {
+    const char *section = "";
+    const skv_key *key;
     const skv_tool *tool;
-    for (int i = 0; (tool = skv_tool_info(i)); i++) {
-        begin(xml, "GtkShortcutsShortcut");
-        append(xml, "title", play_word(tool->title));
-        append(xml, "accelerator", (char[]){tool->key, '\0'});
-        end(xml);
+    GtkWidget *group = NULL;
+    for (int i = 0; (key = skv_key_at(i)); i++) {
+        if (!g_str_equal(key->section, section)) {
+            section = key->section;
+            group = add_group(box, play_word(section));
+            for (int k = 0; g_str_equal(section, "Tools") && (tool = skv_tool_info(k)); k++)
+                add_row(group, play_word(tool->title), (char[]){tool->key, '\0'});
+        }
+        if (key->title)
+            i = add_keys(group, i);
     }
 }
 
-static void add_window(GtkApplicationWindow *window)
+static void on_help(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                    gpointer parent)
 {
-    GString *xml = g_string_new("<interface><object class='GtkShortcutsWindow' id='overlay'>");
-    const skv_key *key;
-    const char *section = "";
-    append(xml, "modal", "True");
-    begin(xml, "GtkShortcutsSection");
-    append(xml, "section-name", "shortcuts");
-    append(xml, "max-height", "14");
-    for (int i = 0; (key = skv_key_at(i)); i++) {
-        if (!g_str_equal(key->section, section)) {
-            if (*section)
-                end(xml);
-            section = key->section;
-            begin(xml, "GtkShortcutsGroup");
-            append(xml, "title", play_word(section));
-            if (g_str_equal(section, "Tools"))
-                append_tools(xml);
-        }
-        if (key->title)
-            i = append_row(xml, i);
-    }
-    end(xml);
-    end(xml);
-    g_string_append(xml, "</object></interface>");
-    GtkBuilder *builder = gtk_builder_new_from_string(xml->str, (gssize)xml->len);
-    GObject *overlay = gtk_builder_get_object(builder, "overlay");
-    gtk_application_window_set_help_overlay(window, GTK_SHORTCUTS_WINDOW(overlay));
-    g_object_unref(builder);
-    g_string_free(xml, TRUE);
+    GtkWidget *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 9), *clamp = adw_clamp_new();
+    GtkWidget *page = gtk_scrolled_window_new();
+    GtkWidget *window = g_object_new(GTK_TYPE_WINDOW, "transient-for", parent, "modal", TRUE,
+                                     "title", _("Keyboard Shortcuts"), "child", page,
+                                     "default-width", 480, "default-height", 560, NULL);
+    fill(box);
+    gtk_widget_add_css_class(box, "lab");
+    adw_clamp_set_child(ADW_CLAMP(clamp), box);
+    gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(page), GTK_POLICY_NEVER,
+                                   GTK_POLICY_AUTOMATIC);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(page), clamp);
+    GtkEventController *leave = gtk_shortcut_controller_new();
+    gtk_shortcut_controller_add_shortcut(
+        GTK_SHORTCUT_CONTROLLER(leave),
+        gtk_shortcut_new(gtk_shortcut_trigger_parse_string("Escape"),
+                         gtk_named_action_new("window.close")));
+    gtk_widget_add_controller(window, leave);
+    gtk_window_present(GTK_WINDOW(window));
 }
 
 void play_keys_add(GtkApplicationWindow *window)
@@ -188,5 +202,6 @@ void play_keys_add(GtkApplicationWindow *window)
         g_free(detailed);
     }
     gtk_widget_add_controller(GTK_WIDGET(window), plain);
-    add_window(window);
+    static const GActionEntry help = {.name = "show-help-overlay", .activate = on_help};
+    g_action_map_add_action_entries(G_ACTION_MAP(window), &help, 1, window);
 }

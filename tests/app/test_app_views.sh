@@ -75,9 +75,9 @@ press Pool Button
 await 'page == "play" and worlds[0].opened == 2 and gravity.y == -1 and windows[0].title.startswith("Pool")'
 await 'not paused and moment > 0'
 key ctrl+question
-await 'len(windows) == 2 and says("Keyboard shortcuts")'
+await 'len(windows) == 2 and says("What is shown")'
 key ctrl+q
-ended_loudly # GTK 4.8 complains of its own window of shortcuts
+ended
 
 # 6. What was chosen is kept. 360 pixels wide, upright: picture, tools and time are all there.
 sed -i -E 's/^width=.*/width=360/; s/^height=.*/height=640/' "$work/.config/skvalp/play.ini"
@@ -90,6 +90,13 @@ for name in Hand Play Rewind Views Gravity; do
     await "find('$name').width > 0 and find('$name').x + find('$name').width <= windows[0].width"
 done
 is 'find("rail").y > find("view").y' || fail "the tools do not lie below the picture: $answer"
+key ctrl+question # not wider than the window, and nothing cut off
+await 'dialog() == "Keyboard Shortcuts" and windows[1].width <= 380'
+is 'all(one.x + one.width <= windows[1].width for one in windows[1].widgets)' || fail "the keys are cut off: $answer"
+focus
+key Escape
+await 'not dialog()'
+focus
 key ctrl+o
 await 'len(windows) == 2'
 quit_app # in spite of it
