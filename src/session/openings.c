@@ -186,7 +186,7 @@ static void take_over(skv_worker *worker, skv_player *player, const skv_player_d
     worker->following = skv_player_end(player) > 0;
     if (!worker->following) /* what stands in a log without a frame */
         skv_player_seek(player, 0, NULL);
-    worker->followed = skv_player_seeking(player);
+    worker->followed = false;
     worker->again = def->changed != NULL;
     worker->halted = false;
     worker->hand_count = 0;

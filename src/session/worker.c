@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "world/parameters.h"
 
 #define FRAME             (1.0 / 60)
 #define STRONGEST_GRAVITY 1000.0
@@ -47,6 +48,19 @@ static bool give(skv_worker *worker, const skv_command *command, bool edits, skv
     return true;
 }
 
+/* Water that people add keeps to the limit of emitters, and a tap that would stay dry is none. */
+static skv_result check_room(const skv_worker *worker, skv_command_kind kind, skv_error *error)
+{
+    bool adds = kind == SKV_COMMAND_POUR || kind == SKV_COMMAND_EMIT;
+    const skv_world *world = skv_player_world(worker->player);
+    skv_world_def def = adds ? skv_world_describe(world) : skv_default_world_def();
+    if (!adds || def.emission_replaces || skv_world_particle_count(world) < def.emission_limit)
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_LIMIT,
+                    "there are %d particles, and emission.limit is %d; raise it, or let water out",
+                    skv_world_particle_count(world), def.emission_limit);
+}
+
 /* An edit, which begins with its first command that the world takes; what refuses one is told once
  * a picture, for a brush asks for many. */
 static void edit(const skv_command *command, void *user)
@@ -55,7 +69,8 @@ static void edit(const skv_command *command, void *user)
     skv_error error;
     if (command->kind == SKV_COMMAND_MARK) {
         worker->begins = true;
-    } else if (worker->player && give(worker, command, worker->begins, &error)) {
+    } else if (worker->player && check_room(worker, command->kind, &error) == SKV_OK &&
+               give(worker, command, worker->begins, &error)) {
         worker->begins = false;
     } else if (worker->player && !worker->refused) {
         worker->refused = true;

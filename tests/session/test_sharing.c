@@ -12,7 +12,8 @@
 #include "session/support.h"
 #include "support/kept.h"
 
-/* Opens what was shared, lets it play past its end, and returns whether it went as recorded. */
+/* Opens what was shared, lets it play past its end, and returns whether it went as recorded.
+ * Without a frame it is a set-up: there is no end of which to say so. */
 static bool plays_as_recorded(skv_stage *stage, const kept *shared, int64_t frames)
 {
     skv_picture picture;
@@ -29,8 +30,8 @@ static bool plays_as_recorded(skv_stage *stage, const kept *shared, int64_t fram
     stage_copy(stage, &picture);
     assert_true(!picture.following && !picture.seeking);
     assert_true(picture.moment >= frames);
-    assert_true(picture.as_recorded != picture.mismatch);
-    return picture.as_recorded;
+    assert_true(picture.as_recorded == (frames > 0 && !picture.mismatch));
+    return !picture.mismatch;
 }
 
 /* The last hash counts, too, which stands after the last frame. */
