@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 
 import {
     begin, beginAfter, blue, button, chooseFromMenu, complaint, devtools, phone, small, stateOf,
-    touch, until,
+    touch, until, water,
 } from './people.js';
 import { carryOut } from './trials.js';
 
@@ -117,6 +117,35 @@ const trials = {
         await hold(page, 9.81, 0);
         await page.waitForTimeout(300);
         await pulls(page, 0, -0.5);
+    },
+
+    async 'a device has one number of particles, which people choose'(browser) {
+        const amounts = async (page) => {
+            const { chosen, worlds: [{ particles }] } = await stateOf(page);
+            assert.ok(Math.abs(particles / chosen - 1) < 0.1, `${particles} of ${chosen}`);
+            return [chosen, await page.evaluate(() => JSON.parse(localStorage.getItem('skvalp') ?? '{}'))];
+        };
+        const again = async (page, query) => {
+            await page.goto(new URL(`/index.html${query}`, page.url()).href);
+            await water(page);
+            return amounts(page);
+        };
+        const page = await begin(browser, small, '?scene=pool');
+        const [measured, { measured: kept }] = await amounts(page);
+        assert.equal(kept, measured, 'what was measured is kept');
+        // As on another device: it is what is kept that counts, not how fast it is by chance.
+        await page.evaluate(() => localStorage.setItem('skvalp', JSON.stringify({ measured: 3000 })));
+        assert.equal((await again(page, '?scene=pool'))[0], 3000);
+        const [asked, { measured: still, particles: none }] = await again(page, '?scene=pool&particles=2000');
+        assert.deepEqual([asked, still, none], [2000, 3000, undefined], 'the address is for one visit');
+        await page.locator('.pace').click();
+        await page.getByLabel('Particles', { exact: true }).selectOption({ label: '1\u00a0000' });
+        await until(page, () => window.skvalp.state.value.chosen === 1000
+            && Math.abs(window.skvalp.state.value.worlds[0].particles - 1000) < 100, 'the scene begins anew with 1000');
+        assert.equal((await again(page, '?scene=pool'))[0], 1000);
+        await page.locator('.pace').click();
+        await page.getByLabel('Particles', { exact: true }).selectOption({ label: 'As measured: 3\u00a0000' });
+        await until(page, () => window.skvalp.state.value.chosen === 3000, 'as it was measured');
     },
 
     async 'a turned screen keeps water that is in the air'(browser) {

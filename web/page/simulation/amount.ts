@@ -1,25 +1,29 @@
 // How many particles a scene begins with here, where neither it, a link nor a person says: measured
-// on a world that nobody sees, and never changed in a scene that runs.
+// on a world that nobody sees, stepped and drawn, and never changed in a scene that runs.
 import type { Library } from '../../src/library.js';
-import { withOptions } from '../../src/memory.js';
+import type { skv_frame } from '../../src/interface.js';
+import { using, withOptions } from '../../src/memory.js';
 
-/** What a frame may cost, s: half of a display's period. */
-const budget = 0.008;
-const choices = [5000, 4000, 3000, 2000, 1500, 1000, 500];
-/** For which the built-in scenes were made; those that say another number keep their share of it. */
-const standard = 3000;
+import { standard, steps } from './steps';
+
+/** s: half of a display's period is for stepping, three quarters are for that and drawing. */
+const forStepping = 0.008, forBoth = 0.0125;
 
 const measured = 2000;
 /** The module's code is cold at first: the fastest frame tells, once it has not become faster. */
 const leastFrames = 6, unchangedFrames = 4, longest = 0.25;
 
-/** The largest number that keeps the budget. */
-export function largestWithin(secondsPerParticle: number) {
-    return choices.find((count) => count * secondsPerParticle <= budget) ?? choices.at(-1)!;
+/** The largest step that a frame has time for. */
+export function largestWithin(secondsPerParticle: number, drawing = 0) {
+    const budget = Math.min(forStepping, forBoth - drawing);
+    return steps.findLast((count) => count * secondsPerParticle <= budget) ?? steps[0];
 }
 
-/** What a frame of a world costs for each of its particles, s. */
-function measure(library: Library, threads: number, clock: () => number) {
+/**
+ * As many as a frame has time for.
+ * @param draw what it takes to draw a world, s
+ */
+export function chooseAmount(library: Library, threads: number, clock: () => number, draw: (frame: skv_frame) => number) {
     const { c } = library;
     const settings = { particles: String(measured), settle: 'false' }; // which would take longer
     const scene = withOptions(library, settings, (options) =>
@@ -38,13 +42,10 @@ function measure(library: Library, threads: number, clock: () => number) {
         }
     }
     const count = c.skv_world_particle_count(world);
+    const drawing = using(library, c.skv_world_frame(world), draw);
     c.skv_world_destroy(world);
     c.skv_scene_destroy(scene);
-    return best / count;
-}
-
-export function chooseAmount(library: Library, threads: number, clock: () => number) {
-    return largestWithin(measure(library, threads, clock));
+    return largestWithin(best / count, drawing);
 }
 
 /** The particles of a built-in scene if 3000 of it are so many; null if there is no such scene. */

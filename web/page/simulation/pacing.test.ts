@@ -12,11 +12,14 @@ const frames = (sharpness: Sharpness, count: number, seconds: number, stepping: 
     return sharpness.limit;
 };
 
-test('the number of particles is the largest that leaves half of a frame', () => {
-    expect(largestWithin(1e-9)).toBe(5000);
+test('the number of particles is the largest that leaves half of a frame, and a quarter after drawing', () => {
+    expect(largestWithin(1e-9)).toBe(20000);
     expect(largestWithin(0.008 / 3000)).toBe(3000);
     expect(largestWithin(0.008 / 2999)).toBe(2000);
     expect(largestWithin(1)).toBe(500);
+    expect(largestWithin(1e-6, 0.004)).toBe(5000);
+    expect(largestWithin(1e-6, 0.008)).toBe(3000);
+    expect(largestWithin(1e-9, 0.013)).toBe(500);
 });
 
 test('it is measured once, is said, and is left alone where somebody says another', () => {
@@ -29,6 +32,10 @@ test('it is measured once, is said, and is left alone where somebody says anothe
     expect(Math.abs(trial.state.worlds[0].particles - 500)).toBeLessThan(50);
     simulation.open('ink'); // has 4000 where others have 3000
     expect(Math.abs(trial.state.worlds[0].particles - 667)).toBeLessThan(70);
+    simulation.setParticles(1000);
+    simulation.open('dam-break');
+    expect(trial.state.chosen).toBe(1000);
+    expect(Math.abs(trial.state.worlds[0].particles - 1000)).toBeLessThan(100);
 });
 
 /** s a particle and frame on the development machine; telephones are some four times as slow. */

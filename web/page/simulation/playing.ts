@@ -74,9 +74,15 @@ export class Playing {
     }
 
     #amount(name: string) {
-        const { library, threads, clock } = this.#surroundings;
-        this.#chosen ??= chooseAmount(library, threads, clock);
+        const { library, threads, clock, painter } = this.#surroundings;
+        this.#chosen ??= chooseAmount(library, threads, clock,
+            (frame) => painter?.measure(frame, this.style, clock) ?? 0);
         return amountOf(library, name, this.#chosen);
+    }
+
+    /** How many particles scenes begin with that would have 3000; 0: it is measured. */
+    setParticles(count: number) {
+        this.#chosen = count || null;
     }
 
     // ---- After a call ----------------------------------------------------------------------------

@@ -66,6 +66,8 @@ export interface Simulation {
     set(path: string, text: string, side?: Side): void;
     /** Gravity as on one of catalogue().planets. */
     setPlanet(index: number, side?: Side): void;
+    /** Scenes that would have 3000 particles begin with so many from now on; 0: with as many as are measured. */
+    setParticles(count: number): void;
     /** The scene that is open, with other settings: what cannot be changed while it runs. */
     change(settings: Settings): void;
 

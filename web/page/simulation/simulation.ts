@@ -10,6 +10,7 @@ import { csvOf, linkOf } from './files';
 import { Playing, type Surroundings } from './playing';
 import { Pointers } from './pointers';
 import type { FileFormat, PointerMessage, Settings, Side, Simulation, Style } from './protocol';
+import { steps } from './steps';
 import { Tilt } from './tilt';
 
 /** Times what is felt; pixels. */
@@ -92,6 +93,10 @@ export class Simulator implements Simulation {
     openExperiment(index: number) {
         this.#opened++;
         this.#playing.attempt('open', () => this.#playing.opening.experiment(index));
+    }
+
+    setParticles(count: number) {
+        this.#playing.setParticles(Math.round(bounded(count, 0, steps.at(-1)!)));
     }
 
     change(settings: Settings) {

@@ -1,7 +1,10 @@
 // Pace: how fast it goes, what it costs, and what was chosen for that.
 import type { State } from '../simulation/protocol';
+import { standard, steps } from '../simulation/steps';
+import { chooseParticles } from './amounts';
 import { catalogue, simulation, state } from './model';
 import { fixed, quantity } from './numbers';
+import { preferences } from './preferences';
 import { _, say, word } from './words';
 
 /** Device pixels in a CSS pixel: more are not drawn anywhere. */
@@ -11,13 +14,35 @@ const SHARPEST = 2;
 function wordsOfChoices(now: State): string[] {
     const said = [];
     if (now.chosen !== null)
-        said.push(say(_('So that it goes in real time, scenes made for %s particles begin with %s on this device.'), fixed(3000, 0), fixed(now.chosen, 0)));
+        said.push(say(_('Scenes made for %s particles begin with %s on this device.'), fixed(standard, 0), fixed(now.chosen, 0)));
     if (now.ratio < Math.min(window.devicePixelRatio, SHARPEST))
         said.push(_('Drawing is slow here: pictures are coarser than the screen.'));
     // Comes and goes: last, so that what is above it stays.
     if (now.going.slow)
         said.push(_('Slow motion: this device cannot compute so many particles in real time. Fewer go faster (Properties).'));
     return said;
+}
+
+/** How many particles scenes begin with. */
+function Particles() {
+    const { particles, measured } = preferences.value;
+    const here = measured ? say(_('As measured: %s'), fixed(measured, 0)) : _('As measured');
+    return (
+        <div class="property">
+            <label for="particles">{_('Particles')}</label>
+            <select
+                id="particles"
+                value={particles}
+                onChange={(event) => chooseParticles(Number(event.currentTarget.value))}
+            >
+                {[0, ...steps].map((count) => (
+                    <option value={count} key={count}>
+                        {count ? fixed(count, 0) : here}
+                    </option>
+                ))}
+            </select>
+        </div>
+    );
 }
 
 export function Pace() {
@@ -46,6 +71,7 @@ export function Pace() {
                     </label>
                 ))}
             </fieldset>
+            <Particles />
             {wordsOfChoices(now).map((text) => (
                 <p class="caption" key={text}>{text}</p>
             ))}

@@ -3,6 +3,7 @@
 // the picture or its figures.
 import { effect } from '@preact/signals';
 import { openScene, showView } from './actions';
+import { beginAmounts } from './amounts';
 import { catalogue, complain, controls, embedded, showPanel, simulation, state, toast } from './model';
 import { lessMotion } from './preferences';
 import { payloadOf } from './sharing';
@@ -26,6 +27,7 @@ export function readAddress() {
     function open(): void {
         const scene = asked.get('scene') ?? catalogue.limits.first_scene;
         const isKnown = catalogue.scenes.some(({ name }) => name === scene);
+        beginAmounts(Number(asked.get('particles')) || 0);
         if (!openHash())
             openScene(isKnown ? scene : catalogue.limits.first_scene);
         if (!isKnown)

@@ -18,6 +18,10 @@ export interface Preferences {
     /** Keys without Ctrl do something. */
     keys: boolean;
     vibrate: boolean;
+    /** Of scenes that would have 3000; 0: as measured. */
+    particles: number;
+    /** What this device was found to be good for; 0: it has not been measured. */
+    measured: number;
 }
 
 const standard: Preferences = {
@@ -31,6 +35,8 @@ const standard: Preferences = {
     tilt: 1,
     keys: true,
     vibrate: true,
+    particles: 0,
+    measured: 0,
 };
 
 /** What was kept, as far as it is of the kind that it should be. */

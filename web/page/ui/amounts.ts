@@ -1,0 +1,29 @@
+// Amounts: how many particles scenes begin with on this device: as the address says for this visit, as a person
+// chose, or as it was measured once. Invariant: what was measured is kept, so that every visit has the same.
+import { effect } from '@preact/signals';
+import { openScene } from './actions';
+import { catalogue, part, simulation, world } from './model';
+import { prefer, preferences } from './preferences';
+
+const chosen = part((s) => s.chosen, null as number | null);
+
+/** @param asked what the address says, 0: nothing */
+export function beginAmounts(asked: number): void {
+    const { particles, measured } = preferences.value;
+    const wanted = asked || particles || measured;
+    simulation.setParticles(wanted);
+    if (!wanted)
+        effect(() => {
+            if (chosen.value !== null && !preferences.peek().measured && !preferences.peek().particles)
+                prefer({ measured: chosen.value });
+        });
+}
+
+/** From now on; a built-in scene begins anew with it. 0: as it was measured. */
+export function chooseParticles(particles: number): void {
+    prefer({ particles });
+    simulation.setParticles(particles || preferences.value.measured);
+    const { name = '' } = world.value ?? {};
+    if (catalogue.scenes.some((scene) => scene.name === name))
+        openScene(name);
+}
