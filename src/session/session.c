@@ -212,6 +212,7 @@ void skv_session_save(skv_session *session, const char *path)
 
 bool skv_session_share(skv_session *session, bool offer)
 {
+    SKV_ASSERT_OR(session, false);
     return skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SHARE, .number = offer});
 }
 
