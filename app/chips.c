@@ -2,7 +2,6 @@
  * instrument of the picture and goes with it; its history is kept only while its card is open. */
 #include "chips.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "dialogs.h"
@@ -29,13 +28,6 @@ const char *play_chip_number(guint32 probe)
     static char text[12];
     g_snprintf(text, sizeof text, "%u", probe);
     return text;
-}
-
-/* The channel that a kind is read for. */
-static int main_channel(skv_instrument_kind kind)
-{
-    const skv_gauge *gauge = skv_gauge_of(kind);
-    return gauge ? gauge->channel : 0;
 }
 
 /* An experiment may have others than those that people choose. */
@@ -119,7 +111,7 @@ static PlayCurve curve_of(const skv_probe *probe, int channel, const char *label
  * says. */
 static void show_plot(const chip *c, const skv_probe *probe)
 {
-    int channel = main_channel(c->kind), count = 0;
+    int channel = play_main_channel(c->kind), count = 0;
     const skv_channel *info = skv_instrument_channel(c->kind, channel);
     const skv_channel *theory = skv_instrument_channel(c->kind, channel + 1);
     const skv_probe *beside = skv_stage_probe(play_view_stage(c->all->view), 1, c->probe);
@@ -189,23 +181,13 @@ static chip *find_chip(PlayChips *chips, guint32 probe)
     return NULL;
 }
 
-/* What it reads, or why it doesn't. */
-static char *words_of(const skv_probe *probe)
-{
-    int channel = main_channel(probe->def.kind);
-    const skv_channel *info = skv_instrument_channel(probe->def.kind, channel);
-    return isnan(probe->value[channel]) && *probe->lack
-               ? g_strdup(play_word(probe->lack))
-               : play_words_of_reading(probe->value[channel], info->unit);
-}
-
 static void show_chip(chip *c, const skv_probe *probe)
 {
-    char *reading = words_of(probe), *other = NULL;
+    char *reading = play_words_of_probe(probe), *other = NULL;
     const skv_probe *beside = skv_stage_probe(play_view_stage(c->all->view), 1, c->probe);
     const char *number = play_chip_number(c->probe), *title = title_of(c->kind);
     if (beside)
-        other = words_of(beside);
+        other = play_words_of_probe(beside);
     char *text = beside ? g_strdup_printf("%s  %s  A: %s  B: %s", number, title, reading, other)
                         : g_strdup_printf("%s  %s  %s", number, title, reading);
     gtk_label_set_text(GTK_LABEL(c->label), text);

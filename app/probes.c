@@ -8,6 +8,9 @@
 #include "chips.h"
 #include "words.h"
 
+/* Pixels from the middle of a grip to its reading. */
+#define BESIDE 18
+
 struct _PlayProbes {
     GtkWidget parent;
     PlayView *view;
@@ -126,6 +129,24 @@ static void draw_grip(cairo_t *cairo, double x, double y, const char *letter)
     cairo_show_text(cairo, letter);
 }
 
+/* What it reads, beside a grip: to the left of it where there is no room to the right. Dark below,
+ * over water and walls of any colour. */
+static void draw_reading(GtkWidget *widget, cairo_t *cairo, double x, double y, const char *text)
+{
+    PangoLayout *layout = gtk_widget_create_pango_layout(widget, text);
+    int width, height;
+    pango_layout_get_pixel_size(layout, &width, &height);
+    bool left = x + BESIDE + width > gtk_widget_get_width(widget);
+    double from = left ? x - BESIDE - width : x + BESIDE;
+    cairo_set_source_rgba(cairo, 0, 0, 0, 0.6);
+    cairo_rectangle(cairo, from - 4, y - height / 2.0 - 1, width + 8, height + 2);
+    cairo_fill(cairo);
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    cairo_move_to(cairo, from, y - height / 2.0);
+    pango_cairo_show_layout(cairo, layout);
+    g_object_unref(layout);
+}
+
 static void draw_line(cairo_t *cairo, double x0, double y0, double x1, double y1, bool box)
 {
     for (int pass = 0; pass < 2; pass++) {
@@ -163,14 +184,35 @@ static void snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
             draw_grip(cairo, x1, y1, "");
         }
         draw_grip(cairo, x0, y0, play_chip_number(probe->id));
+        char *reading = play_words_of_probe(probe);
+        draw_reading(widget, cairo, x0, y0, reading);
+        g_free(reading);
     }
     cairo_destroy(cairo);
 }
 
+/* What stands beside the grips, for who does not see it. */
+static void tell_readings(PlayProbes *probes, const skv_picture *picture)
+{
+    GString *said = g_string_new(NULL);
+    for (int i = 0; i < picture->probe_count; i++) {
+        char *reading = play_words_of_probe(&picture->probes[i]);
+        g_string_append_printf(said, "%s%s  %s", i ? ", " : "",
+                               play_chip_number(picture->probes[i].id), reading);
+        g_free(reading);
+    }
+    gtk_accessible_update_property(GTK_ACCESSIBLE(probes), GTK_ACCESSIBLE_PROPERTY_LABEL, said->str,
+                                   -1);
+    g_string_free(said, TRUE);
+}
+
 static void on_changed(PlayProbes *probes)
 {
-    if (play_view_picture(probes->view)->probe_count > 0)
+    const skv_picture *picture = play_view_picture(probes->view);
+    if (picture->probe_count > 0) {
         gtk_widget_queue_draw(GTK_WIDGET(probes));
+        tell_readings(probes, picture);
+    }
     if (probes->chips)
         play_chips_show(probes->chips);
 }

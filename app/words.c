@@ -4,6 +4,7 @@
 #include "words.h"
 
 #include <locale.h>
+#include <math.h>
 #include <string.h>
 
 static const skv_numerals *numerals;
@@ -116,6 +117,21 @@ char *play_words_of_reading(double value, const char *si)
     skv_unit unit = play_unit_of(si);
     skv_digits number = skv_number_in(value, unit, numerals);
     return join(&number, unit.name);
+}
+
+int play_main_channel(skv_instrument_kind kind)
+{
+    const skv_gauge *gauge = skv_gauge_of(kind);
+    return gauge ? gauge->channel : 0;
+}
+
+char *play_words_of_probe(const skv_probe *probe)
+{
+    int channel = play_main_channel(probe->def.kind);
+    const skv_channel *info = skv_instrument_channel(probe->def.kind, channel);
+    return isnan(probe->value[channel]) && *probe->lack
+               ? g_strdup(play_word(probe->lack))
+               : play_words_of_reading(probe->value[channel], info->unit);
 }
 
 char *play_quantity(double value, int decimals, const char *unit)

@@ -33,6 +33,11 @@ skv_unit play_unit_of(const char *si);
 /* A reading in that unit: "24,5 cm vatten". To be freed. */
 char *play_words_of_reading(double value, const char *si);
 
+/* The channel that a kind of instrument is read for; and what one reads there, or why it doesn't:
+ * "no water here". To be freed. */
+int play_main_channel(skv_instrument_kind kind);
+char *play_words_of_probe(const skv_probe *probe);
+
 /* A number with a unit as it is: "2,4 s". To be freed. */
 char *play_quantity(double value, int decimals, const char *unit);
 

@@ -99,6 +99,7 @@ xdotool mousedown 1
 point 30 80
 await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.01 and abs(worlds[0].probes[0].y0 - 0.72) < 0.01'
 await 'worlds[0].probes[0].value is None and says("1  Pressure  no water here")'
+await 'shows("1  no water here")' # beside it, too
 let_go
 press '1  Pressure  no water here' Toggle
 await 'menus() == 1 and shows("Save as CSV…")'

@@ -85,6 +85,8 @@ const trials = {
         await page.keyboard.press('m');
         const chip = page.locator('.chip');
         await chip.filter({ hasText: /Pressure.*\d+\.\d\scm of water/ }).waitFor();
+        const beside = page.locator('.probes .reading');
+        await beside.filter({ hasText: /^\d+\.\d\scm of water$/ }).waitFor();
         const before = (await stateOf(page)).worlds[0].probes[0].x0;
         await chip.focus();
         await page.evaluate(() => { // a held key, between two states
@@ -109,6 +111,20 @@ const trials = {
         assert.deepEqual(await page.evaluate(() => ['.grip .disc', '.ball circle', '.status', '.canvas'].filter((name) =>
             document.querySelector(name).dispatchEvent(new Event('selectstart', { bubbles: true, cancelable: true })))),
         [], 'what is dragged selects text, as WebKit does it');
+        // Paused, and under the mouse: another one reads at once, and says why it reads nothing.
+        await page.keyboard.press(' ');
+        await until(page, () => window.skvalp.state.value.paused, 'it is paused');
+        const { left, top, wide } = await page.locator('.canvas').evaluate((canvas) => {
+            const { x, y, width } = canvas.getBoundingClientRect();
+            return { left: x, top: y, wide: width };
+        });
+        await page.mouse.move(left + wide * 0.7, top + 60);
+        await page.keyboard.press('m');
+        await beside.filter({ hasText: /^no water here$/ }).waitFor();
+        const { probes: [, dry], camera } = (await stateOf(page)).worlds[0];
+        assert.ok(Math.abs(camera.originX + camera.scale * dry.x0 - wide * 0.7) < 2, 'it is not under the mouse');
+        await page.evaluate((id) => window.skvalp.simulation.removeProbe(id), dry.id);
+        await page.keyboard.press(' ');
         await page.evaluate(() => window.skvalp.simulation.compare({ 'gravity.y': '-5' }));
         await page.waitForFunction(() => {
             const [, a, b] = document.querySelector('.chip')?.textContent.match(/A: (.*?)  B: (.*)/) ?? [];

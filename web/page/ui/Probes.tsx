@@ -2,9 +2,14 @@
 // the water's below; while one is dragged the simulation is told, and what shows is what it says.
 import { useRef } from 'preact/hooks';
 import type { Probe, Side, WorldState } from '../simulation/protocol';
-import { gaugeOf } from './instruments';
+import { channelOf, gaugeOf } from './instruments';
 import { catalogue, simulation, state } from './model';
+import { readingText } from './numbers';
 import { _, word } from './words';
+
+/** CSS pixels: how far a reading stands from the middle of its grip, and how long the longest is. */
+const BESIDE = 17;
+const READING = 160;
 
 function Grip(props: { probe: Probe; world: WorldState; side: number; end: 0 | 1; label: string }) {
     const { probe, world, end } = props;
@@ -55,6 +60,19 @@ function Line({ probe, world }: { probe: Probe; world: WorldState }) {
     );
 }
 
+/** What it reads, beside its first end: to the left of it where there is no room to the right. */
+function Reading({ probe, world }: { probe: Probe; world: WorldState }) {
+    const { scale, originX, originY } = world.camera;
+    const x = originX + scale * probe.x0;
+    const left = x > world.area.x + world.area.width - READING;
+    return (
+        <text class="reading numeric" x={x + (left ? -BESIDE : BESIDE)} y={originY - scale * probe.y0}
+            text-anchor={left ? 'end' : 'start'}>
+            {readingText(channelOf(probe))}
+        </text>
+    );
+}
+
 /** Readings have their buttons below the picture, which the keyboard reaches; these are for pointers. */
 export function Probes() {
     const worlds = state.value?.worlds ?? [];
@@ -73,6 +91,7 @@ export function Probes() {
                             </>
                         )}
                         <Grip probe={probe} world={world} side={side} end={0} label={String(probe.id)} />
+                        <Reading probe={probe} world={world} />
                     </g>
                 )),
             )}
