@@ -4,10 +4,12 @@
  */
 #include "scene/notes.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "scene/channels.h"
 #include "world/parameters.h"
 #include "world/world_internal.h"
 
@@ -82,7 +84,41 @@ static void note_clavet(skv_scene *scene)
     skv_scene_note(scene, "the clavet fluid %s; its default numbers do not let it", what);
 }
 
+/* ---- Channels -------------------------------------------------------------------------------- */
+
+/* Three digits, rounded up, and a fiftieth more: fewer would do if walls lay between pixels. */
+static int enough_particles(double wanted)
+{
+    double unit = 1;
+    while (wanted >= 1000 * unit)
+        unit *= 10;
+    double rounded = ceil(1.02 * wanted / unit) * unit;
+    return rounded <= SKV_MAX_PARTICLES ? (int)rounded : 0;
+}
+
+static void note_channel(skv_scene *scene)
+{
+    double width = skv_scene_narrow_channel(scene);
+    if (!(width > 0) || scene->def.fluid.law == SKV_LAW_CLAVET)
+        return; /* whose levels do not meet in wide channels, either */
+    double times = SKV_CHANNEL_WIDE * (double)scene->def.fluid.spacing / width;
+    int enough = enough_particles(scene->particles * times * times);
+    char text[32];
+    skv_format_number(round(1e4 * width) * 1e-4, text);
+    if (enough > 0)
+        skv_scene_note(scene,
+                       "a channel is %s m wide, so levels beside it may stay apart; %d particles "
+                       "make it %g spacings wide",
+                       text, enough, SKV_CHANNEL_WIDE);
+    else
+        skv_scene_note(scene,
+                       "a channel is %s m wide, so levels beside it may stay apart; no number of "
+                       "particles that is allowed makes it %g spacings wide",
+                       text, SKV_CHANNEL_WIDE);
+}
+
 void skv_scene_add_notes(skv_scene *scene)
 {
+    note_channel(scene);
     note_clavet(scene);
 }
