@@ -48,7 +48,7 @@ does Shift+Right 'moment == end'
 does r 'moment == 0'
 does - 'speed == 0.5'
 does + 'speed == 1'
-does = 'speed == 2'
+does '=' 'speed == 2'
 key minus
 await 'speed == 1'
 key 2
