@@ -7,6 +7,7 @@
 #include "input.h"
 #include "keys.h"
 #include "preferences.h"
+#include "resume.h"
 #include "saving.h"
 #include "sensor.h"
 #include "share.h"
@@ -264,9 +265,10 @@ static void update_states(PlayWindow *window)
     set_enabled(window, "redo", now.can_redo);
 }
 
-void play_actions_add(PlayWindow *window)
+void play_actions_add(PlayWindow *window, gboolean offers)
 {
     g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
+    play_resume_add(window, offers);
     play_saving_add(window);
     play_files_add(window);
     play_share_add(window);

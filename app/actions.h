@@ -5,6 +5,6 @@
 #include "window.h"
 
 /* Adds the "win." actions to a window, whose states follow the session from then on. */
-void play_actions_add(PlayWindow *window);
+void play_actions_add(PlayWindow *window, gboolean offers);
 
 #endif

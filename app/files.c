@@ -166,12 +166,14 @@ static void on_saved(PlayWindow *window, const char *path, const char *cause,
                      G_GNUC_UNUSED gpointer data)
 {
     play_saving_tell(window, path, cause);
+    play_saving_release(window);
 }
 
 static void save(PlayWindow *window, const char *path)
 {
     bool known = g_str_has_suffix(path, ".skv") || g_str_has_suffix(path, ".skvr");
     char *whole = known ? g_strdup(path) : g_strconcat(path, ".skvr", NULL);
+    play_saving_hold(window);
     play_saving_ask(window, whole, on_saved, NULL);
     g_free(whole);
 }

@@ -33,7 +33,7 @@ static void on_activate(GtkApplication *application, const char *scene)
     char *path = scene && !skv_link_is(scene) ? g_filename_from_uri(scene, NULL, NULL) : NULL;
     PlayWindow *window = play_window_new(application, path ? path : scene);
     g_free(path);
-    play_actions_add(window);
+    play_actions_add(window, !scene || g_str_equal(scene, skv_control_limits()->first_scene));
     gtk_window_present(GTK_WINDOW(window));
 }
 

@@ -76,7 +76,6 @@ static void on_saved(G_GNUC_UNUSED PlayView *view, const char *cause, PlayWindow
     answered->done(window, answered->path, cause, answered->data);
     g_free(answered->path);
     g_free(answered);
-    play_saving_release(window);
 }
 
 void play_saving_ask(PlayWindow *window, const char *path, PlaySaved *done, gpointer data)
@@ -84,7 +83,6 @@ void play_saving_ask(PlayWindow *window, const char *path, PlaySaved *done, gpoi
     request *asked = g_new(request, 1);
     *asked = (request){g_strdup(path), done, data};
     g_queue_push_tail(saving_of(window)->asked, asked);
-    play_saving_hold(window);
     skv_stage_save(play_view_stage(play_window_view(window)), path);
 }
 

@@ -14,7 +14,8 @@ void play_saving_tell(PlayWindow *window, const char *path, const char *cause);
 /* Writes a file, which appears when it is complete. Returns null, or the cause. */
 const char *play_saving_write(const char *path, const void *bytes, gsize size);
 
-/* Has the stage save to a file, and calls `done` with the cause, or null, and `data`. */
+/* Has the stage save to a file, and calls `done` with the cause, or null, and `data`; not if the
+ * window is gone by then: who wants it holds the window. */
 typedef void PlaySaved(PlayWindow *window, const char *path, const char *cause, gpointer data);
 void play_saving_ask(PlayWindow *window, const char *path, PlaySaved *done, gpointer data);
 

@@ -105,8 +105,13 @@ void play_window_toast(PlayWindow *window, const char *text)
     char *escaped = g_markup_escape_text(text, -1); /* toasts read markup */
     AdwToast *toast = adw_toast_new(escaped);
     adw_toast_set_timeout(toast, 6);
-    adw_toast_overlay_add_toast(window->toasts, toast);
+    play_window_add_toast(window, toast);
     g_free(escaped);
+}
+
+void play_window_add_toast(PlayWindow *window, AdwToast *toast)
+{
+    adw_toast_overlay_add_toast(window->toasts, toast);
 }
 
 void play_window_set_progress(PlayWindow *window, double share)

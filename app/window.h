@@ -51,6 +51,7 @@ gboolean play_window_dismiss(PlayWindow *window);
 void play_window_hide_description(PlayWindow *window);
 
 void play_window_toast(PlayWindow *window, const char *text);
+void play_window_add_toast(PlayWindow *window, AdwToast *toast); /* takes it over */
 
 /* How far a video is, 0..1; negative: none is made. */
 void play_window_set_progress(PlayWindow *window, double share);

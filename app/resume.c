@@ -1,0 +1,189 @@
+/* Going on: what somebody did is written every half minute, and when the window closes, to the
+ * user's folder for states; what the last window wrote is offered, and never opened unasked.
+ * Invariant: a window writes to a file of its own name, so what it offers lasts as long as it does;
+ * what is damaged is said, and set aside.
+ */
+#include "resume.h"
+
+#include <glib/gstdio.h>
+
+#include "saving.h"
+#include "settings.h"
+#include "words.h"
+
+#define PERIOD     30             /* s */
+#define PLAYED     ((gint64)1800) /* frames after which there is something to lose, whoever did it */
+#define PATIENCE   250            /* ms that a frame may take for one more file when all closes */
+#define OFFER_TIME 20             /* s */
+
+typedef struct resume {
+    PlayWindow *window;
+    char *folder, *now, *before; /* what this window writes; what the last one has written */
+    guint timer;
+    guint64 written; /* number of the picture that was kept last */
+    bool opening;    /* what was kept */
+    bool told;       /* that it cannot be written */
+} resume;
+
+static resume *resume_of(PlayWindow *window)
+{
+    return g_object_get_data(G_OBJECT(window), "resume");
+}
+
+/* Keeping. */
+
+static const skv_picture *picture_of(const resume *r)
+{
+    return play_view_picture(play_window_view(r->window));
+}
+
+/* Whether there is anything that would be missed, and was not written yet. */
+static bool is_worth_it(const resume *r)
+{
+    const skv_picture *picture = picture_of(r);
+    return picture->opened != 0 && picture->number != r->written &&
+           (picture->can_undo || picture->end >= PLAYED);
+}
+
+static void on_kept(PlayWindow *window, const char *path, const char *cause, gpointer closes)
+{
+    resume *r = resume_of(window);
+    if (cause && !r->told)
+        play_saving_tell(window, path, cause);
+    r->told |= cause != NULL;
+    if (closes)
+        play_saving_release(window);
+}
+
+static void keep(resume *r, gboolean closes)
+{
+    r->written = picture_of(r)->number;
+    play_settings_set_text("kept-title", picture_of(r)->title);
+    g_mkdir_with_parents(r->folder, 0700);
+    if (closes)
+        play_saving_hold(r->window);
+    play_saving_ask(r->window, r->now, on_kept, GINT_TO_POINTER(closes));
+}
+
+static gboolean on_time(gpointer data)
+{
+    if (is_worth_it(data))
+        keep(data, FALSE);
+    return G_SOURCE_CONTINUE;
+}
+
+/* Nobody waits for a frame that takes seconds: what was kept last has to do. */
+static gboolean on_close(PlayWindow *window)
+{
+    resume *r = resume_of(window);
+    if (is_worth_it(r) && picture_of(r)->step_ms < PATIENCE)
+        keep(r, TRUE);
+    return GDK_EVENT_PROPAGATE;
+}
+
+/* Going on. */
+
+static void set_enabled(const resume *r, bool enabled)
+{
+    GAction *action = g_action_map_lookup_action(G_ACTION_MAP(r->window), "go-on");
+    g_simple_action_set_enabled(G_SIMPLE_ACTION(action), enabled);
+}
+
+static void on_go_on(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                     gpointer window)
+{
+    resume *r = resume_of(window);
+    char *bytes, *title = play_settings_text("offered-title", "");
+    gsize size;
+    GError *error = NULL;
+    if (g_file_get_contents(r->before, &bytes, &size, &error)) {
+        r->opening = true;
+        skv_stage_open_memory(play_view_stage(play_window_view(window)), bytes, size, "skv",
+                              *title ? title : _("Where you were"), NULL);
+        g_free(bytes);
+    } else {
+        play_window_complain(window, error->message);
+        g_error_free(error);
+    }
+    g_free(title);
+}
+
+static void on_opened(G_GNUC_UNUSED PlayView *view, resume *r)
+{
+    if (r->opening)
+        set_enabled(r, false);
+    r->opening = false;
+}
+
+/* After the window has said what is wrong with it: what becomes of it matters more. */
+static void on_failed(G_GNUC_UNUSED PlayView *view, G_GNUC_UNUSED const char *error, resume *r)
+{
+    if (!r->opening)
+        return;
+    char *aside = g_build_filename(r->folder, "damaged.skv", NULL);
+    r->opening = false;
+    g_rename(r->before, aside);
+    char *text =
+        g_strdup_printf(_("What was kept from last time is damaged; it is now %s."), aside);
+    play_window_complain(r->window, text);
+    set_enabled(r, false);
+    g_free(text);
+    g_free(aside);
+}
+
+static void offer(const resume *r)
+{
+    char *title = play_settings_text("offered-title", "");
+    char *text = *title ? g_strdup_printf(_("Kept: %s"), play_word(title))
+                        : g_strdup(_("Your last world was kept"));
+    char *escaped = g_markup_escape_text(text, -1);
+    AdwToast *toast = adw_toast_new(escaped);
+    g_object_set(toast, "button-label", _("Go On There"), "action-name", "win.go-on", "timeout",
+                 OFFER_TIME, NULL);
+    play_window_add_toast(r->window, toast);
+    g_free(escaped);
+    g_free(text);
+    g_free(title);
+}
+
+/* What the last window has written becomes what is offered. */
+static bool take_over(const resume *r)
+{
+    if (g_rename(r->now, r->before) == 0) {
+        char *title = play_settings_text("kept-title", "");
+        play_settings_set_text("offered-title", title);
+        g_free(title);
+    }
+    return g_file_test(r->before, G_FILE_TEST_IS_REGULAR);
+}
+
+static void free_resume(gpointer data)
+{
+    resume *r = data;
+    g_source_remove(r->timer);
+    g_free(r->folder);
+    g_free(r->now);
+    g_free(r->before);
+    g_free(r);
+}
+
+void play_resume_add(PlayWindow *window, gboolean offers)
+{
+    static const GActionEntry entry = {.name = "go-on", .activate = on_go_on};
+    PlayView *view = play_window_view(window);
+    resume *r = g_new0(resume, 1);
+    r->window = window;
+    r->folder = g_build_filename(g_get_user_state_dir(), "skvalp", NULL);
+    r->now = g_build_filename(r->folder, "kept.skv", NULL);
+    r->before = g_build_filename(r->folder, "offered.skv", NULL);
+    r->timer = g_timeout_add_seconds(PERIOD, on_time, r);
+    g_object_set_data_full(G_OBJECT(window), "resume", r, free_resume);
+    g_action_map_add_action_entries(G_ACTION_MAP(window), &entry, 1, window);
+    g_signal_connect(view, "opened", G_CALLBACK(on_opened), r);
+    g_signal_connect(view, "failed", G_CALLBACK(on_failed), r);
+    g_signal_connect(window, "close-request", G_CALLBACK(on_close), NULL);
+    bool there = take_over(r);
+    set_enabled(r, there);
+    if (there && offers)
+        offer(r);
+}
