@@ -41,6 +41,7 @@ static void show(PlayView *view, GtkWidget *button)
     const skv_picture *picture = play_view_picture(view);
     follow(s, picture);
     skv_stopwatch_reading reading = skv_stopwatch_read(&s->watch, picture->moment);
+    skv_stage_set_timed(play_view_stage(view), reading.running);
     char *text = words_of(&reading);
     gtk_widget_set_visible(s->readings, s->watch.count > 0);
     gtk_widget_set_visible(s->lap, reading.running);

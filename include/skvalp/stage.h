@@ -144,6 +144,9 @@ SKV_API bool skv_stage_is_active(const skv_stage *stage);
 
 SKV_API void skv_stage_set_paused(skv_stage *stage, bool paused);
 SKV_API bool skv_stage_paused(const skv_stage *stage);
+/** Whether time is measured, default false: if so it passes at rest, too, for the stopwatch that a
+ * front end shows while it runs (skvalp/stopwatch.h). */
+SKV_API void skv_stage_set_timed(skv_stage *stage, bool timed);
 /** Exactly one 1/60 s frame, also while paused. */
 SKV_API void skv_stage_step_once(skv_stage *stage);
 /** Simulated seconds per real second, 0.05..2; default 1. */

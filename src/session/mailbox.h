@@ -21,6 +21,7 @@ typedef enum skv_message_kind {
     SKV_MESSAGE_GO_BACK, /* frame */
     SKV_MESSAGE_REPLAY,  /* number: only what was shared */
     SKV_MESSAGE_LED,     /* number */
+    SKV_MESSAGE_TIMED,   /* number */
     SKV_MESSAGE_PLAY,    /* play */
     SKV_MESSAGE_GRAVITY, /* x, y */
     SKV_MESSAGE_PUSH,    /* x, y */

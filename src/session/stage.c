@@ -180,6 +180,7 @@ static void join(skv_stage *stage)
     skv_stage_set_dye(stage, stage->dye);
     skv_stage_set_brush(stage, stage->brush);
     skv_stage_set_speed(stage, stage->speed);
+    skv_session_post(second, &(skv_message){.kind = SKV_MESSAGE_TIMED, .number = stage->timed});
     skv_stage_join(stage);
     skv_stage_set_paused(stage, false);
     skv_stage_follow(stage, 0);

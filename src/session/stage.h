@@ -11,6 +11,7 @@ struct skv_stage {
     skv_session *worlds[2]; /* `count` of them */
     int count;
     const skv_picture *shown[2]; /* held */
+    bool timed;                  /* as in skv_stage_set_timed */
     bool apart;                  /* hands and gravity are for one side only */
     /* What a second world is told, too. */
     int tool, dye;

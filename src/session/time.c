@@ -133,7 +133,7 @@ static void advance_both(skv_stage *stage, double seconds, double drawing)
         skv_session_advance(stage->worlds[i], seconds, drawing);
         look seen = look_at(stage->worlds[i]);
         busy = busy || seen.seeking || skv_session_owed(stage->worlds[i]) > 1;
-        rest = rest && seen.at_rest;
+        rest = rest && seen.at_rest && !stage->timed;
     }
     if (paused || rest || !together)
         skv_pace_rest(&stage->pace);
@@ -200,6 +200,15 @@ bool skv_stage_paused(const skv_stage *stage)
 {
     SKV_ASSERT_OR(stage, false);
     return skv_session_paused(stage->worlds[0]);
+}
+
+void skv_stage_set_timed(skv_stage *stage, bool timed)
+{
+    SKV_ASSERT(stage);
+    if (timed == stage->timed)
+        return;
+    stage->timed = timed;
+    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_TIMED, .number = timed});
 }
 
 void skv_stage_step_once(skv_stage *stage)

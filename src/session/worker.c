@@ -297,7 +297,7 @@ static void pass_time(skv_worker *worker)
     skv_pointers_pass(&worker->tools.pointers, seconds);
     if (worker->led)
         return;
-    if (!plays || skv_worker_at_rest(worker)) {
+    if (!plays || (skv_worker_at_rest(worker) && !worker->timed)) {
         skv_pace_rest(&worker->pace);
         return;
     }
@@ -343,6 +343,9 @@ static void handle(skv_worker *worker, const skv_message *message)
         break;
     case SKV_MESSAGE_LED:
         worker->led = message->number != 0;
+        break;
+    case SKV_MESSAGE_TIMED:
+        worker->timed = message->number != 0;
         break;
     case SKV_MESSAGE_PLAY:
         play_granted(worker, message->play.frames, message->play.factor);
@@ -499,7 +502,7 @@ static bool work(skv_worker *worker)
     if (worker->halted)
         return false;
     bool plays = worker->player && !atomic_load(&worker->paused);
-    bool active = plays && !skv_worker_at_rest(worker);
+    bool active = plays && (worker->timed || !skv_worker_at_rest(worker));
     if (active != atomic_load(&worker->active)) {
         atomic_store(&worker->active, active);
         worker->changed = true;

@@ -54,6 +54,7 @@ typedef struct skv_worker {
     bool followed;    /* to the end */
     bool again;       /* it was played here before: nobody recorded it */
     bool halted;      /* a step was stopped for what is to be opened: the world is at no moment */
+    bool timed;       /* time passes though the fluid rests */
     bool led;         /* frames are granted (led.h) */
     bool hands_known; /* the world's are these */
     bool begins;      /* an edit, with the next command that the world takes */

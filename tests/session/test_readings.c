@@ -224,9 +224,44 @@ static void test_names(void **state)
     assert_string_equal(skv_stage_probe(stage, 0, side)->lack, "");
 }
 
+/* A stopwatch that runs at rest is not kept waiting, of one world or two. */
+static void test_timed(void **state)
+{
+    skv_stage *stage = *state;
+    settle_down(stage);
+    for (int sides = 1; sides <= 2; sides++) {
+        skv_stage_set_timed(stage, sides == 2);
+        if (sides == 2)
+            stage_compare(stage, 0, NULL, NULL);
+        for (int i = 0;
+             i < 600 && !(stage_look(stage, 0)->at_rest && stage_look(stage, 1)->at_rest); i++)
+            stage_pass_frames(stage, 10);
+        skv_stage_set_timed(stage, true);
+        stage_pass_frames(stage, 5);
+        int64_t moment = stage_moment(stage);
+        assert_true(skv_stage_is_active(stage));
+        stage_pass_frames(stage, 30);
+        assert_in_range(stage_moment(stage), moment + 29, moment + 31);
+        assert_true(skv_stage_now(stage).at_rest);
+        skv_stage_set_paused(stage, true);
+        stage_pass_frames(stage, 5);
+        moment = stage_moment(stage);
+        stage_pass_frames(stage, 5);
+        assert_int_equal(stage_moment(stage), moment);
+        skv_stage_set_paused(stage, false);
+        skv_stage_set_timed(stage, false);
+        stage_pass_frames(stage, 5);
+        moment = stage_moment(stage);
+        stage_pass_frames(stage, 30);
+        assert_int_equal(stage_moment(stage), moment);
+        assert_false(skv_stage_is_active(stage));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_timed, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_names, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_still, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_moments, stage_setup, stage_teardown),

@@ -55,6 +55,25 @@ test('asks for no frame while paused, hidden or at rest', () => {
     expect(trial.state.moment).toBe(moment + 2);
 });
 
+test('a stopwatch that is started at rest runs', () => {
+    const trial = makeTrial();
+    const { simulation } = trial;
+    simulation.open('pool', { particles: '200' });
+    for (let i = 0; i < 60 && !trial.state.atRest; i++) {
+        trial.run(60);
+    }
+    expect(trial.state.atRest).toBe(true);
+    trial.run(2);
+    expect(trial.wants).toBe(false);
+    simulation.pressStopwatch(false);
+    trial.run(30);
+    expect(trial.state.stopwatch).toMatchObject({ used: true, running: true });
+    expect(trial.state.stopwatch.frames).toBeGreaterThan(25);
+    simulation.pressStopwatch(false);
+    trial.run(10);
+    expect(trial.wants).toBe(false);
+});
+
 test('the stopwatch forgets presses that are cut off, and those of another scene', () => {
     const trial = makeTrial();
     const { simulation } = trial;

@@ -30,12 +30,15 @@ export class Stopwatch {
     press(lap: boolean) {
         const moment = this.#follow();
         this.#library.c.skv_stopwatch_press(this.#watch, moment, lap);
+        this.read();
     }
 
     read() {
         const moment = this.#follow();
-        return using(this.#library, this.#library.c.skv_stopwatch_read(this.#watch, moment),
-            ({ running, frames, laps, lap }) =>
-                ({ used: this.#watch.count > 0, running, frames: Number(frames), laps, lap: Number(lap) }));
+        const { c } = this.#library;
+        return using(this.#library, c.skv_stopwatch_read(this.#watch, moment), ({ running, frames, laps, lap }) => {
+            c.skv_stage_set_timed(this.#worlds.stage, running);
+            return { used: this.#watch.count > 0, running, frames: Number(frames), laps, lap: Number(lap) };
+        });
     }
 }
