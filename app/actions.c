@@ -2,6 +2,7 @@
  * changed it: they are brought in line whenever the view or the window says that it has changed. */
 #include "actions.h"
 
+#include "amount.h"
 #include "compare.h"
 #include "files.h"
 #include "input.h"
@@ -272,6 +273,7 @@ void play_actions_add(PlayWindow *window, gboolean offers)
     play_saving_add(window);
     play_files_add(window);
     play_share_add(window);
+    play_amount_add(window);
     play_compare_add(window);
     play_files_show_recent(window, play_window_recent(window));
     add_sensor(window);

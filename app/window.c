@@ -39,7 +39,7 @@ struct _PlayWindow {
     PlayProbes *probes;
     PlayBall *ball;
     PlayLegend *legend;
-    GMenu *recent;
+    GMenu *recent, *amounts;
     PlayTransport *transport;
     bool keep_message; /* when the next thing is opened */
     guint32 mismatch;  /* what was opened, and is known to go another way than it was recorded */
@@ -78,6 +78,11 @@ GtkWidget *play_window_ball(PlayWindow *window)
 GMenu *play_window_recent(PlayWindow *window)
 {
     return window->recent;
+}
+
+GMenu *play_window_amounts(PlayWindow *window)
+{
+    return window->amounts;
 }
 
 void play_window_measure(PlayWindow *window, int kind)
@@ -226,8 +231,10 @@ static bool open_linked(const char *bytes, size_t size, void *window)
 void play_window_open(PlayWindow *window, const char *name)
 {
     skv_error error;
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = skv_amount_of(name, play_settings_number("particles", 0));
     if (!skv_link_is(name))
-        skv_stage_open(play_view_stage(window->view), name, NULL);
+        skv_stage_open(play_view_stage(window->view), name, &options);
     else if (skv_link_read(name, open_linked, window, &error) != SKV_OK)
         on_failed(window, error.text);
 }
@@ -434,6 +441,7 @@ static void play_window_class_init(PlayWindowClass *class)
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, probes);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, ball);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, recent);
+    gtk_widget_class_bind_template_child(widget_class, PlayWindow, amounts);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, legend);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, transport);
 }

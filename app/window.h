@@ -25,6 +25,8 @@ GtkWidget *play_window_ball(PlayWindow *window);
 
 /* The main menu's section of recent files. */
 GMenu *play_window_recent(PlayWindow *window);
+/* The submenu of numbers of particles. */
+GMenu *play_window_amounts(PlayWindow *window);
 
 /* Adds an instrument of a kind (skv_instrument_kind) to the picture. */
 void play_window_measure(PlayWindow *window, int kind);

@@ -84,6 +84,15 @@ SKV_API uint32_t skv_control_add_gauge(skv_stage *stage, const skv_gauge *gauge)
 SKV_API void skv_control_drag(skv_stage *stage, int side, uint32_t probe, int end, double x,
                               double y);
 
+/* ---- The number of particles ----------------------------------------------------------------- */
+
+/** The numbers of particles that people choose from, ascending; 0 past the last. */
+SKV_API int skv_amount_at(int i);
+/** With how many a scene begins where that many are chosen: those built in that say another number
+ * than 3000 keep their share of it, files have just that many. 0, as it is, for states, replays and
+ * links, and if 0 are chosen. */
+SKV_API int skv_amount_of(const char *name_or_path, int chosen);
+
 /* ---- Comparing ------------------------------------------------------------------------------- */
 
 /** What a second world differs in. */

@@ -98,6 +98,41 @@ skv_going skv_control_going(const skv_stage *stage)
     return (skv_going){going_words[words], times, slow};
 }
 
+/* ---- The number of particles ----------------------------------------------------------------- */
+
+#define STANDARD 3000 /* for which the built-in scenes were made */
+
+static const int amounts[] = {500, 1000, 2000, STANDARD, 5000, 10000, 20000};
+
+int skv_amount_at(int i)
+{
+    const int *amount = AT(amounts, i);
+    return amount ? *amount : 0;
+}
+
+/* Whether a file of that name is a scene. */
+static bool is_scene(const char *path)
+{
+    const char *ending = strrchr(path, '.');
+    return ending && (strcmp(ending, ".json") == 0 || strcmp(ending, ".png") == 0);
+}
+
+int skv_amount_of(const char *name_or_path, int chosen)
+{
+    SKV_ASSERT_OR(name_or_path, 0);
+    const skv_scene_info *info;
+    skv_scene *scene = NULL;
+    int own = 0;
+    for (int i = 0; (info = skv_builtin_scene(i)); i++)
+        if (strcmp(info->name, name_or_path) == 0 &&
+            skv_scene_load(name_or_path, NULL, &scene, NULL) == SKV_OK)
+            own = skv_scene_particles(scene);
+    skv_scene_destroy(scene);
+    if (chosen <= 0 || (own == 0 && !is_scene(name_or_path)))
+        return 0;
+    return own == 0 ? chosen : (int)(((int64_t)own * chosen + STANDARD / 2) / STANDARD);
+}
+
 /* ---- The world and its tools ----------------------------------------------------------------- */
 
 static const skv_named_number planets[] = {

@@ -102,7 +102,19 @@ await 'len(windows) == 2'
 quit_app # in spite of it
 grep -q '^width=3[67]' "$work/.config/skvalp/play.ini" || fail "the window's size was not kept"
 
-# 7. Where nothing can be remembered it goes on all the same.
+# 7. The number of particles: the scene begins anew with it, it shows, and it is kept.
+start_app pool
+key F10
+await 'menus() == 1'
+press Particles
+press '1 000'
+await 'worlds[0].opened == 2 and worlds[0].particles == 1000 and menus() == 0 and says("1 000 particles")'
+quit_app
+start_app pool
+await 'worlds[0].opened == 1 and worlds[0].particles == 1000'
+quit_app
+
+# 8. Where nothing can be remembered it goes on all the same.
 rm -rf "$work/.config"
 printf 'no folder' >"$work/.config"
 start_app pool

@@ -79,6 +79,23 @@ static void test_going(void **state)
     skv_stage_destroy(stage);
 }
 
+static void test_amounts(void **state)
+{
+    (void)state;
+    int count = 0;
+    for (int amount, before = 0; (amount = skv_amount_at(count)) > 0; count++, before = amount)
+        assert_true(amount > before);
+    assert_int_equal(count, 7);
+    assert_int_equal(skv_amount_at(-1), 0);
+    assert_int_equal(skv_amount_of("pool", 0), 0);
+    assert_int_equal(skv_amount_of("pool", 5000), 5000);
+    assert_int_equal(skv_amount_of("fountain", 10000), 5000); /* it says 1500 */
+    assert_int_equal(skv_amount_of("dir/a.json", 2000), 2000);
+    assert_int_equal(skv_amount_of("dir/a.png", 2000), 2000);
+    assert_int_equal(skv_amount_of("dir/a.skvr", 2000), 0);
+    assert_int_equal(skv_amount_of("skvalp:1.abc", 2000), 0);
+}
+
 static void test_time(void **state)
 {
     (void)state;
@@ -361,10 +378,15 @@ static void test_keys(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_speeds),       cmocka_unit_test(test_going),
-        cmocka_unit_test(test_time),         cmocka_unit_test(test_planets_and_tools),
-        cmocka_unit_test(test_gauges),       cmocka_unit_test(test_under_the_pointer),
-        cmocka_unit_test(test_in_the_water), cmocka_unit_test(test_choices),
+        cmocka_unit_test(test_speeds),
+        cmocka_unit_test(test_going),
+        cmocka_unit_test(test_amounts),
+        cmocka_unit_test(test_time),
+        cmocka_unit_test(test_planets_and_tools),
+        cmocka_unit_test(test_gauges),
+        cmocka_unit_test(test_under_the_pointer),
+        cmocka_unit_test(test_in_the_water),
+        cmocka_unit_test(test_choices),
         cmocka_unit_test(test_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
