@@ -81,11 +81,17 @@ static void come_from(grid *g, int cell, int column, int row, float way)
         g->cells[cell].distance = distance;
 }
 
+/* How far the terrain's distances tell. */
+static float reach_of(const grid *g)
+{
+    return (float)(FAR_SHARE * SKV_TERRAIN_REACH * g->scene->pixel_size);
+}
+
 /* The terrain's distances; beyond its reach, those from cell to cell. */
 static void find_distances(grid *g)
 {
     const skv_terrain *terrain = g->scene->terrain;
-    float reach = (float)(FAR_SHARE * SKV_TERRAIN_REACH * g->scene->pixel_size);
+    float reach = reach_of(g);
     int count = g->columns * g->rows;
     for (int i = 0; i < count; i++) {
         float distance = skv_terrain_distance(terrain, cell_x(g, i), cell_y(g, i));
@@ -145,8 +151,9 @@ static void sort_cells(grid *g, float narrow)
             g->order[begin[bucket_of(g, i, narrow)]++] = i;
 }
 
-/* Lets the group of a cell grow together with that of the cell beside it, if that is taken up. */
-static void join(grid *g, int cell, int beside, float vessel)
+/* Lets the group of a cell grow together with that of the cell beside it, if that is taken up.
+ * `narrow` and `vessel` are distances from walls. */
+static void join(grid *g, int cell, int beside, float narrow, float vessel)
 {
     if (g->cells[beside].parent < 0)
         return;
@@ -154,26 +161,27 @@ static void join(grid *g, int cell, int beside, float vessel)
     if (a == b)
         return;
     group *to = &g->cells[a], *from = &g->cells[b];
-    if (to->widest >= vessel && from->widest >= vessel)
-        g->joints[g->joint_count++] = (joint){cell, g->cells[cell].distance};
+    float distance = g->cells[cell].distance;
+    if (distance < narrow && to->widest >= vessel && from->widest >= vessel)
+        g->joints[g->joint_count++] = (joint){cell, distance};
     from->parent = a;
     to->widest = fmaxf(to->widest, from->widest);
     to->top = fmaxf(to->top, from->top);
 }
 
-static void join_all(grid *g, float vessel)
+static void join_all(grid *g, float narrow, float vessel)
 {
     for (int k = 0; k < g->free; k++) {
         int i = g->order[k], column = i % g->columns, row = i / g->columns;
         g->cells[i].parent = i;
         if (column > 0)
-            join(g, i, i - 1, vessel);
+            join(g, i, i - 1, narrow, vessel);
         if (column + 1 < g->columns)
-            join(g, i, i + 1, vessel);
+            join(g, i, i + 1, narrow, vessel);
         if (row > 0)
-            join(g, i, i - g->columns, vessel);
+            join(g, i, i - g->columns, narrow, vessel);
         if (row + 1 < g->rows)
-            join(g, i, i + g->columns, vessel);
+            join(g, i, i + g->columns, narrow, vessel);
     }
 }
 
@@ -199,6 +207,9 @@ static float width_at(const grid *g, int cell)
         x = at_x;
         y = at_y;
     }
+    if (most >= reach_of(g))
+        return 2 * g->cells[cell].distance +
+               0.5f * g->size; /* a cell lies somewhere in the middle */
     for (int k = 0; k < 4; k++) {
         float dx = aside * to_x[k], dy = aside * to_y[k];
         least = fminf(least, skv_terrain_distance(terrain, x + dx, y + dy) +
@@ -245,7 +256,7 @@ double skv_scene_narrow_channel(const skv_scene *scene)
         find_distances(&g);
         begin_groups(&g);
         sort_cells(&g, 0.5f * narrow);
-        join_all(&g, (float)(VESSEL / 2 * s));
+        join_all(&g, 0.5f * narrow, (float)(VESSEL / 2 * s));
         found = narrowest(&g, narrow);
     }
     skv_free(g.cells);

@@ -103,6 +103,29 @@ static void nothing_else_is_noted(void **unused)
     assert_false(is_noted(WALL_ABOVE("0.02"), ",\"fluid\":{\"law\":\"clavet\"}", 3000));
 }
 
+/* Pixels so fine that the terrain's distances end within a spacing or two of a wall. */
+static void fine_pixels_change_nothing(void **unused)
+{
+    (void)unused;
+    static const struct {
+        double gap;
+        bool noted;
+    } cases[] = {{0.29, false}, {0.11, false}, {0.06, true}, {0.03, true}, {0, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "{\"world\":{\"width\":0.4,\"height\":0.3,\"pixel\":0.0005},\"particles\":100,"
+                 "\"solid\":[{\"shape\":\"box\",\"x0\":0.19,\"x1\":0.21,\"y0\":%g}],"
+                 "\"water\":[{\"shape\":\"box\",\"y1\":0.15}]}",
+                 cases[i].gap);
+        skv_scene *scene;
+        assert_int_equal(load_text(text, NULL, &scene, NULL), SKV_OK);
+        if ((skv_scene_notice(scene, 0) != NULL) != cases[i].noted)
+            fail_msg("a gap of %g m", cases[i].gap);
+        skv_scene_destroy(scene);
+    }
+}
+
 static void the_built_in_scenes_have_wide_channels(void **unused)
 {
     (void)unused;
@@ -122,6 +145,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_narrow_channel_is_noted),
         cmocka_unit_test(nothing_else_is_noted),
+        cmocka_unit_test(fine_pixels_change_nothing),
         cmocka_unit_test(the_built_in_scenes_have_wide_channels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
