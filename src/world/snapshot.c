@@ -170,7 +170,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
 {
     unsigned flags;
     if (!skv_envelope_is(&kind, r->bytes, r->size))
-        return refuse(error, "these bytes are none; give what skv_world_save has written");
+        return refuse(error, "this is not one; take a file that Skvalp has saved");
     skv_result result = skv_envelope_open(r, &kind, &flags, error);
     if (result != SKV_OK)
         return result;

@@ -71,6 +71,13 @@ open_by_dialog() {
     focus
 }
 printf '{"fluid": {"spacing": "wide"}}' >"$work/broken.json"
+printf 'no state' >"$work/broken.skv"
+await 'still((worlds[0].area.y, worlds[0].area.height))'
+area=$answer
+open_by_dialog "$work/broken.skv"
+await "'$work/broken.skv' in message and 'take a file that Skvalp has saved' in message"
+await "still((worlds[0].area.y, worlds[0].area.height))"
+[[ $answer == "$area" ]] || fail "a message moves the picture: $area, $answer"
 open_by_dialog "$work/broken.json"
 await "'$work/broken.json' in message and 'spacing' in message"
 is 'worlds[0].name == "pool" and worlds[0].opened == 1' || fail "the pool was lost to a broken file: $answer"

@@ -43,7 +43,7 @@ for file in po/*.po; do
     }
 done
 # Who builds the app alone, as run.sh does, has them, too.
-ninja -C "$build" -t query skvalp-play | grep -q 'po/translations' || {
+[[ $(ninja -C "$build" -t query skvalp-play) == *po/translations* ]] || {
     echo "skvalp-play is built without its translations"
     bad=1
 }
