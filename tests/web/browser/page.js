@@ -336,7 +336,8 @@ const trials = {
         await does('gravity', { x: 0.6, y: -0.8 }, () => Math.abs(window.skvalp.state.value.gravity.x - 0.6) < 1e-3);
         await does('view', { view: 'speed' }, () => window.skvalp.state.value.style.view === 'speed');
         assert.match(await ask('view', { view: 'nonsense' }), /no view 'nonsense'/);
-        assert.equal(await inside.evaluate(() => localStorage.getItem('skvalp')), null, 'what nobody chose is kept');
+        assert.equal(await inside.evaluate(() => JSON.parse(localStorage.getItem('skvalp') ?? '{"view":"water"}').view), 'water',
+            'what nobody chose is kept');
         await does('set', { path: 'fluid.material', value: 'honey' },
             () => window.skvalp.state.value.canUndo);
         await does('play', {}, () => window.skvalp.state.value.moment > 10);
@@ -353,6 +354,27 @@ const trials = {
         await does('pause', {}, () => window.skvalp.state.value.paused);
         await does('reset', {}, () => window.skvalp.state.value.moment === 0);
         assert.match(await ask('nonsense'), /no request 'nonsense'/);
+        const unchanged = JSON.stringify((await stateOf(inside)).worlds[0].parameters);
+        for (const [name, more, error] of [
+            ['open', { scene: 'nosuch' }, /no scene 'nosuch'/],
+            ['open', {}, /no scene/],
+            ['link', { link: 'garbage' }, /link/],
+            ['link', { link: 'https://example.org/#1.AAAA' }, /damaged|cut short|link/],
+            ['set', { path: 'fluid.nosuch', value: 1 }, /no parameter 'fluid.nosuch'/],
+            ['set', { path: 'gravity.y', value: 'up' }, /'gravity.y' does not take 'up'/],
+            ['set', { path: 'gravity.y', value: 1e9 }, /does not take/],
+            ['set', { path: 'fluid.material', value: 'gold' }, /does not take 'gold'.*honey/],
+            ['gravity', { y: -1 }, /'x' takes a number/],
+            ['gravity', { x: 0, y: NaN }, /'y' takes a number/],
+            ['speed', { speed: 99 }, /from 0.1 to 2/],
+            ['speed', { speed: 'fast' }, /from 0.1 to 2/],
+            ['seek', { frame: -1 }, /'frame' takes a number/],
+            ['seek', {}, /'frame' takes a number/],
+        ]) {
+            assert.match(String(await ask(name, more)), error, `${name} ${JSON.stringify(more)}`);
+        }
+        const { worlds: [{ name: still, parameters }], speed } = await stateOf(inside);
+        assert.deepEqual([still, JSON.stringify(parameters), speed], ['pool', unchanged, 0.5]);
 
         await until(page, () => {
             const { moment, paused } = window.told.findLast(({ skvalp }) => skvalp === 'state');

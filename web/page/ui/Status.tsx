@@ -1,9 +1,10 @@
 // Status: what is open, over the picture's corner; and for a while what there is to see.
 import { useEffect } from 'preact/hooks';
 import { effect, signal } from '@preact/signals';
-import { compared, part, state } from './model';
+import { compared, controls, part, state } from './model';
 import { Icon } from './Icon';
 import { choice } from './choices';
+import { preferences } from './preferences';
 import { wordsOfAmount } from './spoken';
 import { _, word } from './words';
 
@@ -23,10 +24,12 @@ function Description({ text }: { text: string }) {
 }
 
 function Hint() {
+    const ball = controls.value === 'all' && preferences.value.ball;
     return (
         <p class="pill description hint">
             <Icon name="hand" />
-            {_('Hold the water with the mouse or with fingers. Drag the white ball to tilt the tank.')}
+            {_('Hold the water with the mouse or with fingers.')}
+            {ball && ` ${_('Drag the white ball to tilt the tank.')}`}
         </p>
     );
 }

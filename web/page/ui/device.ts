@@ -16,6 +16,12 @@ export function toggleFullscreen(): void {
     done?.catch(() => toast(_('This browser does not allow full screen here.')));
 }
 
+/** What a page around this one forbids is not even tried: browsers speak of that in the console. */
+function allowed(feature: string): boolean {
+    const { featurePolicy } = document as Document & { featurePolicy?: { allowsFeature(name: string): boolean } };
+    return featurePolicy?.allowsFeature(feature) ?? true;
+}
+
 // Awake while it plays
 
 let lock: WakeLockSentinel | null = null;
@@ -25,7 +31,7 @@ let asking = false;
 /** One question at a time: an answer may come when it is no longer wanted. */
 export async function keepAwake(wanted: boolean): Promise<void> {
     awake = wanted;
-    if (asking || !navigator.wakeLock)
+    if (asking || !navigator.wakeLock || !allowed('screen-wake-lock'))
         return;
     asking = true;
     try {

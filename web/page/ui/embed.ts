@@ -4,14 +4,16 @@
 import { effect } from '@preact/signals';
 import { openScene, showView } from './actions';
 import { beginAmounts } from './amounts';
-import { catalogue, complain, controls, embedded, showPanel, simulation, state, toast } from './model';
+import { catalogue, complain, controls, embedded, framed, showPanel, simulation, state, toast } from './model';
 import { lessMotion } from './preferences';
+import { opened } from './reports';
 import { payloadOf } from './sharing';
 import { _, known } from './words';
 
 export function readAddress() {
     const asked = new URLSearchParams(location.search);
     embedded.value = asked.get('embed') === '1';
+    document.documentElement.classList.toggle('framed', framed);
     const wanted = asked.get('controls');
     controls.value = wanted === 'none' || wanted === 'play' ? wanted : 'all';
 
@@ -47,18 +49,55 @@ export function readAddress() {
     return { language: known.includes(language) ? language : '', open, openHash };
 }
 
+function isNumber(value: unknown, least: number, most: number): value is number {
+    return typeof value === 'number' && value >= least && value <= most;
+}
+
+/** Throws if it is none, or out of range. */
+function numberOf(name: string, value: unknown, least = -Infinity, most = Infinity): number {
+    if (!isNumber(value, least, most) || !Number.isFinite(value))
+        throw new Error(`'${name}' takes ${Number.isFinite(most) ? `a number from ${least} to ${most}` : 'a number'}`);
+    return value;
+}
+
+/** What a parameter takes, as text; throws what is wrong with it. */
+function parameterOf(path: unknown, value: unknown): [string, string] {
+    const field = catalogue.parameters.find((known) => known.path === path);
+    if (!field)
+        throw new Error(`there is no parameter '${String(path)}'`);
+    const text = String(value);
+    const { type, choices, minimum, maximum } = field;
+    const takes = type === 'choice' ? choices.includes(text)
+        : type === 'boolean' ? /^(true|false)$/.test(text)
+            : type === 'text' || (text.trim() !== '' && isNumber(Number(text), minimum, maximum)
+                && (type !== 'integer' || Number.isInteger(Number(text))));
+    if (!takes)
+        throw new Error(`'${field.path}' does not take '${text}': ${choices.join(', ') || `${minimum} to ${maximum}`}`);
+    return [field.path, text];
+}
+
 /** Requests, by what stands in `skvalp`; each takes the members of the message that it knows. */
 const requests: Record<string, (data: Record<string, unknown>) => unknown> = {
-    open: ({ scene }) => simulation.open(String(scene)),
-    link: ({ link }) => simulation.openLink(payloadOf(String(link)) ?? String(link)),
+    open: ({ scene }) => {
+        if (!catalogue.scenes.some(({ name }) => name === scene))
+            throw new Error(`there is no scene '${String(scene)}'`);
+        const done = opened();
+        simulation.open(String(scene));
+        return done;
+    },
+    link: ({ link }) => {
+        const done = opened();
+        simulation.openLink(payloadOf(String(link)) ?? String(link));
+        return done;
+    },
     play: () => simulation.setPaused(false),
     pause: () => simulation.setPaused(true),
     step: () => simulation.stepOnce(),
     reset: () => simulation.reset(),
-    seek: ({ frame }) => simulation.seek(Number(frame)),
-    speed: ({ speed }) => simulation.setSpeed(Number(speed)),
-    gravity: ({ x, y }) => simulation.setGravity(Number(x), Number(y)),
-    set: ({ path, value }) => simulation.set(String(path), String(value)),
+    seek: ({ frame }) => simulation.seek(numberOf('frame', frame, 0, Number.MAX_SAFE_INTEGER)),
+    speed: ({ speed }) => simulation.setSpeed(numberOf('speed', speed, 0.1, 2)),
+    gravity: ({ x, y }) => simulation.setGravity(numberOf('x', x), numberOf('y', y)),
+    set: ({ path, value }) => simulation.set(...parameterOf(path, value)),
     view: ({ view }) => {
         if (!showView(view))
             throw new Error(`there is no view '${String(view)}'`);
@@ -87,7 +126,7 @@ async function answer(event: MessageEvent): Promise<void> {
 const PERIOD = 250;
 
 export function serveEmbedding(): void {
-    if (window.parent === window)
+    if (!framed)
         return;
     const tell = (content: object) => window.parent.postMessage(content, '*');
     let told = -Infinity;

@@ -1,7 +1,7 @@
 // Pointers: fingers, pens and the mouse on the picture become the simulation's pointers. Invariant:
 // every pointer that went down goes up or leaves; what they mean is decided by the simulation.
 import type { PointerMessage, Side, State } from '../simulation/protocol';
-import { simulation, state } from './model';
+import { framed, simulation, state } from './model';
 
 const MIDDLE = 1;
 const SECONDARY = 2;
@@ -93,8 +93,13 @@ export function attachPointers(element: HTMLElement): () => void {
         down.delete(event.pointerId);
     }
 
-    /** The wheel zooms, with Shift it sets the brush; a touch pad's pinch comes with Ctrl, in small steps. */
+    /**
+     * The wheel zooms, with Shift it sets the brush; a touch pad's pinch comes with Ctrl, in small steps. In a frame
+     * the wheel alone is the page's around it.
+     */
     function onWheel(event: WheelEvent): void {
+        if (framed && !event.ctrlKey && !event.shiftKey && !document.fullscreenElement)
+            return;
         event.preventDefault();
         const delta = event.deltaY || event.deltaX; // Shift turns the wheel sideways
         const notches = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? delta / 100 : delta / 3;

@@ -5,7 +5,18 @@ import { openScene } from './actions';
 import { catalogue, complain, state, toast, world } from './model';
 import { _ } from './words';
 
+/** Who waits for what becomes of what was opened. */
+const waiting: ((error: string | null) => void)[] = [];
+
+/** When what was asked for last is open; fails if it can't be. */
+export function opened(): Promise<void> {
+    return new Promise((resolve, reject) =>
+        waiting.push((error) => (error === null ? resolve() : reject(new Error(error)))));
+}
+
 export function listenToReports(report: Report): void {
+    if (report.kind === 'open')
+        waiting.splice(0).forEach((tell) => tell(report.error));
     if (report.error) {
         complain(report.error);
         if (!world.value?.name)
