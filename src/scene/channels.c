@@ -236,8 +236,8 @@ double skv_scene_narrow_channel(const skv_scene *scene)
 {
     const skv_world_def *def = &scene->def;
     float gravity = sqrtf(def->gravity_x * def->gravity_x + def->gravity_y * def->gravity_y);
-    if (!(gravity > 0))
-        return 0; /* there are no levels */
+    if (!(gravity > 0) || (scene->solid_count == 0 && scene->paint == NULL))
+        return 0; /* there are no levels, or no walls between */
     double s = (double)def->fluid.spacing, width = scene->width * scene->pixel_size,
            height = scene->height * scene->pixel_size;
     double size = fmax(fmax(CELL * s, scene->pixel_size), sqrt(width * height / MOST));

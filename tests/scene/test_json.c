@@ -181,9 +181,14 @@ static const mistake mistakes[] = {
     {"{\"particles\": 3, \"world\": {\"width\": 16, \"height\": 9, \"pixel\": 0.1},\n" WATER "}",
      SKV_ERROR_VALUE, NULL},
     {"{\"world\": {\"pixel\": 0.0001}, " WATER "}", SKV_ERROR_VALUE,
-     "a.json:1: world.pixel: makes the world 16000 x 9000 pixels; allowed are 16 to 8192 each way"},
+     "a.json:1: world.pixel: makes the world 16000 x 9000 pixels; allowed are 16 to 8192 each way; "
+     "0.000196 m would do"},
     {"{\"world\": {\"width\": 0.02}, " WATER "}", SKV_ERROR_VALUE,
-     "a.json: world.pixel: makes the world 8 x 360 pixels; allowed are 16 to 8192 each way"},
+     "a.json: world.pixel: makes the world 8 x 360 pixels; allowed are 16 to 8192 each way; "
+     "0.00125 m would do"},
+    {"{\"world\": {\"width\": 0.01, \"height\": 16}, " WATER "}", SKV_ERROR_VALUE,
+     "a.json: world.pixel: makes the world 4 x 6400 pixels; allowed are 16 to 8192 each way; the "
+     "sides are too unequal for any pixel"},
     {"{\"world\": {\"picture\": \"x.png\"}, " WATER "}", SKV_ERROR_VALUE,
      "a.json:1: world.picture: \"x.png\" needs a scene in a file; a picture is looked for in its "
      "folder"},
@@ -334,7 +339,8 @@ static void test_settings(void **state)
          "--set world.picture: \"x.png\" needs a scene in a file; a picture is looked for in its "
          "folder"},
         {"world.pixel", "0.1", SKV_ERROR_VALUE,
-         "--set world.pixel: makes the world 16 x 9 pixels; allowed are 16 to 8192 each way"},
+         "--set world.pixel: makes the world 16 x 9 pixels; allowed are 16 to 8192 each way; "
+         "0.0562 m would do"},
         {"particles", "1e3", SKV_OK, NULL},
         {"world.open.top", "true", SKV_OK, NULL},
         {"water[0].y1", "0.25", SKV_OK, NULL},
