@@ -121,12 +121,13 @@ static GtkWidget *add_group(GtkWidget *box, const char *title)
 /* "Ctrl+Z" as people here read it, or a gesture in words. To be freed. */
 static char *words_of(const skv_key *key)
 {
-    guint value = 0;
-    GdkModifierType modifiers = 0;
-    char *trigger = accelerator_of(key->key), *words = NULL;
-    if (trigger && gtk_accelerator_parse(trigger, &value, &modifiers))
-        words = gtk_accelerator_get_label(value, modifiers);
-    g_free(trigger);
+    char *text = accelerator_of(key->key), *words = NULL;
+    GtkShortcutTrigger *trigger = text ? gtk_shortcut_trigger_parse_string(text) : NULL;
+    if (trigger) {
+        words = gtk_shortcut_trigger_to_label(trigger, gdk_display_get_default());
+        g_object_unref(trigger);
+    }
+    g_free(text);
     return words ? words : g_strdup(play_word(key->key));
 }
 
