@@ -168,9 +168,10 @@ typedef void skv_before_substep(skv_world *world, float dt, void *user);
 SKV_API void skv_world_set_before_substep(skv_world *world, skv_before_substep *callback,
                                           void *user);
 
-/** Sets where a world says what is no failure but worth knowing: that it had to grow, or that it is
- * overfull: filled to more than 1.1 of what lies in it at rest, where it begins to boil. Null, the
- * default: nowhere. Called by the thread that calls the world. */
+/** Sets where a world says what is no failure but worth knowing: that it had to grow, that
+ * emitters have filled it, or that it is overfull: filled to more than 1.1 of what lies in it at
+ * rest, where it begins to boil. Null, the default: nowhere. Called by the thread that calls the
+ * world. */
 SKV_API void skv_world_set_log(skv_world *world, skv_logger *log, void *user);
 
 /** A pointer for the host's own use; null at first. */

@@ -9,8 +9,10 @@
 
 #include <math.h>
 
-/* Share of the free area that particles at rest may take before the host is told. */
-#define MOST_FULL 1.1
+/* Shares of the free area that particles at rest may take before the host is told. */
+#define MOST_FULL    1.1
+#define FULL         1.0 /* by emitters ... */
+#define FULL_NO_MORE 0.9 /* ... who are told again once it was less */
 
 skv_result skv_world_make_room(skv_world *world, int more, skv_error *error)
 {
@@ -42,16 +44,36 @@ skv_result skv_world_find_taken(const skv_world *world, const skv_region *box, i
     return result;
 }
 
+/* Share of the free area that so many particles take at rest. */
+static double share_of(const skv_world *world, int count)
+{
+    double s = (double)world->fluid.spacing;
+    return count * s * s / skv_terrain_free_area(world->terrain);
+}
+
 static void say_if_overfull(skv_world *world, int added)
 {
-    double s = (double)world->fluid.spacing, free = skv_terrain_free_area(world->terrain);
-    double now = world->state.count * s * s / free,
-           before = (world->state.count - added) * s * s / free;
+    int count = world->state.count;
+    double now = share_of(world, count), before = share_of(world, count - added);
     if (now > MOST_FULL && before <= MOST_FULL && skv_terrain_open_sides(world->terrain) == 0)
         skv_world_say(world,
                       "the fluid is overfull: %d particles at rest take %.2f of the free area; it "
                       "may boil; remove some or use a larger world",
-                      world->state.count, now);
+                      count, now);
+}
+
+void skv_world_say_if_full(skv_world *world)
+{
+    double now = share_of(world, world->state.count);
+    if (now < FULL_NO_MORE)
+        world->told_full = false;
+    if (!(now > FULL) || world->told_full || skv_terrain_open_sides(world->terrain) != 0)
+        return;
+    world->told_full = true;
+    skv_world_say(world,
+                  "the world is full: %d particles at rest take all of the free area, and emitters "
+                  "press them closer; close them or open a drain",
+                  world->state.count);
 }
 
 void skv_world_note_added(skv_world *world, int added)

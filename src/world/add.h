@@ -25,4 +25,8 @@ skv_result skv_world_find_taken(const skv_world *world, const skv_region *box, i
  * world overfull. */
 void skv_world_note_added(skv_world *world, int added);
 
+/* Tells the host's log, once, that emitters have filled the world. They go on until the fluid
+ * around them is pressed, and nobody sees that it is. */
+void skv_world_say_if_full(skv_world *world);
+
 #endif

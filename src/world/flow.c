@@ -114,6 +114,7 @@ static void emit_row(skv_world *world, int number, const skv_emitter_rows *rows)
     if (count < rows->columns)
         skv_events_add(&world->events, SKV_EVENT_BLOCKED, SKV_NO_PARTICLE,
                        world->acting.emitter_ids[number]);
+    skv_world_say_if_full(world);
     world->acting.flow.emitted += count;
     world->acting.flow.blocked += rows->columns - count;
     stream->odd = !stream->odd;

@@ -43,6 +43,7 @@ struct skv_world {
     skv_acting acting;
     int emission_limit;
     bool emission_replaces;
+    bool told_full; /* the host, that emitters have filled it */
 
     skv_state state;
     uint32_t next_id;

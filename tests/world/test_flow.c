@@ -246,11 +246,18 @@ static void a_full_world_stops_or_replaces(void **unused)
     }
 }
 
-/* Into a closed tank goes no more than it holds. */
+static void note_full(const char *text, void *user)
+{
+    *(int *)user += strncmp(text, "the world is full", 17) == 0;
+}
+
+/* Into a closed tank goes no more than it holds, and it is said once that it is full. */
 static void a_full_tank_takes_no_more(void **unused)
 {
     (void)unused;
     skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, 0.02f, 0.8f, 0, 1);
+    int said = 0;
+    skv_world_set_log(world, note_full, &said);
     open_tap(world, (skv_emitter){0.8f, 0.3f, 0, 1, 0.1f, 0});
     fixture_run(world, 240);
     assert_int_equal(skv_world_set_emitters(world, NULL, 0, NULL), SKV_OK);
@@ -258,6 +265,7 @@ static void a_full_tank_takes_no_more(void **unused)
     skv_stats stats = skv_world_stats(world);
     double share = stats.particles * 0.02 * 0.02 / (1.6 * 0.9);
     assert_true(skv_world_flow(world).blocked > 100);
+    assert_int_equal(said, share > 1);
     if (share < 0.97 || share > 1.1 || stats.rms_speed > 0.1 || stats.escaped)
         fail_msg("full to %g, %g m/s, %d escaped", share, stats.rms_speed, stats.escaped);
     skv_world_destroy(world);
