@@ -2,8 +2,8 @@
 //
 // Invariant: nothing that the host does for the module throws through it: what goes wrong is told as
 // a result.
+import { entryKinds, readOwn } from './entries.js';
 import { Gl } from './gl.js';
-import { entryKinds, parseJson } from './json.js';
 
 /** The most memory that is asked for at first, and less where so much is refused; in MiB. */
 const memorySizes = [256, 128];
@@ -104,12 +104,12 @@ export class Instance {
         }
     }
 
-    /** Whether links and pictures can be read and written. */
+    /** Whether links, pictures and JSON of others can be read, and links written. */
     get hasCodecs() {
         return this.#codecs !== undefined;
     }
 
-    /** Until they are there, links and pictures are refused as damaged. */
+    /** Until they are there, links and pictures are refused as damaged, and JSON has to be the library's own. */
     async bringCodecs() {
         this.#codecs ??= await import('./codecs.js');
     }
@@ -226,7 +226,7 @@ export class Instance {
     /** @param {Uint8Array} text @param {number} visitor @param {number} failure */
     #parse(text, visitor, failure) {
         const { skv_wasm_json_key, skv_wasm_json_value, skv_wasm_json_close, skv_wasm_json_fail } = this.exports;
-        const parsed = parseJson(text);
+        const parsed = this.#codecs?.parseJson(text) ?? readOwn(text);
         if ('fault' in parsed) {
             this.#withText(parsed.words, (words) =>
                 skv_wasm_json_fail(failure, parsed.fault, parsed.line, parsed.position, words));

@@ -7,12 +7,12 @@
 // Invariant: what is told is the first fault in the text.
 import * as jsonc from 'jsonc-parser';
 
+import { entryKinds } from './entries.js';
+/** @import { Event, Failure } from './entries.js' */
+
 /** In node the package is a CommonJS module. */
 const { visit, ParseErrorCode } = /** @type {typeof jsonc} */ (
     'visit' in jsonc ? jsonc : /** @type {any} */ (jsonc).default);
-
-/** skv_entry_kind */
-export const entryKinds = /** @type {const} */ ({ null: 0, boolean: 1, number: 2, text: 3, list: 4, object: 5 });
 
 /** skv_json_fault */
 const faults = /** @type {const} */ ({
@@ -21,12 +21,6 @@ const faults = /** @type {const} */ ({
 
 const mostLevels = 2048;
 const mostWhole = 2n ** 63n;
-
-/**
- * A value, a key, or the end of an object or list.
- * @typedef {{ kind: 'key' | 'close' | number, value: string, number: number }} Event
- * @typedef {{ fault: number, line: number, position: number, words: string }} Failure
- */
 
 class Fault extends Error {
     /** @param {number} fault @param {number} offset of the end of what is wrong @param {string} words */

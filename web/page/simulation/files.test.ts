@@ -1,12 +1,14 @@
 // Files and links: what is made elsewhere opens here, and the other way round; what is broken does not,
 // and what is open goes on.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 
 import { decode } from 'fast-png';
 import { afterAll, expect, test } from 'vitest';
 
+import { readOwn } from '../../src/entries.js';
+import { parseJson } from '../../src/json.js';
 import { paintedPicture, threshold } from './photo';
 import { makeTrial, native } from './testing';
 
@@ -149,4 +151,17 @@ test('a photo becomes walls where it is dark', () => {
     const trial = makeTrial();
     trial.simulation.openBytes(paintedPicture(painted, width, height), 'png', 'photo.png');
     expect(trial.take()).toEqual([{ kind: 'open', error: null }]);
+});
+
+test('built-in scenes read the same before the strict reader has come', () => {
+    const scenes = '../scenes';
+    const files = readdirSync(scenes).filter((name) => name.endsWith('.json'));
+    expect(files.length).toBeGreaterThan(5);
+    for (const name of files) {
+        const text = readFileSync(`${scenes}/${name}`);
+        expect(readOwn(text)).toEqual(parseJson(text));
+    }
+    const text = new TextEncoder().encode('{ "a": [null, true, false, "b", -1.5e3, {}, []] }');
+    expect(readOwn(text)).toEqual(parseJson(text));
+    expect(readOwn(new TextEncoder().encode('{ // no'))).toMatchObject({ words: 'its reader has not come' });
 });

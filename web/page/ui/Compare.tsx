@@ -5,7 +5,7 @@ import { _, word } from './words';
 
 const linked = part((s) => s.linked, true);
 
-export function Compare() {
+export default function Compare() {
     return (
         <>
             <ul class="list">

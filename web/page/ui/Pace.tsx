@@ -45,7 +45,7 @@ function Particles() {
     );
 }
 
-export function Pace() {
+export default function Pace() {
     const now = state.value;
     if (!now)
         return null;

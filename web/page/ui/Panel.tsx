@@ -5,29 +5,24 @@ import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { Button } from './Button';
 import { compared, panel, showPanel, subject } from './model';
 import type { Panel as Which } from './model';
-import { Compare } from './Compare';
 import { later } from './later';
 import { Menu } from './Menu';
 import { Measure } from './Measure';
-import { Pace } from './Pace';
-import { Properties } from './Properties';
 import { Scenes } from './Scenes';
-import { Size } from './Size';
-import { Views } from './Views';
 import { _ } from './words';
 
 /** Titles and contents; what is not needed at once is loaded when it opens. */
 const panels: Record<Which, { title: () => string; Content: ComponentType }> = {
     scenes: { title: () => _('Scenes and experiments'), Content: Scenes },
     experiment: { title: () => _('Experiments'), Content: later(() => import('./Lab')) },
-    views: { title: () => _('What is shown'), Content: Views },
-    properties: { title: () => _('Properties'), Content: Properties },
+    views: { title: () => _('What is shown'), Content: later(() => import('./Views')) },
+    properties: { title: () => _('Properties'), Content: later(() => import('./Properties')) },
     measure: { title: () => _('Measure'), Content: Measure },
     probe: { title: () => _('Measurements'), Content: later(() => import('./ProbeCard')) },
-    compare: { title: () => _('Compare Two Worlds'), Content: Compare },
+    compare: { title: () => _('Compare Two Worlds'), Content: later(() => import('./Compare')) },
     menu: { title: () => _('Main menu'), Content: Menu },
-    size: { title: () => _('Size of the tool'), Content: Size },
-    pace: { title: () => _('How fast it goes'), Content: Pace },
+    size: { title: () => _('Size of the tool'), Content: later(() => import('./Size')) },
+    pace: { title: () => _('How fast it goes'), Content: later(() => import('./Pace')) },
     share: { title: () => _('Share'), Content: later(() => import('./Share')) },
     settings: { title: () => _('Preferences'), Content: later(() => import('./Settings')) },
     keys: { title: () => _('Keyboard Shortcuts'), Content: later(() => import('./Keys')) },

@@ -52,7 +52,7 @@ function Sides() {
     );
 }
 
-export function Properties() {
+export default function Properties() {
     const worlds = state.value?.worlds ?? [];
     const which = compared.value ? side.value : 0;
     const world = worlds[which];

@@ -6,7 +6,7 @@ import { _, word } from './words';
 
 const brush = part((s) => s.brush, 0);
 
-export function Size() {
+export default function Size() {
     const { least_brush: least, largest_brush: largest } = catalogue.limits;
     return (
         <>

@@ -6,7 +6,7 @@ import { _, word } from './words';
 const view = part((s) => s.style.view, '');
 const shown = part((s) => s.style.overlays.join(), '');
 
-export function Views() {
+export default function Views() {
     const overlays = shown.value.split(',');
     return (
         <>
