@@ -74,8 +74,8 @@ export function dismiss(): void {
     message.value = null;
 }
 
-/** In a frame of another page, which scrolls. */
-export const framed = window.parent !== window;
+/** In a frame of another page, which scrolls; not in tests, where there is no window. */
+export const framed = typeof window !== 'undefined' && window.parent !== window;
 /** Embedded in another page: fewer controls. */
 export const embedded = signal(false);
 /** Which controls show: all, or what an embedding page chose. */
