@@ -186,7 +186,9 @@ typedef struct skv_probe {
 /** All that there is to see at a moment. It never changes while it is held. */
 typedef struct skv_picture {
     uint64_t number;   /**< of the picture, counted from 1 */
-    skv_frame frame;   /**< without a world, before the first open: all 0 */
+    skv_frame frame;   /**< without a world, before the first open: all 0. Where nothing is stepped
+                          since the start, or since the balance was changed, the pressures are those
+                          of the next frame */
     const char *name;  /**< "dam-break"; of a file that is no scene, its own; "" before */
     const char *title; /**< "Dam break" */
     const char *description;
@@ -338,7 +340,8 @@ SKV_API void skv_stage_keyboard(skv_stage *stage, int side, int right, int up, b
 
 /* ---- Instruments ----------------------------------------------------------------------------- */
 
-/** Adds an instrument to all worlds, which is read after every frame; returns its number. What the
+/** Adds an instrument to all worlds, which is read after every frame, and whenever it, the world or
+ * the moment is changed; returns its number. What the
  * lab refuses is reported as SKV_OUTCOME_EDIT. */
 SKV_API uint32_t skv_stage_add_probe(skv_stage *stage, const skv_instrument_def *def);
 /** Moves it; its history starts anew. */
