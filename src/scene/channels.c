@@ -11,6 +11,7 @@
 
 #include <math.h>
 
+#include "base/exact.h"
 #include "base/memory.h"
 
 #define CELL      0.25    /* spacings */
@@ -61,7 +62,8 @@ static float cell_x(const grid *g, int cell)
 
 static float cell_y(const grid *g, int cell)
 {
-    return ((float)(cell / g->columns) + 0.5f) * g->size;
+    int row = cell / g->columns;
+    return ((float)row + 0.5f) * g->size;
 }
 
 static float height_of(const grid *g, int cell)
@@ -165,8 +167,8 @@ static void join(grid *g, int cell, int beside, float narrow, float vessel)
     if (distance < narrow && to->widest >= vessel && from->widest >= vessel)
         g->joints[g->joint_count++] = (joint){cell, distance};
     from->parent = a;
-    to->widest = fmaxf(to->widest, from->widest);
-    to->top = fmaxf(to->top, from->top);
+    to->widest = skv_maxf(to->widest, from->widest);
+    to->top = skv_maxf(to->top, from->top);
 }
 
 static void join_all(grid *g, float narrow, float vessel)
@@ -198,8 +200,9 @@ static float width_at(const grid *g, int cell)
     float most = -INFINITY, least = INFINITY, x = 0, y = 0,
           aside = 1.5f * (float)g->scene->pixel_size;
     for (int k = 0; k < (STEPS + 1) * (STEPS + 1); k++) {
-        float at_x = cell_x(g, cell) + ((float)(k % (STEPS + 1)) / STEPS - 0.5f) * g->size;
-        float at_y = cell_y(g, cell) + ((float)(k / (STEPS + 1)) / STEPS - 0.5f) * g->size;
+        int row = k / (STEPS + 1), column = k % (STEPS + 1);
+        float at_x = cell_x(g, cell) + ((float)column / STEPS - 0.5f) * g->size;
+        float at_y = cell_y(g, cell) + ((float)row / STEPS - 0.5f) * g->size;
         float distance = skv_terrain_distance(terrain, at_x, at_y);
         if (distance <= most)
             continue;
@@ -212,8 +215,8 @@ static float width_at(const grid *g, int cell)
                0.5f * g->size; /* a cell lies somewhere in the middle */
     for (int k = 0; k < 4; k++) {
         float dx = aside * to_x[k], dy = aside * to_y[k];
-        least = fminf(least, skv_terrain_distance(terrain, x + dx, y + dy) +
-                                 skv_terrain_distance(terrain, x - dx, y - dy));
+        least = skv_minf(least, skv_terrain_distance(terrain, x + dx, y + dy) +
+                                    skv_terrain_distance(terrain, x - dx, y - dy));
     }
     return least + 2 * aside;
 }
@@ -227,7 +230,7 @@ static float narrowest(grid *g, float narrow)
         const joint *j = &g->joints[k];
         bool wet = g->cells[root_of(g, j->cell)].top > height_of(g, j->cell);
         if (wet && j->distance > g->size)
-            least = fminf(least, width_at(g, j->cell));
+            least = skv_minf(least, width_at(g, j->cell));
     }
     return least < narrow ? least : 0;
 }
@@ -240,7 +243,7 @@ double skv_scene_narrow_channel(const skv_scene *scene)
         return 0; /* there are no levels, or no walls between */
     double s = (double)def->fluid.spacing, width = scene->width * scene->pixel_size,
            height = scene->height * scene->pixel_size;
-    double size = fmax(fmax(CELL * s, scene->pixel_size), sqrt(width * height / MOST));
+    double size = skv_max(skv_max(CELL * s, scene->pixel_size), sqrt(width * height / MOST));
     grid g = {.scene = scene,
               .columns = (int)(width / size),
               .rows = (int)(height / size),

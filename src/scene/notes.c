@@ -104,7 +104,7 @@ static void note_channel(skv_scene *scene)
     double times = SKV_CHANNEL_WIDE * (double)scene->def.fluid.spacing / width;
     int enough = enough_particles(scene->particles * times * times);
     char text[32];
-    skv_format_number(round(1e4 * width) * 1e-4, text);
+    skv_format_number(floor(1e4 * width + 0.5) * 1e-4, text);
     if (enough > 0)
         skv_scene_note(scene,
                        "a channel is %s m wide, so levels beside it may stay apart; %d particles "
