@@ -6,11 +6,12 @@ import { connect } from './simulation/connect';
 import type { Listener } from './simulation/protocol';
 import './style.css';
 import { applyPreferences } from './ui/actions';
+import { readAddress } from './ui/address';
 import { App } from './ui/App';
 import { keepAwake } from './ui/device';
-import { readAddress, serveEmbedding } from './ui/embed';
+import { followHistory } from './ui/history';
 import { attachKeys } from './ui/keys';
-import { begin, complain, part, simulation, state, trouble } from './ui/model';
+import { begin, complain, framed, part, simulation, state, trouble } from './ui/model';
 import { preferences } from './ui/preferences';
 import { listenToReports } from './ui/reports';
 import { language, preferred, speak } from './ui/words';
@@ -32,7 +33,8 @@ function follow(): void {
     effect(() => void keepAwake(plays.value && !hidden.value));
     effect(() => simulation.setHidden(hidden.value));
     document.addEventListener('visibilitychange', () => (hidden.value = document.hidden));
-    window.addEventListener('hashchange', () => address.openHash());
+    window.addEventListener('hashchange', () => address.openAnew());
+    followHistory();
 }
 
 async function start(): Promise<void> {
@@ -48,7 +50,8 @@ async function start(): Promise<void> {
     // Once the stage has its size; what a page around this one asks for comes after what it opens with.
     requestAnimationFrame(() => requestAnimationFrame(() => {
         address.open();
-        serveEmbedding();
+        if (framed)
+            void import('./ui/embed').then(({ serveEmbedding }) => serveEmbedding());
     }));
 }
 

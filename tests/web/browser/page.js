@@ -148,7 +148,7 @@ const trials = {
         assert.equal(await page.locator('.amount').textContent(), `${grouped} partiklar`);
         await page.keyboard.press('p');
         const field = page.locator('[id="field-gravity.y"]');
-        await until(page, () => document.getElementById('field-gravity.y').value === '\u22129,81', 'a minus and a comma');
+        await until(page, () => document.getElementById('field-gravity.y')?.value === '\u22129,81', 'a minus and a comma');
         await field.fill(' \u22123,71');
         await field.press('Enter');
         await until(page, () => window.skvalp.state.value.worlds[0].parameters['gravity.y'] === '-3.71', 'it was read');
@@ -197,6 +197,40 @@ const trials = {
         const other = await browser.open(`/index.html${link.hash}`, small);
         await until(other, () => window.skvalp?.state.value?.asRecorded, 'it goes as it was sent');
         await other.getByText('exactly as it was recorded').waitFor();
+    },
+
+    async 'back closes a panel, and leads from a link to what was open before'(browser) {
+        const page = await begin(browser, small, '?scene=pool');
+        const entries = () => page.evaluate(() => history.length);
+        const first = await entries();
+        await button(page, 'Views').click();
+        await page.locator('.panel-views').waitFor();
+        await until(page, (first) => history.length === first + 1, 'an entry of its own', first);
+        await page.evaluate(() => history.back());
+        await page.locator('.panel').waitFor({ state: 'detached' });
+        for (let i = 0; i < 3; i++) { // those that are closed by hand leave none
+            await button(page, 'Properties').click();
+            await until(page, () => history.state?.panel === true, 'it is entered');
+            await close(page);
+            await until(page, () => history.state?.panel !== true, 'its entry is gone');
+        }
+        await chooseFromMenu(page, 'About Skvalp'); // one panel takes another's place
+        await page.locator('.panel-about').waitFor();
+        await until(page, () => history.state?.panel === true, 'it is entered');
+        assert.equal(await entries(), first + 1);
+        await page.evaluate(() => history.back());
+        await page.locator('.panel').waitFor({ state: 'detached' });
+        const { opened, name } = (await stateOf(page)).worlds[0];
+        assert.equal(name, 'pool');
+
+        const link = await page.evaluate(() => window.skvalp.simulation.share());
+        const another = (opened, what) => until(page, (opened) => window.skvalp.state.value.worlds[0].opened !== opened, what, opened);
+        await page.evaluate((link) => (location.hash = link), link);
+        await another(opened, 'the link');
+        const { opened: then } = (await stateOf(page)).worlds[0];
+        await page.evaluate(() => history.back());
+        await another(then, 'what the address says without it');
+        assert.equal((await stateOf(page)).worlds[0].name, 'pool');
     },
 
     async 'a damaged link is refused in words'(browser) {

@@ -75,7 +75,7 @@ function items(): Item[][] {
     ];
 }
 
-export function Menu() {
+export default function Menu() {
     return (
         <>
             {items().map((section) => (

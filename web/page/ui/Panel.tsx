@@ -6,7 +6,6 @@ import { Button } from './Button';
 import { compared, panel, showPanel, subject } from './model';
 import type { Panel as Which } from './model';
 import { later } from './later';
-import { Menu } from './Menu';
 import { Measure } from './Measure';
 import { Scenes } from './Scenes';
 import { _ } from './words';
@@ -20,7 +19,7 @@ const panels: Record<Which, { title: () => string; Content: ComponentType }> = {
     measure: { title: () => _('Measure'), Content: Measure },
     probe: { title: () => _('Measurements'), Content: later(() => import('./ProbeCard')) },
     compare: { title: () => _('Compare Two Worlds'), Content: later(() => import('./Compare')) },
-    menu: { title: () => _('Main menu'), Content: Menu },
+    menu: { title: () => _('Main menu'), Content: later(() => import('./Menu')) },
     size: { title: () => _('Size of the tool'), Content: later(() => import('./Size')) },
     pace: { title: () => _('How fast it goes'), Content: later(() => import('./Pace')) },
     share: { title: () => _('Share'), Content: later(() => import('./Share')) },

@@ -1,53 +1,11 @@
-// Embedding: what the address says, and what a page around this one may ask for (docs/embed.md).
+// Embedding: what a page around this one may ask for (docs/embed.md); loaded where there is one.
 // Invariant: whoever embeds can do no more than who plays; nothing is read from here that is not in
 // the picture or its figures.
 import { effect } from '@preact/signals';
-import { openScene, showView } from './actions';
-import { beginAmounts } from './amounts';
-import { catalogue, complain, controls, embedded, framed, showPanel, simulation, state, toast } from './model';
-import { lessMotion } from './preferences';
+import { showView } from './actions';
+import { catalogue, simulation, state } from './model';
 import { opened } from './reports';
 import { payloadOf } from './sharing';
-import { _, known } from './words';
-
-export function readAddress() {
-    const asked = new URLSearchParams(location.search);
-    embedded.value = asked.get('embed') === '1';
-    document.documentElement.classList.toggle('framed', framed);
-    const wanted = asked.get('controls');
-    controls.value = wanted === 'none' || wanted === 'play' ? wanted : 'all';
-
-    function openHash(): boolean {
-        const payload = location.hash ? payloadOf(location.href) : null;
-        if (payload)
-            simulation.openLink(payload);
-        else if (location.hash.length > 1)
-            complain(_('This link is damaged or cut short: copy all of it.'));
-        return payload !== null;
-    }
-
-    function open(): void {
-        const scene = asked.get('scene') ?? catalogue.limits.first_scene;
-        const isKnown = catalogue.scenes.some(({ name }) => name === scene);
-        beginAmounts(Number(asked.get('particles')) || 0);
-        if (!openHash())
-            openScene(isKnown ? scene : catalogue.limits.first_scene);
-        if (!isKnown)
-            complain(_('There is no scene of this name.'));
-        showView(asked.get('view'));
-        if (asked.has('bench'))
-            showPanel('bench');
-        if (asked.get('paused') === '1')
-            simulation.setPaused(true);
-        else if (lessMotion.value && controls.value !== 'none' && asked.get('paused') !== '0') {
-            simulation.setPaused(true);
-            toast(_('The system asks for less motion: the water waits until you press Play.'));
-        }
-    }
-
-    const language = asked.get('lang') ?? '';
-    return { language: known.includes(language) ? language : '', open, openHash };
-}
 
 function isNumber(value: unknown, least: number, most: number): value is number {
     return typeof value === 'number' && value >= least && value <= most;
@@ -126,8 +84,6 @@ async function answer(event: MessageEvent): Promise<void> {
 const PERIOD = 250;
 
 export function serveEmbedding(): void {
-    if (!framed)
-        return;
     const tell = (content: object) => window.parent.postMessage(content, '*');
     let told = -Infinity;
     let late: number | undefined;
