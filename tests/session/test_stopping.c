@@ -95,7 +95,12 @@ static void settling_stops_between_rounds(void **state)
 
 static atomic_bool armed, reached, go_on;
 static atomic_int times_asked;
-static const skv_worker *watched; /* null: none ends */
+static _Atomic(const skv_worker *) watched; /* null: none ends */
+
+static bool is_ending(const skv_worker *worker)
+{
+    return worker && atomic_load(&worker->quit);
+}
 
 /* Asked before a step, and after one that was not stopped. Once armed it holds the step up until
  * what is asked of the stage meanwhile has been asked. */
@@ -104,7 +109,7 @@ static double hold_up(void)
     atomic_fetch_add(&times_asked, 1);
     if (atomic_exchange(&armed, false)) {
         atomic_store(&reached, true);
-        while (!atomic_load(&go_on) && !(watched && atomic_load(&watched->quit)))
+        while (!atomic_load(&go_on) && !is_ending(atomic_load(&watched)))
             continue;
     }
     return 0;
@@ -193,9 +198,9 @@ static void the_end_does_not_wait_for_a_frame(void **state)
     skv_stage *stage = open_moving();
     begin_frame(stage);
     int before = atomic_load(&times_asked);
-    watched = &stage->worlds[0]->worker;
+    atomic_store(&watched, &stage->worlds[0]->worker);
     skv_stage_destroy(stage);
-    watched = NULL;
+    atomic_store(&watched, NULL);
     assert_int_equal(atomic_load(&times_asked), before); /* the step did not come to its end */
 }
 

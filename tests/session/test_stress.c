@@ -134,6 +134,7 @@ static void test_everything_at_once(void **state)
     uint32_t probe = 0;
     skv_outcome outcome;
     open_pool(stage, 400);
+    skv_stage_wait(stage); /* or the next one that opens takes its place */
     for (int turn = 0; turn < 400; turn++) {
         TIMED(skv_stage_advance(stage, 1.0 / 60, 0.001));
         point(stage, SKV_PHASE_DOWN, turn);
