@@ -432,7 +432,7 @@ static void test_hostile_replays_are_refused(void **state)
     play(player, 0, 90, NULL);
     kept saved = save(player);
     skv_player_destroy(player);
-    expect_refused("nonsense", 8, "none");
+    expect_refused("nonsense", 8, "not one");
     expect_refused(saved.bytes, 20, "cut short");
     expect_refused(saved.bytes, saved.size - 1, "cut short");
     for (size_t at = 8; at < saved.size; at += 1 + saved.size / 50) {
