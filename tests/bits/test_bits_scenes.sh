@@ -19,7 +19,7 @@ hashes() {
     while read -r scene _; do
         for law in calibrated clavet; do
             printf '%s %s %s\n' "$scene" "$law" "$("$build/skvalp" run "$scene" --law "$law" \
-                --seconds 1 --particles 700 --threads "$1" --json |
+                --seconds 1 --particles 700 --threads "$1" --quiet --json |
                 sed -n 's/.*"hash": *"\([0-9a-f]*\)".*/\1/p')"
         done
     done < <("$build/skvalp" scenes)

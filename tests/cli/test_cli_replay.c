@@ -120,7 +120,7 @@ static void test_no_replay(void **state)
     const struct {
         const char *name, *says;
     } cases[] = {
-        {"none.skvr", "cannot be opened"}, {"text.skvr", "none"}, {"cut.skvr", "cut short"}};
+        {"none.skvr", "cannot be opened"}, {"text.skvr", "not one"}, {"cut.skvr", "cut short"}};
     record(&saved);
     saved.size /= 2;
     write_bytes(folder, "cut.skvr", &saved);
