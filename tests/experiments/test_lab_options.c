@@ -1,4 +1,6 @@
 /* The lab's options as other languages and older programs have them. */
+#include "support/misuse.h"
+
 #include <skvalp/experiments.h>
 
 #include <setjmp.h>
@@ -7,14 +9,6 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-
-static int misuses;
-
-static void count_misuse(const char *condition, const char *file, int line, void *user)
-{
-    (void)condition, (void)file, (void)line, (void)user;
-    misuses++;
-}
 
 /* Options as a program has them that knows only the settings; and as one has them that knows none.
  */
@@ -28,9 +22,9 @@ static void options_are_initialised(void **unused)
     known.setting_count = 1;
     assert_int_equal(skv_lab_check(&known, NULL), SKV_ERROR_VALUE);
     static const skv_lab_options none;
-    skv_set_assert_handler(count_misuse, NULL);
+    misuse_begin(NULL);
     assert_int_equal(skv_lab_check(&none, NULL), SKV_ERROR_VALUE);
-    skv_set_assert_handler(NULL, NULL);
+    misuse_end(NULL);
     assert_int_equal(misuses, 1);
 }
 

@@ -4,6 +4,7 @@
 #include "support/failing_memory.h"
 #include "support/fixture.h"
 #include "support/kept.h"
+#include "support/misuse.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -446,22 +447,15 @@ static void bad_definitions_are_refused(void **unused)
     skv_lab_destroy(NULL);
 }
 
-static void count_misuse(const char *condition, const char *file, int line, void *user)
-{
-    assert_true(condition && file && line > 0);
-    ++*(int *)user;
-}
-
 static void uninitialised_definitions_are_asserted(void **unused)
 {
     (void)unused;
-    int misuses = 0;
     skv_lab *lab = new_lab();
-    skv_set_assert_handler(count_misuse, &misuses);
+    misuse_begin(NULL);
     skv_instrument_def def = {.x0 = 1};
     skv_instrument id;
     assert_int_equal(skv_lab_add(lab, &def, &id, NULL), SKV_ERROR_VALUE);
-    skv_set_assert_handler(NULL, NULL);
+    misuse_end(NULL);
     assert_int_equal(misuses, 1);
     skv_lab_destroy(lab);
 }

@@ -1,6 +1,8 @@
 /* Definitions as other languages and older programs have them: filled in where they lie, as far as
  * their program knows them; and refused where nobody has. Memory is given to the byte, so that a
  * sanitizer notices what is read or written beyond it. */
+#include "support/misuse.h"
+
 #include <skvalp/skvalp.h>
 
 #include <setjmp.h>
@@ -14,30 +16,6 @@
 
 #include "skvalp/player.h"
 #include "skvalp/stage.h"
-
-static int misuses;
-
-static void count_misuse(const char *condition, const char *file, int line, void *user)
-{
-    (void)file, (void)line, (void)user;
-    assert_non_null(condition);
-    misuses++;
-}
-
-static int begin_misuse(void **unused)
-{
-    (void)unused;
-    misuses = 0;
-    skv_set_assert_handler(count_misuse, NULL);
-    return 0;
-}
-
-static int end_misuse(void **unused)
-{
-    (void)unused;
-    skv_set_assert_handler(NULL, NULL);
-    return 0;
-}
 
 /* ---- What is written --------------------------------------------------------------------------
  */
@@ -294,13 +272,13 @@ static void who_initialised_nothing_is_told(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(nothing_is_written_beyond_the_size, begin_misuse,
-                                        end_misuse),
-        cmocka_unit_test_setup_teardown(init_gives_what_the_default_is, begin_misuse, end_misuse),
-        cmocka_unit_test_setup_teardown(an_older_program_makes_a_world, begin_misuse, end_misuse),
-        cmocka_unit_test_setup_teardown(an_older_program_measures_and_plays, begin_misuse,
-                                        end_misuse),
-        cmocka_unit_test_setup_teardown(who_initialised_nothing_is_told, begin_misuse, end_misuse),
+        cmocka_unit_test_setup_teardown(nothing_is_written_beyond_the_size, misuse_begin,
+                                        misuse_end),
+        cmocka_unit_test_setup_teardown(init_gives_what_the_default_is, misuse_begin, misuse_end),
+        cmocka_unit_test_setup_teardown(an_older_program_makes_a_world, misuse_begin, misuse_end),
+        cmocka_unit_test_setup_teardown(an_older_program_measures_and_plays, misuse_begin,
+                                        misuse_end),
+        cmocka_unit_test_setup_teardown(who_initialised_nothing_is_told, misuse_begin, misuse_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,6 +54,27 @@ static uint8_t paint(int kind, int x, int y, dice *d)
     return (uint8_t)(255 * fmin(1, fmax(0, share)) + 0.5);
 }
 
+/* What is tested: the distances of all pixels, to be freed. */
+static float *find_distances(const skv_coverage *coverage)
+{
+    float *field = calloc((size_t)coverage->columns * (size_t)coverage->rows, sizeof *field);
+    assert_int_equal(skv_distance_fill(coverage, 1, NULL, field, NULL, NULL), SKV_OK);
+    return field;
+}
+
+/* What it is tested by: the segments of all cells, to be freed. */
+static skv_wall_segment *find_segments(const skv_coverage *coverage, int *count)
+{
+    size_t pixels = (size_t)coverage->columns * (size_t)coverage->rows;
+    skv_wall_segment *segments = calloc(2 * pixels, sizeof *segments);
+    *count = 0;
+    for (int y = 0; y + 1 < coverage->rows; y++) {
+        for (int x = 0; x + 1 < coverage->columns; x++)
+            *count += skv_cell_segments(coverage, x, y, segments + *count);
+    }
+    return segments;
+}
+
 /* Each distance is the exact one, up to rounding, or the reach. */
 static void transform_matches_brute_force(void **state)
 {
@@ -71,14 +92,9 @@ static void transform_matches_brute_force(void **state)
         size_t pixels = (size_t)side * (size_t)side;
         skv_coverage coverage = {side, side, calloc(pixels, 1)};
         skv_coverage_fill(&def, &coverage);
-        float *field = calloc(pixels, sizeof *field);
-        skv_wall_segment *segments = calloc(2 * pixels, sizeof *segments);
-        assert_int_equal(skv_distance_fill(&coverage, 1, NULL, field, NULL, NULL), SKV_OK);
-        int count = 0;
-        for (int y = 0; y + 1 < coverage.rows; y++) {
-            for (int x = 0; x + 1 < coverage.columns; x++)
-                count += skv_cell_segments(&coverage, x, y, segments + count);
-        }
+        float *field = find_distances(&coverage);
+        int count;
+        skv_wall_segment *segments = find_segments(&coverage, &count);
         for (size_t i = 0; i < pixels; i++) {
             double best = SKV_TERRAIN_REACH;
             double x = (double)(i % (size_t)coverage.columns);
@@ -163,14 +179,9 @@ static void dense_walls_give_the_same_bits(void **state)
     for (int kind = 0; kind < DENSE_KINDS; kind++) {
         skv_coverage coverage = make_dense(kind, 96);
         size_t pixels = (size_t)coverage.columns * (size_t)coverage.rows;
-        float *field = calloc(pixels, sizeof *field);
-        skv_wall_segment *segments = calloc(2 * pixels, sizeof *segments);
-        assert_int_equal(skv_distance_fill(&coverage, 1, NULL, field, NULL, NULL), SKV_OK);
-        int count = 0;
-        for (int y = 0; y + 1 < coverage.rows; y++) {
-            for (int x = 0; x + 1 < coverage.columns; x++)
-                count += skv_cell_segments(&coverage, x, y, segments + count);
-        }
+        float *field = find_distances(&coverage);
+        int count;
+        skv_wall_segment *segments = find_segments(&coverage, &count);
         for (size_t i = 0; i < pixels; i++) {
             float least = SKV_TERRAIN_REACH * SKV_TERRAIN_REACH;
             float x = (float)(i % (size_t)coverage.columns);

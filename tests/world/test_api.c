@@ -1,5 +1,6 @@
 /* The world's boundary: definitions, hostile numbers, misuse, capacity, open sides, queries. */
 #include "support/fixture.h"
+#include "support/misuse.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -10,17 +11,6 @@
 #include <string.h>
 
 #include <cmocka.h>
-
-static int misuses;
-
-static void count_misuse(const char *condition, const char *file, int line, void *user)
-{
-    (void)condition;
-    (void)file;
-    (void)line;
-    (void)user;
-    misuses++;
-}
 
 static void expect_refused(skv_world_def def, const char *named)
 {
@@ -150,8 +140,7 @@ static void allowed_violence_is_survived(void **unused)
 static void misuse_reaches_the_handler(void **unused)
 {
     (void)unused;
-    skv_set_assert_handler(count_misuse, NULL);
-    misuses = 0;
+    misuse_begin(NULL);
     float gx = 0, gy = 0;
     assert_int_equal(skv_world_step(NULL, 1, NULL), SKV_ERROR_VALUE);
     assert_int_equal(skv_world_particle_count(NULL), 0);
@@ -170,7 +159,7 @@ static void misuse_reaches_the_handler(void **unused)
     def.fluid.cookie = 1;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_ERROR_VALUE);
     assert_int_equal(misuses, 11);
-    skv_set_assert_handler(NULL, NULL);
+    misuse_end(NULL);
     skv_world_destroy(NULL);
 }
 

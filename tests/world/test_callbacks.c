@@ -3,6 +3,7 @@
  */
 #include "support/fixture.h"
 #include "support/host.h"
+#include "support/misuse.h"
 
 #include <setjmp.h>
 #include <signal.h>
@@ -16,29 +17,6 @@
 #include <unistd.h>
 
 #include <cmocka.h>
-
-static int misuses;
-
-static void count_misuse(const char *condition, const char *file, int line, void *user)
-{
-    (void)condition, (void)file, (void)line, (void)user;
-    misuses++;
-}
-
-static int begin_misuse(void **unused)
-{
-    (void)unused;
-    misuses = 0;
-    skv_set_assert_handler(count_misuse, NULL);
-    return 0;
-}
-
-static int end_misuse(void **unused)
-{
-    (void)unused;
-    skv_set_assert_handler(NULL, NULL);
-    return 0;
-}
 
 /* What no callback may do; returns how many calls were refused. */
 static int try_to_go_on(skv_world *world)
@@ -404,12 +382,12 @@ static void the_default_handler_says_what_is_wrong(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(a_logger_reads_at_most, begin_misuse, end_misuse),
-        cmocka_unit_test_setup_teardown(inside_reads_at_most, begin_misuse, end_misuse),
-        cmocka_unit_test_setup_teardown(a_count_keeps_its_terrain, begin_misuse, end_misuse),
+        cmocka_unit_test_setup_teardown(a_logger_reads_at_most, misuse_begin, misuse_end),
+        cmocka_unit_test_setup_teardown(inside_reads_at_most, misuse_begin, misuse_end),
+        cmocka_unit_test_setup_teardown(a_count_keeps_its_terrain, misuse_begin, misuse_end),
         cmocka_unit_test_setup_teardown(before_a_substep_the_world_may_change_but_not_go_on,
-                                        begin_misuse, end_misuse),
-        cmocka_unit_test_setup_teardown(lent_threads_change_nothing, begin_misuse, end_misuse),
+                                        misuse_begin, misuse_end),
+        cmocka_unit_test_setup_teardown(lent_threads_change_nothing, misuse_begin, misuse_end),
         cmocka_unit_test(the_default_handler_says_what_is_wrong),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

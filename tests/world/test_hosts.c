@@ -3,6 +3,7 @@
 #include "support/failing_memory.h"
 #include "support/fixture.h"
 #include "support/host.h"
+#include "support/misuse.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -276,14 +277,6 @@ static void a_sleeping_world_still_calls(void **unused)
 }
 
 /* Adds, removes, turns gravity and changes the fluid from within, and tries to step. */
-static int misuses;
-
-static void count_misuse(const char *condition, const char *file, int line, void *user)
-{
-    (void)condition, (void)file, (void)line, (void)user;
-    misuses++;
-}
-
 static void meddle(skv_world *world, float dt, void *user)
 {
     int *calls = user;
@@ -304,8 +297,7 @@ static void meddle(skv_world *world, float dt, void *user)
 static void the_callback_may_change_the_world(void **unused)
 {
     (void)unused;
-    skv_set_assert_handler(count_misuse, NULL);
-    misuses = 0;
+    misuse_begin(NULL);
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
         skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, (skv_solver_kind)solver, 0, 0.04f, 1);
         skv_world *world = fixture_dam_of(&def);
@@ -322,7 +314,7 @@ static void the_callback_may_change_the_world(void **unused)
         misuses = 0;
         skv_world_destroy(world);
     }
-    skv_set_assert_handler(NULL, NULL);
+    misuse_end(NULL);
 }
 
 static void a_step_tells_who_left(void **unused)
