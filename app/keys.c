@@ -165,14 +165,18 @@ static void fill(GtkWidget *box)
     }
 }
 
+/* The toolkit makes a window as wide as the one below it at times only, so its size is asked here.
+ */
 static void on_help(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
                     gpointer parent)
 {
+    int width = MIN(480, gtk_widget_get_width(parent)),
+        height = MIN(560, gtk_widget_get_height(parent));
     GtkWidget *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 9), *clamp = adw_clamp_new();
     GtkWidget *page = gtk_scrolled_window_new();
     GtkWidget *window = g_object_new(GTK_TYPE_WINDOW, "transient-for", parent, "modal", TRUE,
                                      "title", _("Keyboard Shortcuts"), "child", page,
-                                     "default-width", 480, "default-height", 560, NULL);
+                                     "default-width", width, "default-height", height, NULL);
     fill(box);
     gtk_widget_add_css_class(box, "lab");
     adw_clamp_set_child(ADW_CLAMP(clamp), box);

@@ -1,6 +1,7 @@
 /* The door: what the app is like at this moment, told to tests. It is linked with the app's own
  * objects into skvalp-play-tested, so the app that people get has none. Invariant: it looks and
- * never acts, and without SKVALP_DOOR in the environment it does nothing.
+ * never acts, but that no tooltips come up; and without SKVALP_DOOR in the environment it does
+ * nothing.
  *
  * It listens on the Unix socket that SKVALP_DOOR names. Each line that comes is answered by a line
  * of JSON, on the main loop, between two events: the state under the names that the page's
@@ -361,7 +362,15 @@ static gboolean on_caller(G_GNUC_UNUSED GSocketService *service, GSocketConnecti
     return TRUE;
 }
 
-/* Before main, which knows nothing of it. */
+/* No tooltip shows: on X11 a click gets lost when one is just coming up. */
+static gboolean hide_tooltip(G_GNUC_UNUSED GtkWidget *widget, G_GNUC_UNUSED int x,
+                             G_GNUC_UNUSED int y, G_GNUC_UNUSED gboolean by_keyboard,
+                             G_GNUC_UNUSED GtkTooltip *tooltip)
+{
+    return FALSE;
+}
+
+/* Before main, which knows nothing of it, and before classes of widgets copy what this one does. */
 __attribute__((constructor)) static void begin(void)
 {
     const char *path = g_getenv("SKVALP_DOOR");
@@ -376,4 +385,5 @@ __attribute__((constructor)) static void begin(void)
         g_error("no door at %s: %s", path, error->message);
     g_signal_connect(service, "incoming", G_CALLBACK(on_caller), NULL);
     g_object_unref(address);
+    GTK_WIDGET_CLASS(g_type_class_ref(GTK_TYPE_WIDGET))->query_tooltip = hide_tooltip;
 }
