@@ -15,7 +15,7 @@ Usage: ./test.sh            install what is missing, build, run every test; then
        ./test.sh core       what needs no npm, browser, window, GTK or clang: all labels but the
                             last three
        ./test.sh LABEL...   only the tests of these labels, and only what they need:
-           solver     tests/base, camera, terrain, solver, bits
+           solver     tests/base, model, camera, terrain, solver, bits
            world      tests/world, measure
            scene      tests/scene, experiments, fuzz (the inputs that broke something once)
            session    tests/session, link

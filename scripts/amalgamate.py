@@ -3,7 +3,7 @@
 
 Usage: scripts/amalgamate.py FOLDER
 
-skvalp.c holds the platforms, the terrain, both solvers, the world and the measuring, and compiles
+skvalp.c holds the platforms, the model, the terrain, both solvers, the world and the measuring, and compiles
 alone: cc -O2 -c skvalp.c; programs are linked with -lm -pthread. Invariant: the code is that of
 src/. What is file-local there and bears the same name in two files gets its file's name in front.
 The rows' kernels stand there once per instruction set, each with its own names, as the build
@@ -14,7 +14,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LAYERS = ["base", "camera", "terrain", "solver", "world", "measure"]
+LAYERS = ["base", "model", "camera", "terrain", "solver", "world", "measure"]
 PUBLIC = ROOT / "include/skvalp/skvalp.h"
 KERNELS = ROOT / "src/solver/rows/kernels.c"
 SIMD = ROOT / "src/base/simd.h"

@@ -90,7 +90,6 @@ double skv_cos(double x)
 
 double skv_atan2(double y, double x)
 {
-    const double pi = 3.14159265358979323846;
     double across = fabs(x), up = fabs(y), larger = skv_max(across, up);
     if (!(larger > 0))
         return 0;
@@ -103,8 +102,8 @@ double skv_atan2(double y, double x)
         sum = 1.0 / k - square * sum;
     double angle = 8 * t * sum;
     if (up > across)
-        angle = pi / 2 - angle;
+        angle = SKV_PI / 2 - angle;
     if (x < 0)
-        angle = pi - angle;
+        angle = SKV_PI - angle;
     return y < 0 ? -angle : angle;
 }

@@ -5,6 +5,8 @@
 
 #include "base/ieee.h"
 
+#define SKV_PI 3.141592653589793
+
 /* The smaller and the larger of two; b if a is NaN. Not fmin and fmax: of 0 and -0 these may return
  * either, and processors differ. */
 static inline float skv_minf(float a, float b)

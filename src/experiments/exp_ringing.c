@@ -6,6 +6,7 @@
  * the middle, averaged over the same time, gives it by another way, after Laplace: sigma / R. And
  * of the two drops, of the same fluid, the smaller one rings faster by (R2/R1)^(3/2).
  */
+#include "base/exact.h"
 #include "experiments/experiment.h"
 #include "experiments/oscillation.h"
 
@@ -16,7 +17,6 @@ enum { RADIUS, ASPECT };
 enum { C_PRESSURE, C_RADIUS, C_DENSITY, C_START, C_TIME };
 
 #define ROOT2 1.4142135623730951
-#define PI    3.14159265358979323846
 
 typedef struct drop {
     double x, y, radius;
@@ -116,7 +116,7 @@ static void measure(rig *s, findings *found)
     for (int i = 0; i < DROPS; i++) {
         drop *d = &p.drops[i];
         oscillation o = skv_oscillation_read(p.times, d->swing, p.count, 0, HALF_SWINGS);
-        omega[i] = 2 * PI / o.period;
+        omega[i] = 2 * SKV_PI / o.period;
     }
     skv_rig_draw(s);
     double radius = p.drops[0].radius, density = skv_rig_density(s);
@@ -135,7 +135,7 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
     expected->theory[0] = tension;
     expected->theory[1] = sqrt(2 * ROOT2);
     double omega = sqrt(6 * tension / (condition[C_DENSITY] * radius * radius * radius));
-    skv_plot_swing(plot, "Rayleigh, with Laplace's tension", condition[C_START], 2 * PI / omega,
+    skv_plot_swing(plot, "Rayleigh, with Laplace's tension", condition[C_START], 2 * SKV_PI / omega,
                    condition[C_TIME]);
 }
 

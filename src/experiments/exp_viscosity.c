@@ -18,8 +18,6 @@ enum { SIZE, SPEED, NOMINAL };
 #define FROM 0.97
 #define TO   0.3
 
-#define PI 3.141592653589793
-
 static double whirl_x(double k, double x, double y)
 {
     return skv_sin(k * x) * skv_cos(k * y);
@@ -78,7 +76,7 @@ static double slope_of(const line *l)
 /* Lets the whirl die out in a fluid; returns its kinematic viscosity. */
 static double decay(rig *s, double viscosity, skv_plot *plot)
 {
-    double side = skv_rig_length(s, SIZE), k = PI / side;
+    double side = skv_rig_length(s, SIZE), k = SKV_PI / side;
     skv_rig_set(s, "fluid.viscosity", viscosity);
     skv_rig_set(s, "fluid.wall_friction", 0);
     rig_plan plan = {.width = side,
@@ -122,7 +120,7 @@ static void expect(const double *condition, expectation *expected, skv_plot *plo
 {
     expected->theory[0] = condition[0];
     expected->theory[1] = 0;
-    double rate = 2 * condition[0] * PI * PI / (condition[1] * condition[1]);
+    double rate = 2 * condition[0] * SKV_PI * SKV_PI / (condition[1] * condition[1]);
     skv_plot_begin(plot, "theory", SKV_CURVE_THEORY);
     for (int i = 0; i <= 40; i++)
         skv_plot_point(plot, i * 0.05, skv_exp(-rate * i * 0.05));

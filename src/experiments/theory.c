@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
-
 double skv_theory_pressure(double density, double gravity, double depth)
 {
     return density * gravity * depth;
@@ -14,20 +12,20 @@ double skv_theory_pressure(double density, double gravity, double depth)
 
 double skv_theory_u_tube_period(double gravity, double length)
 {
-    return 2 * PI * sqrt(length / (2 * gravity));
+    return 2 * SKV_PI * sqrt(length / (2 * gravity));
 }
 
 double skv_theory_slosh_period(double gravity, double width, double depth)
 {
-    double k = PI / width;
+    double k = SKV_PI / width;
     double square = skv_exp(-2 * skv_min(k * depth, 50)); /* of tanh: e^-x over e^x */
-    return 2 * PI / sqrt(gravity * k * (1 - square) / (1 + square));
+    return 2 * SKV_PI / sqrt(gravity * k * (1 - square) / (1 + square));
 }
 
 double skv_theory_slosh_height(double width, double depth, double slope)
 {
-    double square = skv_exp(-2 * skv_min(PI / width * depth, 50));
-    return slope * PI / 2 * (1 + square) / (1 - square);
+    double square = skv_exp(-2 * skv_min(SKV_PI / width * depth, 50));
+    return slope * SKV_PI / 2 * (1 + square) / (1 - square);
 }
 
 const double skv_theory_slosh_depths[SLOSH_DEPTHS] = {0.05, 0.075, 0.1, 0.125, 0.15, 0.175,
@@ -102,7 +100,7 @@ double skv_theory_jet_speed(double gravity, double head)
 
 double skv_theory_contraction(void)
 {
-    return PI / (PI + 2);
+    return SKV_PI / (SKV_PI + 2);
 }
 
 double skv_theory_buoyancy(double density, double gravity, double area)

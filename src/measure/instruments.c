@@ -10,8 +10,6 @@
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
-
 static double speed_squared(const skv_survey *s, int i)
 {
     double vx = (double)s->vx[i], vy = (double)s->vy[i];
@@ -293,7 +291,7 @@ static void read_waves(const instrument *it, double spacing, double *values)
         return;
     values[HEIGHT] = w.heights / w.waves;
     values[PERIOD] = w.periods / w.waves;
-    values[STEEPNESS] = values[HEIGHT] * sqrt(w.slopes / w.levels) / (2 * PI);
+    values[STEEPNESS] = values[HEIGHT] * sqrt(w.slopes / w.levels) / (2 * SKV_PI);
 }
 
 static skv_result sample_waves(instrument *it, const look *seen, double *values)

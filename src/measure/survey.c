@@ -8,14 +8,13 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "model/kernel.h"
 #include "skvalp/particles.h"
 
 #include <math.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
-/* The kernel (1 - r)^2, r <= 1, along a straight line at distance d < 1 (Simpson's rule). */
+/* The spiky kernel along a straight line at distance d < 1 (Simpson's rule). */
 static double along_line(double d)
 {
     enum { STEPS = 64 };
@@ -23,7 +22,7 @@ static double along_line(double d)
     for (int i = 0; i <= STEPS; i++) {
         double y = half * i / STEPS, q = 1 - sqrt(d * d + y * y);
         double weight = i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2;
-        sum += weight * q * q;
+        sum += weight * skv_kernel_density(SKV_KERNEL_SPIKY, q);
     }
     return 2 * sum * half / (3 * STEPS);
 }
@@ -37,7 +36,7 @@ static void tabulate_beyond_line(double share[SOLID_TABLE + 1])
     for (int i = SOLID_TABLE - 1; i >= 0; i--) {
         double middle = (i + 0.5) * step, away = gauss * step / 2;
         double slice = (along_line(middle - away) + along_line(middle + away)) * step / 2;
-        share[i] = share[i + 1] + slice * 6 / PI;
+        share[i] = share[i + 1] + slice * SKV_SPIKY_WHOLE / SKV_PI;
     }
 }
 
@@ -320,7 +319,7 @@ static moments look_around(const skv_survey *s, double x, double y)
             double r2 = dx * dx + dy * dy;
             if (r2 < 1) {
                 double q = 1 - sqrt(r2);
-                add_particle(&m, s, i, dx, dy, q * q);
+                add_particle(&m, s, i, dx, dy, skv_kernel_density(SKV_KERNEL_SPIKY, q));
             }
         }
     }
@@ -350,7 +349,7 @@ static double plane_at_origin(const moments *m, int k)
 static double fill_of(const skv_survey *s, double weight, double solid)
 {
     double eta = s->h / s->spacing;
-    double share = weight * 6 / (PI * eta * eta);
+    double share = weight * SKV_SPIKY_WHOLE / (SKV_PI * eta * eta);
     return solid < 0.98 ? share / (1 - solid) : 0;
 }
 
@@ -366,7 +365,7 @@ double skv_survey_fill(const skv_survey *s, double x, double y)
             double r2 = dx * dx + dy * dy;
             if (r2 < 1) {
                 double q = 1 - sqrt(r2);
-                weight += q * q;
+                weight += skv_kernel_density(SKV_KERNEL_SPIKY, q);
             }
         }
     }

@@ -3,7 +3,7 @@
 #ifndef SKV_SOLVER_CONSTANTS_H
 #define SKV_SOLVER_CONSTANTS_H
 
-#include "base/kernels.h"
+#include "model/kernel.h"
 
 #include <stdbool.h>
 
@@ -31,7 +31,7 @@ typedef struct skv_constants {
     float push_scale;      /* calibrated: omega h/gain; clavet: dt^2 k/2; m */
     float near_push_scale; /* the same for the near density; m */
     float push_limit;      /* clavet: bound of rho N, m */
-    float wall_virial;     /* distance times push of a smooth solid, per h R */
+    float wall_virial;     /* distance times push of a smooth solid, per h R: 2/gain */
     float loose_push;      /* P of a particle that no wall holds up, at most; m */
     /* Calibrated law alone. */
     float warm_start; /* share of the last substep's push with which the next one starts; 0: cold */

@@ -22,6 +22,8 @@
 #ifndef SKV_SOLVER_WALL_IMAGE_H
 #define SKV_SOLVER_WALL_IMAGE_H
 
+#include "model/kernel.h"
+
 /* D of what is farther than h from any wall: its square does not overflow. */
 #define SKV_FAR 1e9f
 
@@ -36,35 +38,16 @@
 #define SKV_TOUCH 0.067f
 #define SKV_FREE  0.43f
 
-/* The share of the kernel in the solid at a distance from a flat wall; within 0.0005. */
-static inline float skv_flat_share(float distance)
-{
-    float left = distance < 1 ? 1 - distance : 0;
-    return left * left * left * (0.50011f + distance * (0.23053f - 0.92175f * distance));
-}
-
-/* How steeply it falls; within 0.001. */
-static inline float skv_flat_slope(float distance)
-{
-    float left = distance < 1 ? 1 - distance : 0;
-    float bend = 3.79846f + distance * (1.25245f - 4.08331f * distance);
-    return left * left * left * (1.27397f + distance * bend);
-}
-
 /* How much of the slip beside a wall a substep takes: friction, whole where a particle touches the
  * wall and fading towards the second layer; and viscosity, for a fluid whose pairs have the
- * strength `drag` there. The solid's part of the pairs, which rest and mirror the slip: beside a
- * flat wall int q (T/r)^2 X/d over the solid, T along it, X across it and d the distance, is within
- * 4 % share (0.5 - 0.4 share) / (1 - 2 share). */
+ * strength `drag` there. */
 static inline float skv_wall_grip(float friction, float drag, float distance)
 {
     float touch = (SKV_FREE - distance) / (SKV_FREE - SKV_TOUCH);
     touch = touch < 0 ? 0 : touch < 1 ? touch : 1;
     float grip = friction * (touch * touch);
-    if (drag > 0) {
-        float share = skv_flat_share(distance);
-        grip += share < 0.49f ? drag * share * (0.5f - 0.4f * share) / (1 - 2 * share) : 1;
-    }
+    if (drag > 0)
+        grip += skv_flat_drag(drag, distance);
     return grip < 1 ? grip : 1;
 }
 

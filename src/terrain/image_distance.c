@@ -14,21 +14,6 @@
 
 static const double step = 1.0 / SKV_IMAGE_RADIUS;
 
-/* The share of the kernel on a line at distance y from its middle: W = 1 - 6r^2 + 8r^3 - 3r^4,
- * integrated over x from 0 to the radius, twice, against pi/5 over the disc. */
-static double fall_at(double y)
-{
-    const double disc = 0.6283185307179586;
-    double y2 = y * y, c2 = 1 - y2;
-    if (!(c2 > 0))
-        return 0;
-    double c = sqrt(c2), logarithm = y > 0 ? skv_log((c + 1) / y) : 0;
-    double square = c * (c2 / 3 + y2);
-    double cube = c / 4 + 0.375 * y2 * (c + y2 * logarithm);
-    double fourth = c * (c2 * c2 / 5 + 2 * y2 * c2 / 3 + y2 * y2);
-    return 2 * (c - 6 * square + 8 * cube - 3 * fourth) / disc;
-}
-
 /* Blurs the fall by two cells beside each other: a triangle. */
 static void blur(double fall[SKV_IMAGE_STEPS + 1])
 {
@@ -47,7 +32,7 @@ static void blur(double fall[SKV_IMAGE_STEPS + 1])
 void skv_image_law_make(bool cells, skv_image_law *law)
 {
     for (int i = 0; i <= SKV_IMAGE_STEPS; i++)
-        law->fall[i] = fall_at(i * step);
+        law->fall[i] = skv_kernel_fall(i * step);
     if (cells)
         blur(law->fall);
     law->share[SKV_IMAGE_STEPS] = 0;

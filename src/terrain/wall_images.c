@@ -77,7 +77,7 @@ static void find_distance(const images *m, bool seen, const float *wall, float *
     const double full = (double)m->b.map->kernel.full[SKV_WALL_R];
     const skv_image_law *law = seen ? &m->seen_law : &m->law;
     double slope, d = skv_image_distance(law, (double)wall[SKV_WALL_R] / full, &slope);
-    double gain = slope * skv_kernel_gain(SKV_KERNEL_SMOOTH) / full;
+    double gain = slope * SKV_SMOOTH_GAIN / full;
     image[SKV_IMAGE_DISTANCE] = (float)d;
     image[SKV_IMAGE_NX] = (float)(gain * (double)wall[SKV_WALL_F1X]);
     image[SKV_IMAGE_NY] = (float)(gain * (double)wall[SKV_WALL_F1Y]);
@@ -238,7 +238,7 @@ static void add_cells(const images *m, const window *w, const place *p, int i, i
     _Pragma("GCC unroll 1") for (int lane = 0; lane < LANES; lane++)
     {
         float push = free[lane] * (q[lane] * q[lane]);
-        s->density[lane] += push * (q[lane] * (4 - 3 * q[lane]));
+        s->density[lane] += push * (q[lane] * (SKV_SMOOTH_CUBES - SKV_SMOOTH_QUARTICS * q[lane]));
         s->x[lane] -= push * x[lane];
         s->y[lane] -= push * y;
         s->mirror[lane] += push * distance[lane];

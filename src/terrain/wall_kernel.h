@@ -2,7 +2,7 @@
 #ifndef SKV_TERRAIN_WALL_KERNEL_H
 #define SKV_TERRAIN_WALL_KERNEL_H
 
-#include "base/kernels.h"
+#include "model/kernel.h"
 
 /* Map cells a smoothing radius. Ten is enough: finer buys nothing, below seven it shows. */
 #define SKV_WALL_REACH 10

@@ -36,33 +36,26 @@ void skv_shadow_rays_make(skv_shadow_rays *rays)
     }
 }
 
-/* Adds a ray that sees as far as `sight` radii: with u = 1 - r the integrals of the kernels W(u),
- * u^3, F(u) and u^2 times r dr from there to 1. */
+/* Adds a ray that sees as far as `sight` radii. */
 static void add_ray(skv_kernel pressure, double x, double y, double sight,
                     double sums[SKV_WALL_MAPS])
 {
-    double u = 1 - sight;
-    if (!(u > 0))
+    if (!(1 - sight > 0))
         return;
-    double u2 = u * u, u3 = u2 * u, u4 = u2 * u2, u5 = u4 * u;
-    double density = u3 / 3 - u4 / 4, push = u2 / 2 - u3 / 3, near_push = u3 / 3 - u4 / 4;
-    if (pressure == SKV_KERNEL_SMOOTH) {
-        density = u4 - 1.4 * u5 + u3 * u3 / 2;
-        push = u3 / 3 - u4 / 2 + u5 / 5;
-    }
-    sums[SKV_WALL_R] += density;
-    sums[SKV_WALL_RN] += u4 / 4 - u5 / 5;
+    skv_kernel_ray beyond = skv_kernel_beyond(pressure, sight);
+    sums[SKV_WALL_R] += beyond.density;
+    sums[SKV_WALL_RN] += beyond.near_density;
     /* The push points from the wall to the particle. */
-    sums[SKV_WALL_F1X] -= x * push;
-    sums[SKV_WALL_F1Y] -= y * push;
-    sums[SKV_WALL_F2X] -= x * near_push;
-    sums[SKV_WALL_F2Y] -= y * near_push;
+    sums[SKV_WALL_F1X] -= x * beyond.push;
+    sums[SKV_WALL_F1Y] -= y * beyond.push;
+    sums[SKV_WALL_F2X] -= x * beyond.near_push;
+    sums[SKV_WALL_F2Y] -= y * beyond.near_push;
 }
 
 static void finish(const double sums[SKV_WALL_MAPS], double particles_per_square_radius,
                    float values[SKV_WALL_MAPS])
 {
-    const double turn = 6.283185307179586;
+    const double turn = 2 * SKV_PI;
     for (int k = 0; k < SKV_WALL_MAPS; k++)
         values[k] = (float)(particles_per_square_radius * turn / SKV_SHADOW_RAYS * sums[k]);
 }

@@ -5,12 +5,11 @@
  * sources are in docs/model.md.
  */
 #include "base/exact.h"
-#include "solver/lattice.h"
+#include "model/lattice.h"
 #include "world/world_internal.h"
 
 #include <math.h>
 
-#define PI               3.141592653589793
 #define FRAME            (1.0 / 60) /* s: rates "a frame" are meant for this time */
 #define COMPRESSION      0.04       /* allowed at the expected depth, calibrated law */
 #define CLAVET_LOAD      0.006      /* g H dt^2 / h^2 that the clavet law carries */
@@ -73,8 +72,7 @@ static double relaxation(const skv_fluid_def *f)
  * push with k C/2. */
 static double effective_stiffness(const skv_fluid_def *f, double h, double dt, double response)
 {
-    double gain = skv_kernel_gain(SKV_KERNEL_SMOOTH);
-    return 2 * relaxation(f) * f->iterations * h / (gain * dt * dt * response);
+    return 2 * relaxation(f) * f->iterations * h / (SKV_SMOOTH_GAIN * dt * dt * response);
 }
 
 /* sigma of all the fluid's linear viscosity, 1/s. A pair at distance r in a shear flow of rate g
@@ -87,7 +85,7 @@ static double linear_viscosity(const skv_fluid_def *f)
     double eta = (double)f->radius_ratio, h = (double)f->spacing * eta;
     double sigma = (double)f->viscosity_linear;
     if ((double)f->viscosity >= LEAST_VISCOSITY)
-        sigma += 640 / PI * (double)f->viscosity / (eta * eta * h * h);
+        sigma += SKV_VISCOUS / SKV_PI * (double)f->viscosity / (eta * eta * h * h);
     return sigma;
 }
 
@@ -158,7 +156,7 @@ double skv_speed_of_sound(const skv_fluid_def *f, double dt)
 double skv_surface_gradient(const skv_fluid_def *f)
 {
     double eta = (double)f->radius_ratio;
-    return eta * eta / (skv_law_kernel(f->law) == SKV_KERNEL_SMOOTH ? 15 : 3);
+    return eta * eta / skv_kernel_flat(skv_law_kernel(f->law));
 }
 
 /* What the clavet law's fluid pushes with at rest, in a lattice that takes so many times its area
@@ -194,11 +192,9 @@ static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
     double viscosity = linear_viscosity(f), friction = (double)f->wall_friction;
     double sticks = friction < STICKS ? friction / STICKS : 1, eta = (double)f->radius_ratio;
     c->images = true;
-    /* Over all of space n0 int W is pi/5 eta^2 and n0 int q^3 half of that; r F and r q^2 make a
-     * sixth and two thirds of them. */
-    c->image_gradient = (float)(PI / 5 * eta * eta / skv_kernel_gain(SKV_KERNEL_SMOOTH));
-    c->image_virial = (float)(PI / 15 * eta * eta);
-    c->image_near_virial = (float)(PI * 2 / 15 * eta * eta);
+    c->image_gradient = (float)(SKV_PI / SKV_SMOOTH_WHOLE * eta * eta / SKV_SMOOTH_GAIN);
+    c->image_virial = (float)(2 * SKV_PI / SKV_SMOOTH_VIRIAL * eta * eta);
+    c->image_near_virial = (float)(2 * SKV_PI / SKV_NEAR_VIRIAL * eta * eta);
     /* In a corner D is near 0 and nearly even, so images do not hold a particle off its walls, and
      * those around push it in. The rest of the solid holds it off if it is a crowd; that of the
      * lattice is none. Of 1.6 to 2.7 all do much the same. */
@@ -219,7 +215,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->lag_rise = (float)(dt * dt / (LAG_FROM * LAG_FROM * h * h));
     c->rest_density = (float)rest;
     c->warm_most = WARM_MOST;
-    c->push_scale = (float)(relaxation(f) * h / skv_kernel_gain(SKV_KERNEL_SMOOTH));
+    c->push_scale = (float)(relaxation(f) * h / SKV_SMOOTH_GAIN);
     c->response_slope = (float)(lattice.response / rest);
     c->response_floor = (float)lattice.response;
     c->near_push_scale = (float)(half * (double)f->near_stiffness);
@@ -230,8 +226,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->cohesion_slope = (float)(1 / ((COHESION_FULL - COHESION_FROM) * rest));
     c->tension_scale = (float)(dt * dt * COHESION_TENSION * cohesion);
     c->tension_from = (float)(TENSION_FROM * skv_surface_gradient(f));
-    /* n0 int r F over the solid against h R: 1/60 against 1/10, where the kernel is half full. */
-    c->wall_virial = 1.0f / 6;
+    c->wall_virial = 2.0f / SKV_SMOOTH_GAIN;
     c->loose_push = (float)h;
     skv_set_stiffness(c, 1);
     if (skv_has_images(f))
@@ -245,7 +240,7 @@ static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
     c->push_scale = (float)(0.5 * (double)f->clavet_stiffness * h);
     c->near_push_scale = (float)(0.5 * (double)f->clavet_near_stiffness * h);
     c->push_limit = (float)(CLAVET_LIMIT * h);
-    c->wall_virial = 1;
+    c->wall_virial = 2.0f / SKV_SPIKY_GAIN;
     skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SPIKY, (double)f->radius_ratio);
     c->loose_push =
         c->push_scale * (float)(CLAVET_LOOSE * lattice.density - (double)f->clavet_rest_density);

@@ -3,7 +3,7 @@
  * bits.
  */
 #include "base/assert.h"
-#include "solver/lattice.h"
+#include "model/lattice.h"
 #include "solver/reference/neighbours.h"
 #include "solver/reference/pair.h"
 #include "world/world_internal.h"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The layering rule: base <- terrain, camera <- solver <- world <- measure, scene, render; experiments
-# and session stand on measure and scene, the faces on all of them. A file includes only what stands
+# The layering rule: base <- model <- terrain <- solver <- world <- measure, scene, render; base <- camera
+# <- world; experiments and session stand on measure and scene, the faces on all of them. A file includes only what stands
 # left of it, and nothing goes round in a circle; the faces know public headers only, the experiments besides their own only those of
 # base; the core needs nothing but the C library and threads. The web's modules go ui -> simulation ->
 # src. Arguments: build folder, source folder.
@@ -13,11 +13,12 @@ trap 'rm -f "$calls"' EXIT
 # What each layer may include, itself first; skvalp.h is the core's headers in one.
 declare -A may=(
     [base]="base"
-    [solver]="solver terrain base"
-    [terrain]="terrain base"
+    [model]="model base"
+    [solver]="solver terrain model base"
+    [terrain]="terrain model base"
     [camera]="camera base"
-    [world]="world solver terrain base"
-    [measure]="measure world solver terrain base"
+    [world]="world solver terrain model base"
+    [measure]="measure world solver terrain model base"
     [skvalp]="base camera terrain world measure"
     [scene]="scene world solver terrain base"
     [render]="render camera world solver terrain base"
@@ -31,6 +32,7 @@ core_system=' float limits math stdarg stdatomic stdbool stddef stdint string im
  arm_neon wasm_simd128 '
 declare -A system=(
     [base]=$core_system
+    [model]=$core_system
     [solver]=$core_system
     [terrain]=$core_system
     [camera]=$core_system

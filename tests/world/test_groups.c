@@ -1,6 +1,6 @@
 /* One to seven particles alone, without gravity: what they gain in speed they have had as energy
  * of position; nothing comes from nothing. Pairs and triples don't draw together. */
-#include "solver/lattice.h"
+#include "model/lattice.h"
 #include "support/fixture.h"
 
 #include <math.h>

@@ -1,7 +1,5 @@
-/* Walls by images: the shares beside a flat wall against their definition, what the walls read of a
- * pool at rest in single layers, and that the clavet law does not know them. */
-#include "base/kernels.h"
-#include "solver/wall_image.h"
+/* Walls by images: what the walls read of a pool at rest in single layers, and that the clavet law
+ * does not know them. */
 #include "support/fixture.h"
 #include "world/world_internal.h"
 
@@ -18,33 +16,6 @@ static skv_world_def imaged_def(skv_law law, float spacing)
     skv_world_def def = fixture_def(law, SKV_SOLVER_FAST, 0, spacing, 1);
     def.fluid.wall_images = true;
     return def;
-}
-
-/* The kernel along a line that passes its middle at a distance, by strips. */
-static double line_at(double distance)
-{
-    enum { STRIPS = 400 };
-    double sum = 0, reach = sqrt(1 - distance * distance);
-    for (int k = 0; k < STRIPS; k++)
-        sum +=
-            skv_kernel_density(SKV_KERNEL_SMOOTH, 1 - hypot(distance, reach * (k + 0.5) / STRIPS));
-    return 2 * reach / STRIPS * sum;
-}
-
-static void flat_shares_are_the_kernels(void **unused)
-{
-    (void)unused;
-    enum { PARTS = 500 };
-    const double whole = 3.141592653589793 / 5;
-    double share = 0;
-    for (int k = PARTS - 1; k >= 0; k--) {
-        double middle = (k + 0.5) / PARTS, line = line_at(middle) / whole;
-        share += line / PARTS;
-        assert_true(fabs((double)skv_flat_slope((float)middle) - line) < 0.002);
-        assert_true(fabs((double)skv_flat_share((float)k / PARTS) - share) < 0.001);
-    }
-    assert_true(skv_flat_share(1) == 0 && skv_flat_slope(1) == 0);
-    assert_true(skv_flat_share(SKV_FAR) == 0 && skv_flat_slope(SKV_FAR) == 0);
 }
 
 enum { LAYERS = 12, FRAMES = 180 };
@@ -146,7 +117,6 @@ static void the_clavet_law_has_none(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(flat_shares_are_the_kernels),
         cmocka_unit_test(single_layers_read_their_depth),
         cmocka_unit_test(corners_do_not_shake),
         cmocka_unit_test(the_clavet_law_has_none),

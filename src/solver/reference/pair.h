@@ -55,7 +55,7 @@ static inline float skv_density_ahead(const skv_pass_data *s, const skv_constant
 {
     float apart =
         (s->behind_x[j] - s->behind_x[i]) * pair->ux + (s->behind_y[j] - s->behind_y[i]) * pair->uy;
-    return -12 * (1 - pair->q) * (apart * c->inv_h);
+    return -SKV_SMOOTH_GAIN * (1 - pair->q) * (apart * c->inv_h);
 }
 
 /* q of the image of j as seen from i, whose pair has q: wall_image.h; 0 if there is none. */
@@ -73,17 +73,6 @@ static inline float skv_own_image_of(const skv_pass_data *s, const skv_constants
 {
     float q = c->images ? 1 - 2 * s->image[i] : 0;
     return q > 0 ? q : 0;
-}
-
-/* The density kernel W and its force kernel F, see base/kernels.h. */
-static inline float skv_pair_density(const skv_constants *c, float q)
-{
-    return c->kernel == SKV_KERNEL_SMOOTH ? q * q * q * (4 - 3 * q) : q * q;
-}
-
-static inline float skv_pair_force(const skv_constants *c, float q)
-{
-    return c->kernel == SKV_KERNEL_SMOOTH ? (1 - q) * (q * q) : q;
 }
 
 #endif

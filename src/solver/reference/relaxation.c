@@ -24,17 +24,18 @@ void skv_pass_density(const skv_substep *sub, int begin, int end)
             skv_pair pair;
             if (!skv_pair_of(s, c, i, n->list[k], &pair))
                 continue;
-            float force = skv_pair_force(c, pair.q);
+            float force = skv_kernel_forcef(c->kernel, pair.q);
             float image = skv_image_of(s, c, i, n->list[k], pair.q);
             float ahead = skv_density_ahead(s, c, i, n->list[k], &pair);
-            density += skv_pair_density(c, pair.q) + skv_pair_density(c, image);
+            density +=
+                skv_kernel_densityf(c->kernel, pair.q) + skv_kernel_densityf(c->kernel, image);
             density += (pair.q * pair.q + image * image) * ahead;
             near_density += pair.q * pair.q * pair.q + image * image * image;
             gx += force * pair.ux;
             gy += force * pair.uy;
         }
         float own = skv_own_image_of(s, c, i);
-        s->density[i] = density + (s->wall_density[i] + skv_pair_density(c, own));
+        s->density[i] = density + (s->wall_density[i] + skv_kernel_densityf(c->kernel, own));
         s->near_density[i] = near_density + (s->wall_near[i] + own * own * own);
         if (sub->first && !c->clavet) {
             float flat = c->image_gradient * skv_flat_slope(s->image[i]);
@@ -83,7 +84,7 @@ void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
             before = 0;
         }
         s->warm_push[i] = before + push / square;
-        s->push[i] = push - (pull + 4 * c->near_share * near_push) / response;
+        s->push[i] = push - (pull + SKV_NEAR_WEIGHT * c->near_share * near_push) / response;
         s->near_push[i] = near_push / response;
     }
 }
@@ -126,9 +127,9 @@ static void add_solid(const skv_substep *sub, int i, float virial)
     s->dx[i] += wall_x;
     s->dy[i] += wall_y;
     skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
-    /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
+    /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
     virial += c->wall_virial * s->push[i] * s->wall_density[i] +
-              2.0f / 3 * s->near_push[i] * s->wall_near[i];
+              2.0f / SKV_NEAR_GAIN * s->near_push[i] * s->wall_near[i];
     s->pressure[i] += c->pressure_scale * c->h * virial;
 }
 
@@ -139,7 +140,7 @@ static void add_imaged(const skv_substep *sub, int i, float out)
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
     float push = s->push[i], near_push = s->near_push[i], own = skv_own_image_of(s, c, i);
-    out += 2 * (push * skv_pair_force(c, own) + near_push * (own * own));
+    out += 2 * (push * skv_kernel_forcef(c->kernel, own) + near_push * (own * own));
     float wall_x = push * s->f1x[i] + near_push * s->f2x[i] + out * s->facing_x[i];
     float wall_y = push * s->f1y[i] + near_push * s->f2y[i] + out * s->facing_y[i];
     float gx, gy;
@@ -172,7 +173,8 @@ void skv_pass_displacement(const skv_substep *sub, int begin, int end)
             if (!skv_pair_of(s, c, i, j, &pair))
                 continue;
             float push = s->push[i] + s->push[j], near_push = s->near_push[i] + s->near_push[j];
-            float size = push * skv_pair_force(c, pair.q) + near_push * (pair.q * pair.q);
+            float size =
+                push * skv_kernel_forcef(c->kernel, pair.q) + near_push * (pair.q * pair.q);
             virial += (1 - pair.q) * size;
             float image = skv_image_of(s, c, i, j, pair.q);
             if (image > 0) {

@@ -102,8 +102,8 @@ static void sample_image(const skv_substep *sub, int i)
     s->wall_near[i] = share * s->wall_density[i];
     s->f1x[i] = near ? wall.f1x : 0;
     s->f1y[i] = near ? wall.f1y : 0;
-    s->f2x[i] = 4 * share * s->f1x[i];
-    s->f2y[i] = 4 * share * s->f1y[i];
+    s->f2x[i] = SKV_NEAR_WEIGHT * share * s->f1x[i];
+    s->f2y[i] = SKV_NEAR_WEIGHT * share * s->f1y[i];
 }
 
 void skv_pass_walls(const skv_substep *sub, int begin, int end)

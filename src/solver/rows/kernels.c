@@ -56,12 +56,13 @@ V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
 static void prepare(const skv_rows *s, int row, const skv_row_constants *c)
 {
     const skv_row_particles *p = &s->set[s->current];
-    const v8 four = v8_set(4), until = v8_set(c->tension_until), far = v8_set(SKV_FAR);
+    const v8 gain = v8_set(SKV_SMOOTH_GAIN / SKV_SMOOTH_QUARTICS), until = v8_set(c->tension_until),
+             far = v8_set(SKV_FAR);
     int begin = s->row_start[row], end = skv_row_padded_end(s->row_end[row]);
     begin_graded(s, row);
     for (int i = begin; i < end; i += ROW_LANES) {
         v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
-        v8 scale = v8_mul(four, lag_of_eight(u, v, c));
+        v8 scale = v8_mul(gain, lag_of_eight(u, v, c));
         v8_store(s->ahead_x + i, v8_mul(scale, u));
         v8_store(s->ahead_y + i, v8_mul(scale, v));
         v8_store(s->image + i, far);
@@ -151,18 +152,14 @@ V8_INLINE void for_walls(const skv_rows *s, int row, const skv_row_constants *c,
     }
 }
 
-/* The density kernel W of the calibrated law. */
-V8_INLINE float smooth(float q)
-{
-    return q * q * q * (4 - 3 * q);
-}
-
 /* Adds what is no pair to a particle's sums. The calibrated law's are those of q^3 and q^4, of
- * which its density is 4 and -3. */
+ * which its density is made. */
 V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_row_constants *c, float density,
                            float near_density)
 {
-    s->own.density[i] += c->clavet ? density : (4 * near_density - density) * (1.0f / 3);
+    s->own.density[i] +=
+        c->clavet ? density
+                  : (SKV_SMOOTH_CUBES * near_density - density) * (1.0f / SKV_SMOOTH_QUARTICS);
     s->own.near_density[i] += near_density;
 }
 
@@ -185,7 +182,8 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
     const skv_image_sample *image = &wall->at.image;
     float q = 1 - 2 * image->distance;
     q = q > 0 ? q : 0;
-    add_to_sums(s, i, c, image->r + smooth(q), c->leftover_share * image->r + q * q * q);
+    add_to_sums(s, i, c, image->r + skv_kernel_densityf(SKV_KERNEL_SMOOTH, q),
+                c->leftover_share * image->r + q * q * q);
     if (graded) {
         float flat = c->image_gradient * skv_flat_slope(image->distance);
         own->gradient_x[i] -= image->f1x + flat * image->nx;
@@ -245,11 +243,12 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
     const v8 from = v8_set(c->cohesion_from), slope = v8_set(c->cohesion_slope);
     const v8 below = v8_set(c->cohesion_below), share = v8_set(c->near_share);
     const v8 near_push = v8_set(c->near_push_scale);
-    const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(4 * c->near_share);
+    const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(SKV_NEAR_WEIGHT * c->near_share);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
         v8 quartic = collected(s->own.density + i, s->next.density + i);
-        v8 density = v8_sub(v8_mul(v8_set(4), near_density), v8_mul(v8_set(3), quartic));
+        v8 density = v8_sub(v8_mul(v8_set(SKV_SMOOTH_CUBES), near_density),
+                            v8_mul(v8_set(SKV_SMOOTH_QUARTICS), quartic));
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
@@ -300,7 +299,7 @@ static v8 fullness(const skv_rows *s, int i, const skv_row_constants *c)
 {
     const v8 scale = v8_set(c->response_slope / c->push_scale), one = v8_set(1);
     const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
-    v8 push = v8_mul(v8_set(4 * c->near_share), v8_load(s->near_push + i));
+    v8 push = v8_mul(v8_set(SKV_NEAR_WEIGHT * c->near_share), v8_load(s->near_push + i));
     push = v8_mul(scale, v8_add(push, v8_load(s->push + i)));
     v8 excess = v8_min(v8_max(push, v8_set(0)), v8_set(1 - 1 / SKV_DENSEST)); /* (rho - rho0)/rho */
     return v8_add(one, v8_mul(rest, v8_div(excess, v8_sub(one, excess))));
@@ -405,16 +404,17 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
         const skv_wall_sample *solid = &wall->at.wall;
         skv_wall_push(push, near_push, solid->f1x, solid->f1y, solid->f2x, solid->f2y, gx, gy,
                       c->loose_push, &dx, &dy);
-        /* The virial of a smooth solid: n0 int r F in terms of h R, n0 int r q^2 about 2/3 h Rn. */
+        /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
         if (s->gauged)
             s->own_move.thrust[i] +=
-                c->wall_virial * push * solid->r + 2.0f / 3 * near_push * solid->rn;
+                c->wall_virial * push * solid->r + 2.0f / SKV_NEAR_GAIN * near_push * solid->rn;
     } else {
         const skv_image_sample *image = &wall->at.image;
-        float q = 1 - 2 * image->distance, rest = push + 4 * c->leftover_share * near_push;
+        float q = 1 - 2 * image->distance,
+              rest = push + SKV_NEAR_WEIGHT * c->leftover_share * near_push;
         q = q > 0 ? q : 0;
         float out = s->own_move.thrust[i] + s->next_move.thrust[i];
-        out += 2 * (push * ((1 - q) * (q * q)) + near_push * (q * q));
+        out += 2 * (push * skv_kernel_forcef(SKV_KERNEL_SMOOTH, q) + near_push * (q * q));
         dx = rest * image->f1x + out * image->nx;
         dy = rest * image->f1y + out * image->ny;
         skv_wall_let_fall(gx, gy, image->nx, image->ny, c->adhesion, &dx, &dy);

@@ -29,7 +29,7 @@
 #define EACH_OF_TILE(k) _Pragma("GCC unroll 4") for (int k = 0; k < TILE; k++)
 #endif
 
-/* Compile-time variants of the pair loops. SMOOTH: the kernel of base/kernels.h, else the spiky
+/* Compile-time variants of the pair loops. SMOOTH: the kernel of model/kernel.h, else the spiky
  * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
  * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
  * pairs that approach. WITH_GAUGE: it sums up what the gauge pressure follows from as well: the

@@ -1,5 +1,5 @@
 /* The rest lattice against published sums and against a sum over an enumeration of its own. */
-#include "solver/lattice.h"
+#include "model/lattice.h"
 
 #include "support/oracle.h"
 
@@ -30,28 +30,11 @@ static void every_ratio_agrees_with_the_oracle(void **unused)
     }
 }
 
-/* The force kernel is the density kernel's slope by the gain. */
-static void kernels_agree(void **unused)
-{
-    (void)unused;
-    for (int k = SKV_KERNEL_SPIKY; k <= SKV_KERNEL_SMOOTH; k++) {
-        skv_kernel kernel = (skv_kernel)k;
-        for (double q = 0.05; q < 0.99; q += 0.01) {
-            double slope =
-                (skv_kernel_density(kernel, q + 1e-6) - skv_kernel_density(kernel, q - 1e-6)) /
-                2e-6;
-            double force = skv_kernel_gain(kernel) * skv_kernel_force(kernel, q);
-            assert_true(fabs(slope - force) < 1e-8);
-        }
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(densities_are_the_known_ones),
         cmocka_unit_test(every_ratio_agrees_with_the_oracle),
-        cmocka_unit_test(kernels_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

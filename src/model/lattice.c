@@ -1,6 +1,6 @@
 /* Lattice sums in double precision. Invariant: only +, -, *, / and sqrt, so every machine computes
  * the same rest density. */
-#include "solver/lattice.h"
+#include "model/lattice.h"
 
 #include <math.h>
 

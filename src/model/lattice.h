@@ -1,8 +1,8 @@
 /* Sums over the hexagonal lattice with one particle per spacing^2: the fluid at rest. */
-#ifndef SKV_SOLVER_LATTICE_H
-#define SKV_SOLVER_LATTICE_H
+#ifndef SKV_MODEL_LATTICE_H
+#define SKV_MODEL_LATTICE_H
 
-#include "base/kernels.h"
+#include "model/kernel.h"
 
 typedef struct skv_lattice {
     double density;      /* sum W */
