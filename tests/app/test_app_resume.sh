@@ -19,8 +19,9 @@ pour() {
     drag 70 70 85 70
     await 'worlds[0].particles > 3010'
     let_go
-    await canUndo
-    await 'worlds[0].particles'
+    key 1 # comes after what let go, which has then been seen
+    await 'tool == 0 and canUndo and not active'
+    await 'still(worlds[0].particles)'
     poured=$answer
 }
 
