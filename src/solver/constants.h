@@ -1,5 +1,5 @@
-/* What is the same for all particles of a substep: the fluid's constants. Made once by the world; a
- * solver converts them to its own units. */
+/* What is the same for all particles of a substep: the fluid's constants. The world makes them in
+ * SI units. The rows convert them once, at their door, to those in which h and dt are 1. */
 #ifndef SKV_SOLVER_CONSTANTS_H
 #define SKV_SOLVER_CONSTANTS_H
 

@@ -17,7 +17,7 @@ V8_INLINE v8 collected(const float *own, const float *next)
 }
 
 /* Where a particle is while its pairs lag behind: there it meets walls. */
-V8_INLINE void place_of(const skv_row_particles *p, int i, const skv_row_constants *c, float *x,
+V8_INLINE void place_of(const skv_row_particles *p, int i, const skv_constants *c, float *x,
                         float *y)
 {
     float lag = lag_of_one(p, i, c->pair_lag, c->lag_rise);
@@ -26,7 +26,7 @@ V8_INLINE void place_of(const skv_row_particles *p, int i, const skv_row_constan
 }
 
 /* The same as lag_of_one, of eight. */
-V8_INLINE v8 lag_of_eight(v8 u, v8 v, const skv_row_constants *c)
+V8_INLINE v8 lag_of_eight(v8 u, v8 v, const skv_constants *c)
 {
     v8 square = v8_add(v8_mul(u, u), v8_mul(v, v));
     square = v8_min(v8_mul(square, v8_set(c->lag_rise)), v8_set(1));
@@ -53,7 +53,7 @@ V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
 
 /* Notes of a row's eights how far the density looks ahead of their places, four times the lag, as
  * its sums need it; who may have a gradient; and that nobody has an image, which sampling finds. */
-static void prepare(const skv_rows *s, int row, const skv_row_constants *c)
+static void prepare(const skv_rows *s, int row, const skv_constants *c)
 {
     const skv_row_particles *p = &s->set[s->current];
     const v8 gain = v8_set(SKV_SMOOTH_GAIN / SKV_SMOOTH_QUARTICS), until = v8_set(c->tension_until),
@@ -73,7 +73,7 @@ static void prepare(const skv_rows *s, int row, const skv_row_constants *c)
 
 /* The walls at a particle; returns the distance. Once for all: each copy is a kilobyte. */
 static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, int i,
-                                                   const skv_row_constants *c,
+                                                   const skv_constants *c,
                                                    const skv_boundary *boundary, skv_near_wall *to)
 {
     float x, y;
@@ -85,7 +85,7 @@ static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, i
 
 /* Samples the walls for a particle that may be near one; returns whether it is, and so needs the
  * sample. */
-V8_INLINE bool sample_one(const skv_rows *s, int i, const skv_row_constants *c,
+V8_INLINE bool sample_one(const skv_rows *s, int i, const skv_constants *c,
                           const skv_boundary *boundary, skv_near_wall *wall)
 {
     const skv_row_particles *p = &s->set[s->current];
@@ -108,8 +108,8 @@ V8_INLINE bool any_closer(const skv_row_particles *p, int i, float distance)
 
 /* Samples the walls for the particles near one, keeps the samples until the update, and notes the
  * distances of images, how far the density looks ahead, and who may have a gradient. */
-static void sample(const skv_rows *s, int row, const skv_row_constants *c,
-                   const skv_boundary *boundary, skv_row_samples *samples)
+static void sample(const skv_rows *s, int row, const skv_constants *c, const skv_boundary *boundary,
+                   skv_row_samples *samples)
 {
     const skv_row_particles *p = &s->set[s->current];
     int end = s->row_end[row], used = 0;
@@ -131,11 +131,11 @@ static void sample(const skv_rows *s, int row, const skv_row_constants *c,
 }
 
 /* What is done for one particle beside a wall. */
-typedef void by_wall(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+typedef void by_wall(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
                      void *context);
 
 /* Does it for all of a row, from its samples; where those found no place they are taken again. */
-V8_INLINE void for_walls(const skv_rows *s, int row, const skv_row_constants *c,
+V8_INLINE void for_walls(const skv_rows *s, int row, const skv_constants *c,
                          const skv_boundary *boundary, const skv_row_samples *samples, by_wall *act,
                          void *context)
 {
@@ -154,7 +154,7 @@ V8_INLINE void for_walls(const skv_rows *s, int row, const skv_row_constants *c,
 
 /* Adds what is no pair to a particle's sums. The calibrated law's are those of q^3 and q^4, of
  * which its density is made. */
-V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_row_constants *c, float density,
+V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_constants *c, float density,
                            float near_density)
 {
     s->own.density[i] +=
@@ -165,7 +165,7 @@ V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_row_constants *c,
 
 /* The solid's share of the sums; with images, a particle's own image and what they leave over,
  * which is a crowd. */
-V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
                          void *graded)
 {
     const skv_row_sums *own = &s->own;
@@ -195,7 +195,7 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
  * unevenness of the bulk, times the tension's strength, which fades with what has pressed them in
  * the last substep. In the sums' place; notes of each eight whether one has any, and where they
  * are. */
-static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c)
+static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
     const v8 scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
@@ -221,7 +221,7 @@ static void keep_gradient(const skv_rows *s, int row, const skv_row_constants *c
 
 /* The pressure term's P of eight particles at i, which remember it. Of the first iteration's a part
  * is the last substep's, where the density is too high anyway. */
-V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_row_constants *c, v8 excess,
+V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_constants *c, v8 excess,
                        v8 response)
 {
     float *remembered = s->set[s->current].warm_push + i;
@@ -236,7 +236,7 @@ V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_row_const
     return push;
 }
 
-static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_row_constants *c)
+static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), rest = v8_set(c->rest_density);
     const v8 answer = v8_set(c->response_slope), floor = v8_set(c->response_floor);
@@ -263,7 +263,7 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
     }
 }
 
-static void pressure_clavet(const skv_rows *s, int row, const skv_row_constants *c)
+static void pressure_clavet(const skv_rows *s, int row, const skv_constants *c)
 {
     const v8 one = v8_set(1), rest = v8_set(c->rest_density), limit = v8_set(c->push_limit);
     const v8 push = v8_set(c->push_scale), near_push = v8_set(c->near_push_scale);
@@ -279,7 +279,7 @@ static void pressure_clavet(const skv_rows *s, int row, const skv_row_constants 
     }
 }
 
-static void pressure(const skv_rows *s, int row, bool later, const skv_row_constants *c,
+static void pressure(const skv_rows *s, int row, bool later, const skv_constants *c,
                      const skv_boundary *boundary, const skv_row_samples *samples)
 {
     bool graded = !c->clavet && !later;
@@ -295,7 +295,7 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_row_const
 /* How dense eight particles at i are, to the lattice at rest, one's own W included: all virials go
  * with it. From what they push, since their densities are gone: P + 4 c N is the pressure alone, in
  * a later or a cold iteration push_scale (rho - rho0)/R, and R goes with rho. At least 1. */
-static v8 fullness(const skv_rows *s, int i, const skv_row_constants *c)
+static v8 fullness(const skv_rows *s, int i, const skv_constants *c)
 {
     const v8 scale = v8_set(c->response_slope / c->push_scale), one = v8_set(1);
     const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
@@ -308,7 +308,7 @@ static v8 fullness(const skv_rows *s, int i, const skv_row_constants *c)
 /* Gauge pressure from the virial of the pairs, summed over the iterations. Fluid and images are one
  * body, so beside walls by images it is what the bulk has at such a P and N, and as dense as the
  * last iteration finds it. */
-static void gauge(const skv_rows *s, int row, int iteration, const skv_row_constants *c)
+static void gauge(const skv_rows *s, int row, int iteration, const skv_constants *c)
 {
     const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
     const v8 virial = v8_set(c->image_virial), near_virial = v8_set(c->image_near_virial);
@@ -331,7 +331,7 @@ static void gauge(const skv_rows *s, int row, int iteration, const skv_row_const
 }
 
 /* Friction along the wall and push out of it, Algorithm 7. */
-V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_row_constants *c,
+V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_constants *c,
                           const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
@@ -350,11 +350,11 @@ V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_row_constants *c,
 }
 
 /* The same for all of a row. */
-static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
+static void touch_walls(const skv_rows *s, int row, const skv_constants *c,
                         const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
-    const float near = c->contact_distance;
+    const float near = s->acting.contact_distance;
     int end = s->row_end[row];
     for (int eight = s->row_start[row]; eight < end; eight += ROW_LANES) {
         if (!any_closer(p, eight, near))
@@ -366,7 +366,7 @@ static void touch_walls(const skv_rows *s, int row, const skv_row_constants *c,
 }
 
 /* Adds what a wall does to a particle's displacement. */
-V8_INLINE void add_move(const skv_rows *s, int i, const skv_row_constants *c, float dx, float dy,
+V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float dx, float dy,
                         skv_impulse *given)
 {
     const skv_row_particles *p = &s->set[s->current];
@@ -382,24 +382,23 @@ V8_INLINE void add_move(const skv_rows *s, int i, const skv_row_constants *c, fl
 }
 
 /* One function: pulls are long, and rare. */
-static __attribute__((noinline)) void pull(const skv_row_constants *c, float x, float y, float *u,
-                                           float *v)
+static __attribute__((noinline)) void pull(const skv_rows *s, float x, float y, float *u, float *v)
 {
-    skv_pull_on(c->pulls, c->pull_count, x, y, u, v);
+    skv_pull_on(s->acting.pulls, s->acting.pull_count, x, y, u, v);
 }
 
 /* Adds the wall's push. */
-V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
                         void *impulse)
 {
     const skv_row_particles *p = &s->set[s->current];
     int i = wall->particle;
     float push = s->push[i], near_push = s->near_push[i], dx, dy;
     float gx = 0, gy = 0; /* what fluid gains that rests there */
-    if (c->pull_count > 0)
-        pull(c, p->x[i], p->y[i], &gx, &gy);
-    gx += c->gravity_x;
-    gy += c->gravity_y;
+    if (s->acting.pull_count > 0)
+        pull(s, p->x[i], p->y[i], &gx, &gy);
+    gx += s->acting.gravity_x;
+    gy += s->acting.gravity_y;
     if (!c->images) {
         const skv_wall_sample *solid = &wall->at.wall;
         skv_wall_push(push, near_push, solid->f1x, solid->f1y, solid->f2x, solid->f2y, gx, gy,
@@ -424,7 +423,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
 
 /* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
  * u, v hold the rest of what it has moved in the substep. */
-V8_INLINE void add_grip(const skv_rows *s, const skv_near_wall *wall, const skv_row_constants *c,
+V8_INLINE void add_grip(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
                         void *impulse)
 {
     const skv_row_particles *p = &s->set[s->current];
@@ -457,9 +456,10 @@ typedef struct move_kind {
 } move_kind;
 
 /* Moves a particle that may meet a wall; returns false, and does nothing, if it meets none. */
-static __attribute__((noinline)) bool
-meet_wall(const skv_row_particles *p, int i, float dx, float dy, move_kind kind,
-          const skv_row_constants *c, const skv_boundary *boundary, skv_impulse_sum *walls)
+static __attribute__((noinline)) bool meet_wall(const skv_row_particles *p, int i, float dx,
+                                                float dy, move_kind kind, const skv_constants *c,
+                                                const skv_boundary *boundary,
+                                                skv_impulse_sum *walls)
 {
     float lag = kind.lagged ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
     float x = p->x[i] + lag * p->u[i], y = p->y[i] + lag * p->v[i], along_x, along_y;
@@ -481,8 +481,7 @@ meet_wall(const skv_row_particles *p, int i, float dx, float dy, move_kind kind,
 
 /* Moves the eight particles at i; those whose way may meet a wall one by one. */
 RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind kind,
-                     const skv_row_constants *c, const skv_boundary *boundary,
-                     skv_impulse_sum *walls)
+                     const skv_constants *c, const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     v8 length = v8_sqrt(v8_add(v8_mul(dx, dx), v8_mul(dy, dy)));
@@ -506,7 +505,7 @@ RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind 
     }
     x = v8_add(v8_load(p->x + i), x);
     y = v8_add(v8_load(p->y + i), y);
-    if (!v8_any_below(clear, v8_set(c->wall_clearance))) {
+    if (!v8_any_below(clear, v8_set(s->acting.wall_clearance))) {
         v8_store(p->clearance + i, clear);
         v8_store(p->x + i, x);
         v8_store(p->y + i, y);
@@ -524,7 +523,7 @@ RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind 
     v8_store(free[3], v);
     for (int l = 0; l < ROW_LANES && i + l < end; l++) {
         int k = i + l;
-        bool may_meet = left[l] < c->wall_clearance;
+        bool may_meet = left[l] < s->acting.wall_clearance;
         if (may_meet && meet_wall(p, k, move_x[l], move_y[l], kind, c, boundary, walls))
             continue;
         p->clearance[k] = may_meet ? p->clearance[k] : left[l];
@@ -535,13 +534,13 @@ RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind 
     }
 }
 
-static void update(const skv_rows *s, int row, int iteration, const skv_row_constants *c,
+static void update(const skv_rows *s, int row, int iteration, const skv_constants *c,
                    const skv_boundary *boundary, const skv_row_samples *samples,
                    skv_impulse_sum *walls)
 {
     skv_impulse given = {0};
     for_walls(s, row, c, boundary, samples, add_push, &given);
-    if (iteration == c->iterations - 1 && (c->grip > 0 || c->wall_drag > 0))
+    if (iteration == c->iterations - 1 && skv_has_grip(c))
         for_walls(s, row, c, boundary, samples, add_grip, &given);
     skv_impulse_add(walls, given.x, given.y, given.moment);
     const bool last = iteration == c->iterations - 1, lag = c->pair_lag > 0;
@@ -563,19 +562,19 @@ static void update(const skv_rows *s, int row, int iteration, const skv_row_cons
         touch_walls(s, row, c, boundary, walls);
 }
 
-static void advance(const skv_rows *s, int row, const skv_row_constants *c,
+static void advance(const skv_rows *s, int row, const skv_constants *c,
                     const skv_boundary *boundary, skv_impulse_sum *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
-    const v8 gx = v8_set(c->gravity_x), gy = v8_set(c->gravity_y), one = v8_set(1);
+    const v8 gx = v8_set(s->acting.gravity_x), gy = v8_set(s->acting.gravity_y), one = v8_set(1);
     const v8 limit = v8_set(c->max_speed), tiny = v8_set(TINY_SQUARED);
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8_store(p->u + i, v8_add(v8_load(p->u + i), gx));
         v8_store(p->v + i, v8_add(v8_load(p->v + i), gy));
     }
-    for (int i = s->row_start[row]; c->pull_count > 0 && i < end; i++)
-        pull(c, p->x[i], p->y[i], &p->u[i], &p->v[i]);
+    for (int i = s->row_start[row]; s->acting.pull_count > 0 && i < end; i++)
+        pull(s, p->x[i], p->y[i], &p->u[i], &p->v[i]);
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
         v8 speed = v8_sqrt(v8_max(v8_add(v8_mul(u, u), v8_mul(v, v)), tiny));

@@ -186,6 +186,7 @@ struct skv_rows {
     skv_row_thread *thread;
     int thread_room, threads; /* threads to have memory for, and at work in this call */
     bool held, gauged;        /* this substep computes the gauge pressure */
+    skv_row_acting acting;    /* in this call */
     void *particle_block, *grid_block, *histogram_block;
     skv_solver_memory memory;
     double seconds[ROW_PHASES];

@@ -25,7 +25,7 @@ V8_INLINE float pair_clearance(const skv_row_particles *p, int i, float pair_lag
 /* The boundary if a thin wall is near one of the particles of a tile, else null: most worlds have
  * none, and far from walls `clearance` tells. */
 static const skv_boundary *find_thin_wall(const skv_row_particles *p, int i, int end,
-                                          const skv_row_constants *c, const skv_boundary *boundary)
+                                          const skv_constants *c, const skv_boundary *boundary)
 {
     for (int k = i; skv_boundary_has_thin(boundary) && k < i + TILE && k < end; k++) {
         if (pair_clearance(p, k, c->pair_lag, c->lag_rise) < 1 &&
@@ -37,7 +37,7 @@ static const skv_boundary *find_thin_wall(const skv_row_particles *p, int i, int
 
 /* One by one: an initializer, which sets all to 0 first, cost 4 %. */
 VARIANT void place_tile(tile *t, const skv_rows *s, const skv_row_particles *p, int i,
-                        const skv_row_constants *c, const skv_boundary *beside)
+                        const skv_constants *c, const skv_boundary *beside)
 {
     t->pair_lag = c->pair_lag;
     t->lag_rise = c->lag_rise;
@@ -279,7 +279,7 @@ static __attribute__((noinline)) float *density_any_tile(const skv_rows *s,
  * own, which the second iteration shares, for it has `graded` false. Without a place to keep pairs,
  * as in the crowds of a splash, no loop but that for all is taken. */
 VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images, bool graded,
-                         const skv_row_constants *c, const skv_boundary *boundary, float *keep)
+                         const skv_constants *c, const skv_boundary *boundary, float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -309,7 +309,7 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images,
         add_densities(&own, &late);
 }
 
-static void density(const skv_rows *s, int row, bool later, const skv_row_constants *c,
+static void density(const skv_rows *s, int row, bool later, const skv_constants *c,
                     const skv_boundary *b, skv_row_kept *kept)
 {
     int blocks = s->row_blocks[row];
@@ -532,7 +532,7 @@ displacement_any_tile(const skv_rows *s, const skv_row_particles *p, const partn
 
 /* As density_row; of a rare variant no loop is known. */
 VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool known, bool images,
-                              bool graded, const skv_row_constants *c, const skv_boundary *boundary,
+                              bool graded, const skv_constants *c, const skv_boundary *boundary,
                               const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -564,10 +564,10 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
         add_moves(&own, &late);
 }
 
-static void displacement(const skv_rows *s, int row, bool later, const skv_row_constants *c,
+static void displacement(const skv_rows *s, int row, bool later, const skv_constants *c,
                          const skv_boundary *b, const skv_row_kept *kept)
 {
-    bool viscous = !later && (c->viscosity_linear > 0 || c->viscosity_quadratic > 0);
+    bool viscous = !later && skv_is_viscous(c);
     const unsigned calibrated = SMOOTH | WITH_GRADIENT;
     const float *keep = kept->used >= 0 ? kept->pairs : NULL;
     unsigned with = (c->clavet ? 0u : calibrated) | (viscous ? WITH_VISCOSITY : 0u) |

@@ -21,7 +21,7 @@
 typedef struct skv_row_run {
     skv_rows *rows;
     const skv_row_kernels *kernels;
-    const skv_row_constants *constants;
+    const skv_constants *constants;
     const skv_boundary *boundary;
     skv_pool *pool;
     const skv_row_frame *frame;

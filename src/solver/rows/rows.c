@@ -103,12 +103,13 @@ static void member(int thread, int threads, void *context)
 }
 
 skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
-                          const skv_row_constants *constants, const skv_boundary *boundary,
-                          skv_pool *pool)
+                          const skv_constants *constants, const skv_row_acting *acting,
+                          const skv_boundary *boundary, skv_pool *pool)
 {
     if (frame->count == 0)
         return (skv_impulse){0};
     rows->held = frame->part != NULL;
+    rows->acting = *acting;
     skv_row_run shared = {.rows = rows,
                           .kernels = rows->kernels,
                           .constants = constants,

@@ -23,26 +23,14 @@
 
 #include "solver/solver.h"
 
-/* Constants of a substep, in h and substeps. */
-typedef struct skv_row_constants {
+/* What acts on the fluid from outside, in h and substeps. */
+typedef struct skv_row_acting {
     float gravity_x, gravity_y;
-    float max_speed;
-    float pair_lag, lag_rise;
-    float viscosity_linear, viscosity_quadratic;
-    float rest_density, push_scale, near_push_scale, push_limit, wall_virial, loose_push;
-    float warm_start, warm_limit, warm_most, response_slope, response_floor, near_share;
-    float cohesion_scale, cohesion_below, cohesion_from, cohesion_slope;
-    float tension_scale, tension_from, tension_until;
-    float adhesion, leftover_share, image_gradient, image_virial, image_near_virial, grip,
-        wall_drag;
-    float pressure_scale; /* from the virial to Pa m */
-    float contact_distance, softness, friction;
-    float wall_clearance; /* how close a move may come to a wall */
-    int iterations;
-    bool clavet, images;
     const skv_pull *pulls;
     int pull_count;
-} skv_row_constants;
+    float wall_clearance; /* how close a move may come to a wall */
+    float contact_distance;
+} skv_row_acting;
 
 typedef struct skv_rows skv_rows;
 
@@ -70,11 +58,12 @@ typedef struct skv_row_frame {
 } skv_row_frame;
 
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The
- * state lies in the frame's arrays alone: nothing is kept from call to call but memory. Returns
+ * state lies in the frame's arrays alone: nothing is kept from call to call but memory. The
+ * constants are those of h = dt = 1. Returns
  * what walls have given the particles that are not held. */
 skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
-                          const skv_row_constants *constants, const skv_boundary *boundary,
-                          skv_pool *pool);
+                          const skv_constants *constants, const skv_row_acting *acting,
+                          const skv_boundary *boundary, skv_pool *pool);
 
 /* Wall seconds since the last call with `reset`: advance, sort, relaxation, transfer in and out. */
 void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4]);

@@ -9,24 +9,23 @@
 typedef struct skv_row_kernels {
     const char *isa;
     /* Forces and advance. */
-    void (*advance)(const skv_rows *rows, int row, const skv_row_constants *constants,
+    void (*advance)(const skv_rows *rows, int row, const skv_constants *constants,
                     const skv_boundary *boundary, skv_impulse_sum *walls);
     /* W: samples the walls, and finds the image distances beside them. */
-    void (*sample)(const skv_rows *rows, int row, const skv_row_constants *constants,
+    void (*sample)(const skv_rows *rows, int row, const skv_constants *constants,
                    const skv_boundary *boundary, skv_row_samples *samples);
     /* A. `later` false: with the gradient that the calibrated law's tension needs; true: densities
      * only. Keeps the pairs if there is room. */
-    void (*density)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
+    void (*density)(const skv_rows *rows, int row, bool later, const skv_constants *constants,
                     const skv_boundary *boundary, skv_row_kept *kept);
     /* L: the walls' share of the sums, and the pressure law. */
-    void (*pressure)(const skv_rows *rows, int row, bool later, const skv_row_constants *constants,
+    void (*pressure)(const skv_rows *rows, int row, bool later, const skv_constants *constants,
                      const skv_boundary *boundary, const skv_row_samples *samples);
     /* B; with tension and pair viscosity unless it is `later`. */
-    void (*displacement)(const skv_rows *rows, int row, bool later,
-                         const skv_row_constants *constants, const skv_boundary *boundary,
-                         const skv_row_kept *kept);
+    void (*displacement)(const skv_rows *rows, int row, bool later, const skv_constants *constants,
+                         const skv_boundary *boundary, const skv_row_kept *kept);
     /* U: carries out the displacement; in the last iteration the contact as well. */
-    void (*update)(const skv_rows *rows, int row, int iteration, const skv_row_constants *constants,
+    void (*update)(const skv_rows *rows, int row, int iteration, const skv_constants *constants,
                    const skv_boundary *boundary, const skv_row_samples *samples,
                    skv_impulse_sum *walls);
 } skv_row_kernels;

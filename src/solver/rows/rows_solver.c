@@ -15,58 +15,41 @@ typedef struct rows_solver {
     bool swapped; /* the rows' x is the world's y */
 } rows_solver;
 
-static skv_row_constants row_constants(const skv_solver_step *step, const skv_boundary *boundary)
+/* The same constants where h and dt are 1. */
+static skv_constants in_own_units(const skv_constants *c)
+{
+    float inv_h = c->inv_h, per_step = c->dt * c->inv_h;
+    skv_constants r = *c;
+    r.h = r.inv_h = r.h_squared = r.dt = r.inv_dt = 1;
+    r.max_speed *= per_step;
+    r.lag_rise /= per_step * per_step;
+    r.viscosity_linear *= c->dt;
+    r.viscosity_quadratic *= c->h; /* beta u: u is in h a substep here */
+    float *const lengths[] = {&r.push_scale,    &r.near_push_scale, &r.push_limit,
+                              &r.loose_push,    &r.warm_limit,      &r.cohesion_scale,
+                              &r.tension_scale, &r.tension_until};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
+        *lengths[i] *= inv_h;
+    r.pressure_scale = r.pressure_scale * c->h * c->h;
+    return r;
+}
+
+static skv_row_acting acting_on(const skv_solver_step *step, const skv_boundary *boundary,
+                                const skv_pull *pulls)
 {
     const skv_constants *c = step->constants;
-    float inv_h = c->inv_h, per_step = c->dt * c->inv_h;
-    skv_row_constants r = {
+    float per_step = c->dt * c->inv_h;
+    skv_row_acting acting = {
         .gravity_x = step->gravity_x * c->dt * per_step,
         .gravity_y = step->gravity_y * c->dt * per_step,
-        .max_speed = c->max_speed * per_step,
-        .pair_lag = c->pair_lag,
-        .lag_rise = c->lag_rise / (per_step * per_step),
-        .viscosity_linear = c->viscosity_linear * c->dt,
-        /* beta u: u is in h a substep here. */
-        .viscosity_quadratic = c->viscosity_quadratic * c->h,
-        .rest_density = c->rest_density,
-        .push_scale = c->push_scale * inv_h,
-        .near_push_scale = c->near_push_scale * inv_h,
-        .push_limit = c->push_limit * inv_h,
-        .wall_virial = c->wall_virial,
-        .loose_push = c->loose_push * inv_h,
-        .warm_start = c->warm_start,
-        .warm_limit = c->warm_limit * inv_h,
-        .warm_most = c->warm_most,
-        .response_slope = c->response_slope,
-        .response_floor = c->response_floor,
-        .near_share = c->near_share,
-        .cohesion_scale = c->cohesion_scale * inv_h,
-        .cohesion_below = c->cohesion_below,
-        .cohesion_from = c->cohesion_from,
-        .cohesion_slope = c->cohesion_slope,
-        .tension_scale = c->tension_scale * inv_h,
-        .tension_from = c->tension_from,
-        .tension_until = c->tension_until * inv_h,
-        .adhesion = c->adhesion,
-        .image_gradient = c->image_gradient,
-        .leftover_share = c->leftover_share,
-        .image_virial = c->image_virial,
-        .image_near_virial = c->image_near_virial,
-        .grip = c->grip,
-        .wall_drag = c->wall_drag,
-        .pressure_scale = c->pressure_scale * c->h * c->h,
-        .contact_distance = boundary->contact_distance * inv_h,
-        .softness = c->softness,
-        .friction = c->friction,
-        .wall_clearance = boundary->clearance * inv_h,
-        .iterations = c->iterations,
-        .clavet = c->clavet,
-        .images = c->images,
+        .pulls = pulls,
         .pull_count = step->pull_count,
+        .wall_clearance = boundary->clearance * c->inv_h,
+        .contact_distance = boundary->contact_distance * c->inv_h,
     };
     if (boundary->swapped)
-        skv_swap(&r.gravity_x, &r.gravity_y);
-    return r;
+        skv_swap(&acting.gravity_x, &acting.gravity_y);
+    return acting;
 }
 
 static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
@@ -78,8 +61,8 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
     skv_pull pulls[SKV_SOLVER_MOST_PULLS];
     for (int i = 0; i < step->pull_count; i++)
         pulls[i] = skv_pull_seen(&step->pulls[i], c->h, c->inv_h, c->dt, r->swapped);
-    skv_row_constants constants = row_constants(step, &boundary);
-    constants.pulls = pulls;
+    const skv_constants constants = in_own_units(c);
+    const skv_row_acting acting = acting_on(step, &boundary, pulls);
     /* If each iteration lifts what has fallen by as much as any other. */
     float sunk = (float)(c->iterations + 1) / (float)(2 * c->iterations);
     skv_row_frame frame = {
@@ -95,11 +78,11 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
         .push = c->dt * c->dt * c->inv_h,
-        .sunk_x = sunk * constants.gravity_x,
-        .sunk_y = sunk * constants.gravity_y,
+        .sunk_x = sunk * acting.gravity_x,
+        .sunk_y = sunk * acting.gravity_y,
     };
     skv_impulse given =
-        skv_rows_step(r->rows, &frame, step->substeps, &constants, &boundary, step->pool);
+        skv_rows_step(r->rows, &frame, step->substeps, &constants, &acting, &boundary, step->pool);
     double h = (double)c->h, x = given.x * h, y = given.y * h, moment = given.moment * h * h;
     return r->swapped ? (skv_impulse){y, x, -moment} : (skv_impulse){x, y, moment};
 }

@@ -57,7 +57,7 @@ enum {
 /* Where the four particles of a tile are, each in all lanes. */
 typedef struct tile {
     wide x[WIDES], y[WIDES];
-    float pair_lag, lag_rise;   /* of skv_row_constants */
+    float pair_lag, lag_rise;   /* of skv_constants */
     int place;                  /* of the first */
     const skv_boundary *beside; /* a thin wall, which may part pairs; null: none is near */
     const float *images;        /* of all particles, by place */
