@@ -48,17 +48,34 @@ static bool give(skv_worker *worker, const skv_command *command, bool edits, skv
     return true;
 }
 
-/* Water that people add keeps to the limit of emitters, and a tap that would stay dry is none. */
-static skv_result check_room(const skv_worker *worker, skv_command_kind kind, skv_error *error)
+static skv_result find_room(const skv_world *world, skv_error *error)
 {
-    bool adds = kind == SKV_COMMAND_POUR || kind == SKV_COMMAND_EMIT;
-    const skv_world *world = skv_player_world(worker->player);
-    skv_world_def def = adds ? skv_world_describe(world) : skv_default_world_def();
-    if (!adds || def.emission_replaces || skv_world_particle_count(world) < def.emission_limit)
+    skv_world_def def = skv_world_describe(world);
+    if (def.emission_replaces || skv_world_particle_count(world) < def.emission_limit)
         return SKV_OK;
     return skv_fail(error, SKV_ERROR_LIMIT,
                     "there are %d particles, and emission.limit is %d; raise it, or let water out",
                     skv_world_particle_count(world), def.emission_limit);
+}
+
+/* Water that people add keeps to the limit of emitters, and a tap that would stay dry is none. */
+static skv_result check_room(const skv_worker *worker, skv_command_kind kind, skv_error *error)
+{
+    bool adds = kind == SKV_COMMAND_POUR || kind == SKV_COMMAND_EMIT;
+    return adds ? find_room(skv_player_world(worker->player), error) : SKV_OK;
+}
+
+/* Of a tap that has run dry is told once, until there is room again. */
+static void look_at_taps(skv_worker *worker)
+{
+    const skv_world *world = skv_player_world(worker->player);
+    skv_error error;
+    int taps;
+    skv_world_emitters(world, &taps);
+    bool dry = taps > 0 && find_room(world, &error) != SKV_OK;
+    if (dry && !worker->dry)
+        skv_worker_report(worker, SKV_OUTCOME_EDIT, &error);
+    worker->dry = dry;
 }
 
 /* An edit, which begins with its first command that the world takes; what refuses one is told once
@@ -218,6 +235,7 @@ static bool step_frame(skv_worker *worker)
             fail_step(worker, &error);
         return false;
     }
+    look_at_taps(worker);
     worker->unread = worker->unbalanced = worker->forecast.known = false;
     skv_pace_stepped(&worker->pace, worker->def.clock() - before);
     worker->changed = true;

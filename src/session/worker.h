@@ -59,6 +59,7 @@ typedef struct skv_worker {
     bool hands_known; /* the world's are these */
     bool begins;      /* an edit, with the next command that the world takes */
     bool refused;     /* an edit was, since the last picture: said once */
+    bool dry;         /* taps stand at the limit of emitters, and it was told */
     uint64_t wary;    /* hash of the last that was not opened because it asks for much; 0: none */
     skv_forecast forecast;
     bool unbalanced; /* no substep was taken since the balance was changed, and none foreseen */

@@ -75,6 +75,40 @@ static void test_limit(void **state)
     assert_int_equal(refused(stage).error.code, SKV_OK);
 }
 
+static int count_refusals(skv_stage *stage)
+{
+    skv_outcome report;
+    int count = 0;
+    stage_look(stage, 0);
+    while (skv_stage_next_outcome(stage, &report))
+        count += report.kind == SKV_OUTCOME_EDIT && report.error.code == SKV_ERROR_LIMIT;
+    return count;
+}
+
+/* A tap that reaches the limit while it runs says so, once each time. */
+static void test_dry(void **state)
+{
+    skv_stage *stage = *state;
+    skv_stage_set_paused(stage, true);
+    draw(stage, "tap", 800, 900);
+    assert_true(has_tap(stage));
+    for (int turn = 0; turn < 2; turn++) {
+        set_limit(stage, particles(stage) + 10);
+        skv_stage_set_paused(stage, false);
+        int told = 0;
+        for (int frames = 0; frames < 3000 && !told; frames += 10) {
+            stage_pass_frames(stage, 10);
+            told = count_refusals(stage);
+        }
+        assert_int_equal(told, 1);
+        stage_pass_frames(stage, 30);
+        assert_int_equal(count_refusals(stage), 0);
+        set_limit(stage, 20000);
+        stage_pass_frames(stage, 2);
+        skv_stage_set_paused(stage, true);
+    }
+}
+
 /* Taps that replace the oldest water need no room. */
 static void test_replaced(void **state)
 {
@@ -90,6 +124,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_limit, stage_setup, stage_teardown),
+        cmocka_unit_test_setup_teardown(test_dry, stage_setup, stage_teardown),
         cmocka_unit_test_setup_teardown(test_replaced, stage_setup, stage_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
