@@ -1,7 +1,8 @@
 /* Properties: rows made from the registry, with units, help and a way back. Invariants: a row shows
- * what the picture's world has, whoever changed it or went back in time; no parameter is named
- * here, but for the quick choices of planets: a new row of the registry that can be changed while a
- * world runs is a new row of the panel. */
+ * what the picture's world has, whoever changed it or went back in time, or what was typed and
+ * refused, with the reason below its title; no parameter is named here, but for the quick choices
+ * of planets: a new row of the registry that can be changed while a world runs is a new row of the
+ * panel. */
 #include "properties.h"
 
 #include <string.h>
@@ -12,10 +13,12 @@
 typedef struct property {
     PlayView *view;
     const skv_field *field;
-    GtkWidget *control, *reset;
+    GtkWidget *row, *control, *reset;
+    char *help;        /* with the unit, escaped */
     char standard[64]; /* as the scene began */
     char shown[64];    /* the picture's */
     bool showing;      /* the control is moved by us */
+    bool refused;      /* what the control shows was typed, and is not taken */
 } property;
 
 typedef struct panel {
@@ -33,11 +36,31 @@ static void set(property *row, const char *text)
 
 /* Controls. */
 
+/* `words` are why it is refused, with two numbers in them; null: it is taken. */
+static void tell_refusal(property *row, const char *words)
+{
+    row->refused = words != NULL;
+    char *why = words ? play_words_with(words, row->field->minimum, row->field->maximum) : NULL;
+    adw_action_row_set_subtitle(ADW_ACTION_ROW(row->row), why ? why : row->help);
+    gtk_accessible_update_state(GTK_ACCESSIBLE(row->control), GTK_ACCESSIBLE_STATE_INVALID,
+                                why ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE,
+                                -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(row->control),
+                                   GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, why ? why : row->help, -1);
+    if (why)
+        gtk_widget_add_css_class(row->row, "error");
+    else
+        gtk_widget_remove_css_class(row->row, "error");
+    g_free(why);
+}
+
 static void on_entry(GtkEntry *entry, property *row)
 {
     char text[64];
     skv_number_read(gtk_editable_get_text(GTK_EDITABLE(entry)), play_numerals(), text, sizeof text);
-    set(row, text);
+    tell_refusal(row, skv_field_refusal(row->field, text));
+    if (!row->refused)
+        set(row, text);
 }
 
 static void on_switch(GtkSwitch *control, G_GNUC_UNUSED GParamSpec *spec, property *row)
@@ -69,6 +92,8 @@ static void show_value(property *row, const char *text)
     } else {
         gtk_editable_set_text(GTK_EDITABLE(row->control),
                               skv_number_shown(text, play_numerals()).text);
+        if (row->refused)
+            tell_refusal(row, NULL);
     }
     row->showing = false;
 }
@@ -78,10 +103,11 @@ static void on_reset(G_GNUC_UNUSED GtkButton *button, property *row)
     set(row, row->standard);
 }
 
-/* What was typed and not entered, or refused, is forgotten. */
+/* What was typed and not entered is forgotten. */
 static void on_entry_left(G_GNUC_UNUSED GtkEventControllerFocus *controller, property *row)
 {
-    show_value(row, row->shown);
+    if (!row->refused)
+        show_value(row, row->shown);
 }
 
 static GtkWidget *make_choices(const char *list)
@@ -124,10 +150,11 @@ static GtkWidget *make_row(property *row)
     char *title = play_title_of_path(field->path);
     char *unit = *field->unit ? g_strdup_printf("%s · ", field->unit) : g_strdup("");
     char *text = g_strdup_printf("%s%s", unit, play_word(field->help));
-    char *escaped = g_markup_escape_text(text, -1);
     GtkWidget *widget = adw_action_row_new();
+    row->row = widget;
+    row->help = g_markup_escape_text(text, -1);
     adw_preferences_row_set_title(ADW_PREFERENCES_ROW(widget), title);
-    adw_action_row_set_subtitle(ADW_ACTION_ROW(widget), escaped);
+    adw_action_row_set_subtitle(ADW_ACTION_ROW(widget), row->help);
     row->control = make_control(row);
     gtk_accessible_update_property(GTK_ACCESSIBLE(row->control), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                    title, GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
@@ -142,7 +169,6 @@ static GtkWidget *make_row(property *row)
     g_signal_connect(row->reset, "clicked", G_CALLBACK(on_reset), row);
     adw_action_row_add_suffix(ADW_ACTION_ROW(widget), row->reset);
     adw_action_row_add_suffix(ADW_ACTION_ROW(widget), row->control);
-    g_free(escaped);
     g_free(text);
     g_free(unit);
     g_free(title);
@@ -222,6 +248,13 @@ static char *group_of(const char *path)
     return dot ? g_strndup(path, (gsize)(dot - path)) : g_strdup("world");
 }
 
+static void free_row(gpointer data)
+{
+    property *row = data;
+    g_free(row->help);
+    g_free(row);
+}
+
 static void free_panel(gpointer data)
 {
     panel *p = data;
@@ -233,7 +266,7 @@ void play_properties_fill(GtkBox *box, PlayView *view)
 {
     panel *p = g_new0(panel, 1);
     p->view = view;
-    p->rows = g_ptr_array_new_with_free_func(g_free);
+    p->rows = g_ptr_array_new_with_free_func(free_row);
     g_object_set_data_full(G_OBJECT(box), "panel", p, free_panel);
     gtk_box_append(box, make_planets(p));
 

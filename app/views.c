@@ -112,6 +112,7 @@ void play_views_add(GActionMap *window, PlayView *view)
     skv_render_style_set(&style, SKV_STYLE_VIEW, name, NULL);
     skv_render_style_set(&style, SKV_STYLE_OVERLAY, overlays, NULL);
     style.overlays &= ~(unsigned)SKV_OVERLAY_LEGEND;
+    style.comma = *play_numerals()->decimal == ',';
     play_view_set_style(view, &style);
     g_free(overlays);
     g_free(name);

@@ -134,6 +134,17 @@ char *play_words_of_probe(const skv_probe *probe)
                : play_words_of_reading(probe->value[channel], info->unit);
 }
 
+char *play_words_with(const char *words, double first, double second)
+{
+    const char *said = play_word(words), *at = strstr(said, "%s");
+    const char *next = at ? strstr(at + strlen("%s"), "%s") : NULL;
+    if (!next)
+        return g_strdup(said);
+    return g_strdup_printf("%.*s%s%.*s%s%s", (int)(at - said), said,
+                           play_number_short(first, 9).text, (int)(next - at - 2), at + 2,
+                           play_number_short(second, 9).text, next + 2);
+}
+
 char *play_quantity(double value, int decimals, const char *unit)
 {
     skv_digits number = play_number(value, decimals);

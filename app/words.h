@@ -38,6 +38,9 @@ char *play_words_of_reading(double value, const char *si);
 int play_main_channel(skv_instrument_kind kind);
 char *play_words_of_probe(const skv_probe *probe);
 
+/* Words of the library's with two "%s", for numbers. To be freed. */
+char *play_words_with(const char *words, double first, double second);
+
 /* A number with a unit as it is: "2,4 s". To be freed. */
 char *play_quantity(double value, int decimals, const char *unit);
 

@@ -137,6 +137,8 @@ static void print_controls(void)
     }
     for (int i = 0; skv_lack_words(i); i++)
         print_text(skv_lack_words(i), "why there is no reading");
+    for (int i = 0; skv_refusal_words(i); i++)
+        print_text(skv_refusal_words(i), "why a number is refused");
     for (int i = 0; skv_going_words(i); i++)
         print_text(skv_going_words(i), "how the water goes");
 }

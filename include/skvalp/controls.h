@@ -60,6 +60,12 @@ SKV_API void skv_control_tool(skv_stage *stage, int tool);
 SKV_API void skv_control_brush(skv_stage *stage, double radius);
 SKV_API void skv_control_scale_brush(skv_stage *stage, double factor);
 
+/** Why a field of numbers does not take a text, which is as skv_number_read gives it, in words: the
+ * first "%s" of them is the least that it takes, the second the greatest. Null if it takes it. */
+SKV_API const char *skv_field_refusal(const skv_field *field, const char *text);
+/** All these words, for translators; null past the last. */
+SKV_API const char *skv_refusal_words(int i);
+
 /* ---- Instruments ----------------------------------------------------------------------------- */
 
 /** An instrument that people put into the picture. */

@@ -62,6 +62,7 @@ typedef struct skv_render_style {
     skv_detail detail;   /**< default SKV_DETAIL_AUTO */
     double range;        /**< the upper end of the view's scale in its unit, see skv_legend;
                             0, the default: what suits the frame's walls, gravity and amount */
+    bool comma;          /**< figures have a decimal comma, see skv_numerals; default a point */
 } skv_render_style;
 
 /** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */

@@ -14,6 +14,7 @@ typedef struct skv_overlay_scene {
     const skv_colors *colors;
     skv_view view;
     const skv_legend *legend;
+    bool comma; /* in figures */
 } skv_overlay_scene;
 
 /* View pixels, y up, of a point in metres. */

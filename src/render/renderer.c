@@ -177,6 +177,7 @@ skv_result skv_renderer_draw(skv_renderer *renderer, const skv_frame *frame,
                                .vertices = vertices,
                                .colors = picture.colors,
                                .view = style->view,
-                               .legend = &legend};
+                               .legend = &legend,
+                               .comma = style->comma};
     return draw_overlays(renderer, &scene, style->overlays, marks, mark_count, error);
 }

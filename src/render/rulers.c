@@ -79,14 +79,23 @@ static skv_result add_figures(skv_strokes *strokes, const skv_overlay_scene *sce
     return SKV_OK;
 }
 
+/* In a language whose decimals come after a comma. */
+static void write_comma(char *text)
+{
+    for (; *text; text++)
+        *text = *text == '.' ? ',' : *text;
+}
+
 /* A length in the unit that suits steps of this size. */
-static void format_length(char text[16], double metres, double step, bool with_unit)
+static void format_length(char text[16], double metres, double step, bool with_unit, bool comma)
 {
     bool whole = step >= 1;
     skv_format(text, 16, "%.6g%s", metres * (whole ? 1 : 100),
                !with_unit ? ""
                : whole    ? " m"
                           : " cm");
+    if (comma)
+        write_comma(text);
 }
 
 /* One side of the ruler, ticks and figures along x or y. */
@@ -114,7 +123,7 @@ static skv_result add_side(skv_strokes *strokes, const skv_overlay_scene *scene,
         if (i % 10 || i == 0)
             continue;
         char text[16];
-        format_length(text, at, step, !upright && i == unit_at);
+        format_length(text, at, step, !upright && i == unit_at, scene->comma);
         double width = (double)skv_figures_width(text, (float)(FIGURE * line));
         bool inside = upright ? at < to - 0.2 * step : at < to - 0.3 * step;
         result = skv_strokes_reserve(strokes, last - i + 1 + skv_figures_count(text), error);
@@ -189,6 +198,8 @@ skv_result skv_overlay_legend(skv_strokes *strokes, const skv_overlay_scene *sce
         char text[32];
         double value = legend->low + 0.5 * k * (legend->high - legend->low);
         format_figure(text, legend, value, k == 2);
+        if (scene->comma)
+            write_comma(text);
         double shift = k == 2 ? 0.5 * (double)skv_figures_width(text, (float)(FIGURE * line)) : 0;
         result =
             add_figures(strokes, scene, text, left + 0.5 * k * width - fmax(shift - 8 * line, 0),

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "base/fields.h"
 #include "session/placing.h"
 
 #define COUNT(table) ((int)(sizeof(table) / sizeof *(table)))
@@ -177,6 +178,30 @@ void skv_control_scale_brush(skv_stage *stage, double factor)
 {
     SKV_ASSERT(stage);
     skv_control_brush(stage, skv_stage_picture(stage, 0)->brush * factor);
+}
+
+enum { NO_NUMBER, OUT_OF_RANGE, NOT_WHOLE };
+static const char *const refusal_words[] = {
+    [NO_NUMBER] = "This is no number: give one from %s to %s.",
+    [OUT_OF_RANGE] = "Give a number from %s to %s.",
+    [NOT_WHOLE] = "Give a whole number from %s to %s.",
+};
+
+const char *skv_refusal_words(int i)
+{
+    return i >= 0 && i < COUNT(refusal_words) ? refusal_words[i] : NULL;
+}
+
+const char *skv_field_refusal(const skv_field *field, const char *text)
+{
+    SKV_ASSERT_OR(field && text, NULL);
+    double number;
+    bool numeric = field->type == SKV_FIELD_NUMBER || field->type == SKV_FIELD_INTEGER;
+    if (!numeric || !skv_field_read(field, text, &number))
+        return NULL;
+    if (!skv_parse_number(text, &number))
+        return refusal_words[NO_NUMBER];
+    return refusal_words[field->type == SKV_FIELD_INTEGER ? NOT_WHOLE : OUT_OF_RANGE];
 }
 
 /* ---- Instruments ----------------------------------------------------------------------------- */

@@ -231,6 +231,7 @@ static void tell_style(GString *json, const skv_render_style *style)
             text(json, NULL, choice->name);
     g_string_append_c(json, ']');
     number(json, "range", style->range);
+    truth(json, "comma", style->comma);
     g_string_append_c(json, '}');
 }
 
@@ -254,6 +255,15 @@ static char *label_of(GtkWidget *widget)
     return label;
 }
 
+/* Whether what was typed is said to be wrong. */
+static bool is_invalid(GtkWidget *widget)
+{
+    char *other = gtk_test_accessible_check_state(
+        GTK_ACCESSIBLE(widget), GTK_ACCESSIBLE_STATE_INVALID, GTK_ACCESSIBLE_INVALID_TRUE);
+    g_free(other);
+    return !other;
+}
+
 static void tell_widget(GString *json, GtkWidget *widget)
 {
     const char *written = text_of(widget), *kind = G_OBJECT_TYPE_NAME(widget);
@@ -266,6 +276,8 @@ static void tell_widget(GString *json, GtkWidget *widget)
     truth(json, "sensitive", gtk_widget_is_sensitive(widget));
     truth(json, "active", gtk_widget_get_state_flags(widget) & GTK_STATE_FLAG_CHECKED);
     truth(json, "focus", gtk_widget_has_focus(widget));
+    if (GTK_IS_EDITABLE(widget))
+        truth(json, "invalid", is_invalid(widget));
     if (GTK_IS_RANGE(widget))
         number(json, "value", gtk_range_get_value(GTK_RANGE(widget)));
     rectangle(json, widget);

@@ -243,6 +243,33 @@ static void rulers_tell_the_truth(void **state)
     }
 }
 
+/* Strokes that are no longer than a point. */
+static int dots_of(const stage *s)
+{
+    int dots = 0;
+    for (int i = 0; i < s->strokes.count; i++)
+        dots += length_of(&s->strokes.list[i]) == 0;
+    return dots;
+}
+
+/* From so near that a step is half a centimetre, a figure has a decimal point, or a comma. */
+static void decimals_are_of_a_language(void **state)
+{
+    (void)state;
+    stage s;
+    open_stage(&s, still);
+    skv_camera_zoom(&s.camera, 40 / 0.005 / s.camera.scale, 300, 200);
+    draw(&s, SKV_OVERLAY_RULER);
+    int count = s.strokes.count;
+    assert_true(dots_of(&s) > 0);
+    s.scene.comma = true;
+    s.strokes.count = 0;
+    assert_int_equal(skv_overlays_add(&s.strokes, &s.scene, SKV_OVERLAY_RULER, NULL), SKV_OK);
+    assert_int_equal(dots_of(&s), 0);
+    assert_int_equal(s.strokes.count, count);
+    close_stage(&s);
+}
+
 /* One particle in ten, each on its particle; the same ones wherever they are. */
 static void tracers_mark_a_tenth(void **state)
 {
@@ -274,6 +301,7 @@ int main(void)
         cmocka_unit_test(arrows_point_along_the_flow),
         cmocka_unit_test(streamlines_of_a_rotation_are_circles),
         cmocka_unit_test(rulers_tell_the_truth),
+        cmocka_unit_test(decimals_are_of_a_language),
         cmocka_unit_test(tracers_mark_a_tenth),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -28,6 +28,40 @@ static void pass_frames(skv_stage *stage, int frames)
     stage_look(stage, 0);
 }
 
+/* Every field of numbers takes its ends and refuses what is beyond them, or no number, in words
+ * with both ends in them. */
+static void test_refusals(void **state)
+{
+    (void)state;
+    const skv_field *field;
+    int numbers = 0;
+    for (int i = 0; (field = skv_world_field(i)); i++) {
+        char text[32];
+        bool whole = field->type == SKV_FIELD_INTEGER;
+        if (field->type != SKV_FIELD_NUMBER && !whole) {
+            assert_null(skv_field_refusal(field, "anything"));
+            continue;
+        }
+        numbers++;
+        for (int end = 0; end < 2; end++) {
+            double at = end ? field->maximum : field->minimum;
+            skv_format(text, sizeof text, "%.9g", at);
+            assert_null(skv_field_refusal(field, text));
+            skv_format(text, sizeof text, "%.9g", end ? 2 * fabs(at) + 1 : -2 * fabs(at) - 1);
+            assert_non_null(skv_field_refusal(field, text));
+        }
+        assert_ptr_equal(skv_field_refusal(field, "three"), skv_refusal_words(0));
+        assert_ptr_equal(skv_field_refusal(field, ""), skv_refusal_words(0));
+        skv_format(text, sizeof text, "%.9g", field->minimum + 0.5);
+        if (whole)
+            assert_ptr_equal(skv_field_refusal(field, text), skv_refusal_words(2));
+    }
+    assert_true(numbers > 10);
+    for (int i = 0; skv_refusal_words(i); i++)
+        assert_non_null(strstr(strstr(skv_refusal_words(i), "%s") + 2, "%s"));
+    assert_null(skv_refusal_words(-1));
+}
+
 static void test_speeds(void **state)
 {
     (void)state;
@@ -378,15 +412,11 @@ static void test_keys(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_speeds),
-        cmocka_unit_test(test_going),
-        cmocka_unit_test(test_amounts),
-        cmocka_unit_test(test_time),
-        cmocka_unit_test(test_planets_and_tools),
-        cmocka_unit_test(test_gauges),
-        cmocka_unit_test(test_under_the_pointer),
-        cmocka_unit_test(test_in_the_water),
-        cmocka_unit_test(test_choices),
+        cmocka_unit_test(test_refusals),     cmocka_unit_test(test_speeds),
+        cmocka_unit_test(test_going),        cmocka_unit_test(test_amounts),
+        cmocka_unit_test(test_time),         cmocka_unit_test(test_planets_and_tools),
+        cmocka_unit_test(test_gauges),       cmocka_unit_test(test_under_the_pointer),
+        cmocka_unit_test(test_in_the_water), cmocka_unit_test(test_choices),
         cmocka_unit_test(test_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

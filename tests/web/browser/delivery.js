@@ -153,6 +153,11 @@ const trials = {
         await plays(page, 'the single file');
         const text = readFileSync(join(built, 'skvalp.html'), 'utf8');
         expect(!/(src|href)="(?!data:)/.test(text), 'the single file wants others');
+        await page.getByRole('button', { name: 'Main menu' }).click();
+        await page.getByRole('button', { name: 'Share', exact: true }).click();
+        await page.waitForFunction(() => document.querySelector('textarea.link')?.value);
+        const link = await page.getByRole('textbox', { name: 'Link' }).inputValue();
+        expect(/^skvalp:\d+\.[\w-]+$/.test(link), `the single file shares ${link.slice(0, 60)}`);
     },
 
     async 'a first visit, lab and plot included, takes no more than it may'(browser) {

@@ -322,6 +322,31 @@ const trials = {
             now = await blue(page);
         }
     },
+
+    async 'a process of graphics that dies is no limit of the device'(browser) {
+        const page = await begin(browser, small, '?scene=dam-break');
+        await until(page, () => window.skvalp.state.value.moment > 5, 'it plays');
+        await page.evaluate(() => {
+            window.alerts = [];
+            const note = () => document.querySelectorAll('[role=alert]').forEach((alert) => {
+                if (alert.textContent && window.alerts.at(-1) !== alert.textContent) {
+                    window.alerts.push(alert.textContent);
+                }
+            });
+            new MutationObserver(note).observe(document, { childList: true, characterData: true, subtree: true });
+        });
+        const session = await page.context().browser().newBrowserCDPSession();
+        await session.send('Browser.crashGpuProcess').catch(() => undefined); // it may take its answer along
+        await until(page, () => window.alerts.length > 0, 'it says that the processor was taken away');
+        await until(page, () => [...document.querySelectorAll('[role=alert]')].every((alert) => !alert.textContent),
+            'the alert goes');
+        for (let i = 0; (await blue(page)).share < 0.05; i++) {
+            assert.ok(i < 200, 'no water shows once it is back');
+            await page.waitForTimeout(50);
+        }
+        const alerts = await page.evaluate(() => window.alerts);
+        assert.deepEqual(alerts.filter((text) => !/taken away/.test(text)), []);
+    },
 };
 
 await carryOut([folder], trials, [
@@ -331,4 +356,5 @@ await carryOut([folder], trials, [
     'a page that nobody sees waits, and goes on where it was',
     'two fingers at once zoom, a pen draws, a touch knocks, and the screen is full',
     'a graphics processor that is taken away comes back',
+    'a process of graphics that dies is no limit of the device',
 ]);

@@ -139,7 +139,7 @@ const trials = {
     },
 
     async 'numbers are read and typed as Swedish has them'(browser) {
-        const page = await begin(browser, desk, '?scene=pool&lang=sv');
+        const page = await begin(browser, desk, '?scene=waves&lang=sv');
         await page.keyboard.press('m');
         await page.locator('.chip').filter({ hasText: /\d,\d\scm vatten/ }).waitFor();
         assert.match(await page.locator('.clock').textContent(), /^\d+,\d\u00a0s/);
@@ -153,6 +153,27 @@ const trials = {
         await field.press('Enter');
         await until(page, () => window.skvalp.state.value.worlds[0].parameters['gravity.y'] === '-3.71', 'it was read');
         assert.equal(await field.inputValue(), '\u22123,71');
+        assert.equal((await stateOf(page)).style.comma, true);
+
+        // What is refused stays as it was typed, with the reason below it, until something else is.
+        const wrong = page.getByRole('alert').filter({ hasText: /från \u2212\d/ });
+        for (const [text, words] of [['tre', 'Det är inget tal'], ['9000', 'Ange ett tal'], ['', 'Det är inget tal']]) {
+            await field.fill(text);
+            const { moment } = await stateOf(page); // what comes meanwhile takes nothing of it away
+            await until(page, (moment) => window.skvalp.state.value.moment > moment + 3, 'time passes', moment);
+            await field.press('Enter');
+            await wrong.filter({ hasText: words }).waitFor();
+            assert.deepEqual([await field.inputValue(), await field.getAttribute('aria-invalid')], [text, 'true']);
+            const described = (await field.getAttribute('aria-describedby')).split(' ')[0];
+            assert.equal(described, await wrong.getAttribute('id'));
+        }
+        assert.equal(await page.locator('.messages').textContent(), '');
+        assert.equal((await stateOf(page)).worlds[0].parameters['gravity.y'], '-3.71');
+        await field.fill('\u22121,62');
+        await field.press('Enter');
+        await wrong.waitFor({ state: 'detached' });
+        await until(page, () => window.skvalp.state.value.worlds[0].parameters['gravity.y'] === '-1.62', 'it was taken');
+        assert.deepEqual([await field.inputValue(), await field.getAttribute('aria-invalid')], ['\u22121,62', 'false']);
     },
 
     async 'a browser whose language is none has plots'(browser) {

@@ -65,6 +65,7 @@ export function makeCatalogue(library: Library): Catalogue {
         speeds: table(library, 'skv_named_number', c.skv_speed_at).map(plain),
         planets: table(library, 'skv_named_number', c.skv_planet_at).map(plain),
         keys: table(library, 'skv_key', c.skv_key_at).map(plain),
+        refusals: texts(c.skv_refusal_words),
         limits: plain(library.view('skv_limits', c.skv_control_limits())),
         parameters: parametersOf(library),
         sceneFields: fields(c.skv_scene_field),

@@ -1,5 +1,5 @@
 // What connect.ts and simulation.worker.ts say to each other.
-import type { Report, State } from './protocol';
+import type { Report, State, Trouble } from './protocol';
 
 export type ToWorker =
     /** Comes first, before the script is there: the module takes longest. */
@@ -15,5 +15,5 @@ export type FromWorker =
     | { kind: 'failed'; error: string }
     | { kind: 'state'; state: State }
     | { kind: 'report'; report: Report }
-    | { kind: 'picture'; trouble: null | 'lost' | 'unsupported' }
+    | { kind: 'picture'; trouble: Trouble }
     | { kind: 'answer'; id: number; value?: unknown; error?: string };

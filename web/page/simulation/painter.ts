@@ -7,6 +7,7 @@ import { Canvas } from '../../src/canvas.js';
 import type { Library } from '../../src/library.js';
 import type { skv_frame, skv_render_style } from '../../src/interface.js';
 
+import type { Trouble } from './protocol';
 import type { World, Worlds } from './worlds';
 
 /** The longer side of a saved picture, pixels: as the command line has it. */
@@ -22,7 +23,7 @@ export class Painter {
 
     /** @param tell that the picture can't be drawn, or can be again: then it has to be */
     constructor(library: Library, surface: HTMLCanvasElement | OffscreenCanvas,
-        tell: (trouble: null | 'lost' | 'unsupported') => void) {
+        tell: (trouble: Trouble) => void) {
         this.#library = library;
         this.#surface = surface;
         this.#canvas = new Canvas(library, surface, tell);

@@ -17,6 +17,8 @@ import { Worlds } from './worlds';
 
 /** Between two states, s. */
 const statePeriod = 1 / 30;
+/** Frames: who loses the device is refused pictures at first, and hears of it later. */
+const patience = 60;
 
 export interface Surroundings {
     library: Library;
@@ -45,7 +47,7 @@ export class Playing {
     readonly stopwatch;
     readonly style: skv_render_style;
     /** What it was set to. */
-    styleNames: Style = { view: 'water', overlays: [], palette: 'dark', detail: 'auto', range: 0 };
+    styleNames: Style = { view: 'water', overlays: [], palette: 'dark', detail: 'auto', range: 0, comma: false };
     #library;
     #surroundings;
     #frames;
@@ -54,6 +56,8 @@ export class Playing {
     #view = { width: 640, height: 360, ratio: 1 };
     #chosen;
     #drawing = 0;
+    /** Frames in a row in which the picture was refused. */
+    #refusals = 0;
     #told = -Infinity;
     #late: ReturnType<typeof setTimeout> | undefined;
     #waiting: { save: Waiting[]; share: Waiting[] } = { save: [], share: [] };
@@ -229,6 +233,7 @@ export class Playing {
         if (style.range !== undefined && Number.isFinite(style.range) && style.range >= 0) {
             this.style.range = style.range;
         }
+        this.style.comma = style.comma ?? this.style.comma;
         this.styleNames = { ...this.styleNames, ...style };
         this.worlds.stale = true;
     }
@@ -250,7 +255,7 @@ export class Playing {
             this.#layOut();
         }
         this.#tellState();
-        return active;
+        return active || (this.#refusals > 0 && this.#refusals < patience);
     }
 
     #draw() {
@@ -263,9 +268,18 @@ export class Playing {
             if (painter && !painter.draw(this.worlds, this.style)) {
                 return;
             }
-        } catch (error) {
-            this.#report('step', error instanceof Error ? error.message : String(error));
+        } catch {
+            if (++this.#refusals < patience) {
+                return;
+            }
+            this.#surroundings.listener.picture('refused');
+            this.worlds.stale = false;
+            return;
         }
+        if (this.#refusals >= patience) {
+            this.#surroundings.listener.picture(null);
+        }
+        this.#refusals = 0;
         this.worlds.stale = false;
         this.#drawing = clock() - before;
     }

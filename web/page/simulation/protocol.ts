@@ -128,8 +128,11 @@ export interface Listener {
     state(state: State): void;
     report(report: Report): void;
     /** The picture can't be drawn, or can be again. */
-    picture(trouble: null | 'lost' | 'unsupported'): void;
+    picture(trouble: Trouble): void;
 }
+
+/** Why there is no picture: the device is gone for a while, draws none, or refuses this one. */
+export type Trouble = null | 'lost' | 'unsupported' | 'refused';
 
 export type Settings = Record<string, string>;
 
@@ -142,6 +145,8 @@ export interface Style {
     detail: string;
     /** The upper end of the view's scale, in SI units; 0: it follows the water. */
     range: number;
+    /** Figures in the picture have a decimal comma. */
+    comma: boolean;
 }
 
 export interface PointerMessage {
@@ -285,6 +290,8 @@ export interface Catalogue {
     speeds: Plain<skv_named_number>[];
     planets: Plain<skv_named_number>[];
     keys: Plain<skv_key>[];
+    /** Why a number is refused: it is none, out of range, or not whole. */
+    refusals: string[];
     limits: Plain<skv_limits>;
     /** What can be set while it runs, and what a scene or an experiment can be opened with. */
     parameters: Field[];

@@ -49,7 +49,7 @@ export default function Share() {
                     {_('Copy')}
                 </button>
                 {canShare && (
-                    <button type="button" class="text" disabled={!text} onClick={() => void passOn({ url: text })}>
+                    <button type="button" class="text" disabled={!text} onClick={() => void passOn(text.startsWith('skvalp:') ? { text } : { url: text })}>
                         <Icon name="share" />
                         {_('Pass on')}
                     </button>

@@ -3,6 +3,7 @@
 import { signal } from '@preact/signals';
 import { moreContrast, paletteOf, preferences, prefer, systemLight } from './preferences';
 import { catalogue, complain, keyboardHand, showPanel, simulation, state, toast } from './model';
+import { signs } from './numbers';
 import { _ } from './words';
 
 // Time
@@ -69,7 +70,7 @@ export function applyPreferences(): void {
     const palette = paletteOf(chosen, systemLight.value, moreContrast.value);
     document.documentElement.dataset.palette = palette;
     const { view, overlays, detail } = chosen;
-    simulation.setStyle({ view, overlays, detail, palette });
+    simulation.setStyle({ view, overlays, detail, palette, comma: signs().decimal === ',' });
     simulation.setUnits(chosen.si);
     simulation.setTilt(chosen.tilt);
 }

@@ -1,7 +1,7 @@
 // Model: what the page knows, as signals. Invariant: what the simulation says is in `state` alone; what
 // only the page knows (which panel is open, what is said to the reader) is in the other signals.
 import { computed, signal } from '@preact/signals';
-import type { Catalogue, Simulation, State, WorldState } from '../simulation/protocol';
+import type { Catalogue, Simulation, State, Trouble, WorldState } from '../simulation/protocol';
 
 /** What everything is asked of; it is there before anything of the page can be used. */
 export let simulation: Simulation;
@@ -83,4 +83,4 @@ export const controls = signal<'all' | 'play' | 'none'>('all');
 /** Arrow keys move a hand. */
 export const keyboardHand = signal(false);
 /** The picture can't be drawn. */
-export const trouble = signal<null | 'lost' | 'unsupported'>(null);
+export const trouble = signal<Trouble>(null);

@@ -4,7 +4,7 @@ import type { Channel } from '../simulation/protocol';
 import { catalogue } from './model';
 import { language, word } from './words';
 
-function signs() {
+export function signs() {
     const { numerals } = catalogue;
     return numerals.find((known) => known.language === language.value) ?? numerals[0];
 }

@@ -7,8 +7,10 @@ import { _ } from './words';
 /** The link that the panel shows; '': it is being made. */
 export const link = signal('');
 
-/** The page's own address, as others are to open it. */
+/** The page's own address, as others are to open it; that of a file on a disk is nobody else's. */
 function addressOf(payload: string): string {
+    if (location.protocol === 'file:')
+        return `skvalp:${payload}`;
     const address = new URL(location.href);
     address.search = '';
     address.hash = payload;

@@ -6,6 +6,7 @@ import { loadLibrary, loadWhole } from '../simulation/testing';
 import { readPo } from '../../tools/words.js';
 import { begin } from './model';
 import { fixed, quantity, readingText, short, shown, typed } from './numbers';
+import { refusalOf } from './refusal';
 import { known, language, ngettext, say, speak, titleOfPath, word } from './words';
 
 const reading = { name: '', lack: '', theory: false };
@@ -67,6 +68,25 @@ test('numbers are as Swedish has them', async () => {
     expect(fixed(1200, 0)).toBe('1\u00a0200');
     expect(typed('−9,81')).toBe('-9.81');
     await speak('en');
+});
+
+test('a refused number is told as the library tells it', async () => {
+    const library = await loadWhole(), { c } = library;
+    const texts = ['', 'abc', '1,5', '0', '-0', '1.5', '-1', '7', '1e9', '-1e9', '0.05', '1e-7', '1 000', '0x10', 'nan'];
+    const { parameters, sceneFields } = makeCatalogue(library);
+    const fields = new Map<string, number>();
+    for (const at of [c.skv_world_field, c.skv_scene_field])
+        for (let i = 0, field; (field = at(i)) !== 0; i++)
+            fields.set(library.view('skv_field', field).path, field);
+    let refused = 0;
+    for (const field of [...parameters, ...sceneFields])
+        for (const text of texts.concat(shown(String(field.minimum)), String(field.maximum))) {
+            const words = c.skv_field_refusal(fields.get(field.path)!, text);
+            const told = words && say(words, shown(String(field.minimum)), shown(String(field.maximum)));
+            expect(refusalOf(field, text), `${field.path}=${text}`).toBe(told);
+            refused += Number(told !== null);
+        }
+    expect(refused).toBeGreaterThan(50);
 });
 
 test('parameters are named as the app names them', () => {
