@@ -52,8 +52,8 @@ typedef struct skv_constants {
     float leftover_share; /* near density per density of what images leave over */
     float image_gradient; /* F1 beside a flat wall, per slope of the solid's share */
     float image_virial, image_near_virial; /* of fluid and images as one body, per h P and h N */
-    float grip;      /* share of the slip along a wall that friction takes a substep */
-    float wall_drag; /* strength of viscosity's pairs with the solid */
+    float slip_friction; /* share of the slip along a wall that friction takes a substep */
+    float wall_drag;     /* strength of viscosity's pairs with the solid */
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
@@ -70,9 +70,9 @@ static inline bool skv_is_viscous(const skv_constants *constants)
 }
 
 /* True if walls hold anything of what slips along them, out of contact too. */
-static inline bool skv_has_grip(const skv_constants *constants)
+static inline bool skv_resists_slip(const skv_constants *constants)
 {
-    return constants->grip > 0 || constants->wall_drag > 0;
+    return constants->slip_friction > 0 || constants->wall_drag > 0;
 }
 
 #endif

@@ -41,14 +41,14 @@
 /* How much of the slip beside a wall a substep takes: friction, whole where a particle touches the
  * wall and fading towards the second layer; and viscosity, for a fluid whose pairs have the
  * strength `drag` there. */
-static inline float skv_wall_grip(float friction, float drag, float distance)
+static inline float skv_slip_taken(float friction, float drag, float distance)
 {
     float touch = (SKV_FREE - distance) / (SKV_FREE - SKV_TOUCH);
     touch = touch < 0 ? 0 : touch < 1 ? touch : 1;
-    float grip = friction * (touch * touch);
+    float taken = friction * (touch * touch);
     if (drag > 0)
-        grip += skv_flat_drag(drag, distance);
-    return grip < 1 ? grip : 1;
+        taken += skv_flat_drag(drag, distance);
+    return taken < 1 ? taken : 1;
 }
 
 #endif

@@ -35,7 +35,7 @@
 #define TENSION_UNTIL    0.25  /* of the push at the expected depth: what is pressed so has none */
 #define STICKS           0.05  /* wall friction from which on a viscous fluid does not slip */
 #define LEFTOVER_CROWD   2     /* how crowded what images leave over is, to the lattice */
-#define GRIP             0.2   /* of the friction in contact: it acts on all of the layer */
+#define SLIP_FRICTION    0.2   /* of the friction in contact: it acts on all of the layer */
 #define COHESION_MARGIN  12    /* how much stiffer than the cohesion the pressure must be */
 
 bool skv_within(double value, double lo, double hi)
@@ -202,7 +202,7 @@ static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
     c->adhesion = f->adhesion;
     c->friction = 0;
     c->wall_drag = (float)(sticks * viscosity * dt * eta * eta / 4);
-    c->grip = viscosity > 0 ? 0 : (float)share_for(GRIP * friction, dt);
+    c->slip_friction = viscosity > 0 ? 0 : (float)share_for(SLIP_FRICTION * friction, dt);
 }
 
 static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, double dt)

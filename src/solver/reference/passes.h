@@ -76,7 +76,7 @@ skv_pass skv_pass_correct;
 
 /* With walls by images, in the last iteration: takes from dx, dy what friction and viscosity
  * hold of the slip beside a wall. */
-skv_pass skv_pass_grip;
+skv_pass skv_pass_slip;
 
 /* Algorithm 7 for particles closer to a wall than the contact distance: friction and push, in
  * dx, dy; zero for all others. First how deep they are, and which way is out. */

@@ -84,8 +84,8 @@ static void take_substep(reference *r)
         run(r, DISPLACEMENT, skv_pass_displacement); /* along the pressure differences */
         if (i == 0 && !c->clavet)
             run(r, DISPLACEMENT, skv_pass_tension);
-        if (i == c->iterations - 1 && skv_has_grip(c))
-            run(r, DISPLACEMENT, skv_pass_grip); /* what a wall holds of the slip along it */
+        if (i == c->iterations - 1 && skv_resists_slip(c))
+            run(r, DISPLACEMENT, skv_pass_slip); /* what a wall holds of the slip along it */
         run(r, DISPLACEMENT, skv_pass_correct);  /* x += dx, stopped at walls */
     }
     run(r, CONTACT, skv_pass_find_contacts); /* friction and push at walls: 7 */

@@ -126,7 +126,7 @@ void skv_pass_correct(const skv_substep *sub, int begin, int end)
     }
 }
 
-void skv_pass_grip(const skv_substep *sub, int begin, int end)
+void skv_pass_slip(const skv_substep *sub, int begin, int end)
 {
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
@@ -138,8 +138,8 @@ void skv_pass_grip(const skv_substep *sub, int begin, int end)
         /* The particle's displacement in this substep so far, along the wall. */
         float moved_x = s->wx[i] + s->dx[i] + c->dt * s->vx[i];
         float moved_y = s->wy[i] + s->dy[i] + c->dt * s->vy[i];
-        float grip = skv_wall_grip(c->grip, c->wall_drag, s->image[i]);
-        float held = grip * (moved_x * tx + moved_y * ty);
+        float taken = skv_slip_taken(c->slip_friction, c->wall_drag, s->image[i]);
+        float held = taken * (moved_x * tx + moved_y * ty);
         s->dx[i] -= held * tx;
         s->dy[i] -= held * ty;
         skv_book_reaction(sub, i, (double)(-held * tx), (double)(-held * ty));

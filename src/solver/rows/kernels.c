@@ -423,8 +423,8 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
 
 /* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
  * u, v hold the rest of what it has moved in the substep. */
-V8_INLINE void add_grip(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
-                        void *impulse)
+V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
+                                 const skv_constants *c, void *impulse)
 {
     const skv_row_particles *p = &s->set[s->current];
     const skv_image_sample *image = &wall->at.image;
@@ -435,8 +435,8 @@ V8_INLINE void add_grip(const skv_rows *s, const skv_near_wall *wall, const skv_
     float tx = -image->ny / size, ty = image->nx / size;
     float moved_x = p->u[i] + (s->own_move.x[i] + s->next_move.x[i]);
     float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]);
-    float grip = skv_wall_grip(c->grip, c->wall_drag, image->distance);
-    float held = grip * (moved_x * tx + moved_y * ty);
+    float taken = skv_slip_taken(c->slip_friction, c->wall_drag, image->distance);
+    float held = taken * (moved_x * tx + moved_y * ty);
     add_move(s, i, c, -held * tx, -held * ty, impulse);
 }
 
@@ -540,8 +540,8 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
 {
     skv_impulse given = {0};
     for_walls(s, row, c, boundary, samples, add_push, &given);
-    if (iteration == c->iterations - 1 && skv_has_grip(c))
-        for_walls(s, row, c, boundary, samples, add_grip, &given);
+    if (iteration == c->iterations - 1 && skv_resists_slip(c))
+        for_walls(s, row, c, boundary, samples, add_slip_friction, &given);
     skv_impulse_add(walls, given.x, given.y, given.moment);
     const bool last = iteration == c->iterations - 1, lag = c->pair_lag > 0;
     const move_kind correction = {.corrects = true, .lagged = lag, .lags = lag && !last};
