@@ -49,7 +49,7 @@ typedef struct skv_constants {
     float tension_until;  /* push of the last substep from which on there is none, m */
     /* Walls by images alone. */
     float adhesion;       /* share of a wall's pull that holds against gravity */
-    float leftover_share; /* near density per density of what images leave over */
+    float residual_share; /* near density per density of the residual volume */
     float image_gradient; /* F1 beside a flat wall, per slope of the solid's share */
     float image_virial, image_near_virial; /* of fluid and images as one body, per h P and h N */
     float slip_friction; /* share of the slip along a wall that friction takes a substep */

@@ -8,7 +8,7 @@
  * central differences drive creeping flow, so the vectors are stored, not derived.
  *
  * Walls may also be met by images (terrain/image_distance.h): then a second set of blocks holds the
- * image distance D and its gradient, and what images leave over of R and F1.
+ * image distance D and its gradient, and what the residual volume has of R and F1.
  */
 #ifndef SKV_TERRAIN_WALL_MAP_H
 #define SKV_TERRAIN_WALL_MAP_H

@@ -34,7 +34,7 @@
 #define TENSION_FROM     0.2   /* of |g| at a flat surface: how uneven the bulk may be */
 #define TENSION_UNTIL    0.25  /* of the push at the expected depth: what is pressed so has none */
 #define STICKS           0.05  /* wall friction from which on a viscous fluid does not slip */
-#define LEFTOVER_CROWD   2     /* how crowded what images leave over is, to the lattice */
+#define RESIDUAL_CROWD   2     /* how crowded the residual volume is, to the lattice */
 #define SLIP_FRICTION    0.2   /* of the friction in contact: it acts on all of the layer */
 #define COHESION_MARGIN  12    /* how much stiffer than the cohesion the pressure must be */
 
@@ -198,7 +198,7 @@ static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
     /* In a corner D is near 0 and nearly even, so images do not hold a particle off its walls, and
      * those around push it in. The rest of the solid holds it off if it is a crowd; that of the
      * lattice is none. Of 1.6 to 2.7 all do much the same. */
-    c->leftover_share = (float)LEFTOVER_CROWD * c->near_share;
+    c->residual_share = (float)RESIDUAL_CROWD * c->near_share;
     c->adhesion = f->adhesion;
     c->friction = 0;
     c->wall_drag = (float)(sticks * viscosity * dt * eta * eta / 4);

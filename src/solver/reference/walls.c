@@ -91,7 +91,7 @@ static void sample_solid(const skv_substep *sub, int i)
 static void sample_image(const skv_substep *sub, int i)
 {
     const skv_pass_data *s = &sub->data;
-    const float share = sub->constants->leftover_share;
+    const float share = sub->constants->residual_share;
     skv_image_sample wall;
     float distance = skv_boundary_sample_image(sub->boundary, s->x[i], s->y[i], &wall);
     bool near = distance < sub->constants->h && wall.distance < 1;

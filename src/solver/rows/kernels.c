@@ -163,7 +163,7 @@ V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_constants *c, flo
     s->own.near_density[i] += near_density;
 }
 
-/* The solid's share of the sums; with images, a particle's own image and what they leave over,
+/* The solid's share of the sums; with images, a particle's own image and the residual volume,
  * which is a crowd. */
 V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
                          void *graded)
@@ -183,7 +183,7 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
     float q = 1 - 2 * image->distance;
     q = q > 0 ? q : 0;
     add_to_sums(s, i, c, image->r + skv_kernel_densityf(SKV_KERNEL_SMOOTH, q),
-                c->leftover_share * image->r + q * q * q);
+                c->residual_share * image->r + q * q * q);
     if (graded) {
         float flat = c->image_gradient * skv_flat_slope(image->distance);
         own->gradient_x[i] -= image->f1x + flat * image->nx;
@@ -410,7 +410,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
     } else {
         const skv_image_sample *image = &wall->at.image;
         float q = 1 - 2 * image->distance,
-              rest = push + SKV_NEAR_WEIGHT * c->leftover_share * near_push;
+              rest = push + SKV_NEAR_WEIGHT * c->residual_share * near_push;
         q = q > 0 ? q : 0;
         float out = s->own_move.thrust[i] + s->next_move.thrust[i];
         out += 2 * (push * skv_kernel_forcef(SKV_KERNEL_SMOOTH, q) + near_push * (q * q));
