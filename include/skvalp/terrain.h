@@ -104,12 +104,12 @@ SKV_API float skv_terrain_normal(const skv_terrain *terrain, float x, float y, f
                                  float *ny);
 
 /** How far a straight move from (x0, y0) to (x1, y1) may go before it comes closer to a wall than
- * `clearance` metres: a fraction 0..1 of the move. A move that starts closer than that may go on as
+ * `margin` metres: a fraction 0..1 of the move. A move that starts closer than that may go on as
  * long as it does not get deeper. A move that begins more than 65536 pixels from the origin, or is
  * longer than 1e9 pixels, is not made. The swept test that keeps fast particles out of thin walls.
  */
 SKV_API float skv_terrain_sweep(const skv_terrain *terrain, float x0, float y0, float x1, float y1,
-                                float clearance);
+                                float margin);
 
 /** The lowest and highest points, in metres, of the free region; both 0 if there is none. */
 SKV_API void skv_terrain_free_range(const skv_terrain *terrain, float *lowest, float *highest);

@@ -18,7 +18,7 @@
 typedef struct skv_boundary {
     const skv_terrain *terrain;
     const skv_wall_map *walls;
-    float clearance;        /* how close a move may come to a wall, m */
+    float margin;           /* how close a move may come to a wall, m */
     float contact_distance; /* closer to a wall than this is contact, m */
 
     float unit, per_unit; /* the asker's unit of length, in m, and its reciprocal */
@@ -61,7 +61,7 @@ static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y,
     float wx = *x, wy = *y, wdx = dx, wdy = dy;
     skv_boundary_to_world(b, &wx, &wy);
     skv_boundary_to_world(b, &wdx, &wdy);
-    float share = skv_terrain_sweep(b->terrain, wx, wy, wx + wdx, wy + wdy, b->clearance);
+    float share = skv_terrain_sweep(b->terrain, wx, wy, wx + wdx, wy + wdy, b->margin);
     wx += share < 1 ? share * wdx : wdx;
     wy += share < 1 ? share * wdy : wdy;
     *distance = skv_distance_at(b->terrain, wx, wy) * b->per_unit;

@@ -215,7 +215,7 @@ static double march(const move *m, double distance)
 }
 
 float skv_terrain_sweep(const skv_terrain *terrain, float x0, float y0, float x1, float y1,
-                        float clearance)
+                        float margin)
 {
     SKV_ASSERT_OR(terrain, 0);
     double scale = (double)terrain->per_metre, shift = (double)SKV_TERRAIN_RIM - 0.5;
@@ -229,7 +229,7 @@ float skv_terrain_sweep(const skv_terrain *terrain, float x0, float y0, float x1
     m.length = sqrt(m.dx * m.dx + m.dy * m.dy);
     m.tolerance = ROUNDING * (fabs(m.x0) + fabs(m.y0));
     double distance = distance_at(&m, 0);
-    double wanted = (double)clearance * scale;
+    double wanted = (double)margin * scale;
     m.limit = wanted < distance ? wanted : distance;
     /* Most moves are short and end here. Those inside solid always march, however short: what
      * keeps them on their side of a wall must not be outrun by many small steps. */

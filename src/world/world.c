@@ -82,7 +82,7 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
         world->boundary = (skv_boundary){
             .terrain = terrain,
             .walls = world->walls,
-            .clearance = skv_minf(0.1f * fluid->spacing, 0.5f * pixel),
+            .margin = skv_minf(0.1f * fluid->spacing, 0.5f * pixel),
             .contact_distance = skv_contact_distance(fluid),
             .unit = 1,
             .per_unit = 1,

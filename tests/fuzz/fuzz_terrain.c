@@ -11,14 +11,14 @@ static void ask(const skv_terrain *terrain, fuzz_input *in)
     float width = skv_terrain_width(terrain), height = skv_terrain_height(terrain);
     float x = fuzz_float(in, -width, 2 * width), y = fuzz_float(in, -height, 2 * height);
     float x1 = fuzz_float(in, -width, 2 * width), y1 = fuzz_float(in, -height, 2 * height);
-    float clearance = fuzz_float(in, 0, width / 8);
-    if (!isfinite(x) || !isfinite(y) || !isfinite(x1) || !isfinite(y1) || !isfinite(clearance))
+    float margin = fuzz_float(in, 0, width / 8);
+    if (!isfinite(x) || !isfinite(y) || !isfinite(x1) || !isfinite(y1) || !isfinite(margin))
         return;
     float nx, ny, distance = skv_terrain_normal(terrain, x, y, &nx, &ny);
     fuzz_expect(distance == skv_terrain_distance(terrain, x, y), "one distance at a place");
     fuzz_expect(!isnan(distance), "a distance is a number");
     fuzz_expect(fabsf(nx * nx + ny * ny - 1) < 1e-3f, "a normal has the length 1");
-    float share = skv_terrain_sweep(terrain, x, y, x1, y1, clearance);
+    float share = skv_terrain_sweep(terrain, x, y, x1, y1, margin);
     fuzz_expect(share >= 0 && share <= 1, "a sweep goes a share of the way");
 }
 

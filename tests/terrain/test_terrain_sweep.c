@@ -23,22 +23,21 @@ static double distance(const skv_terrain *t, double x, double y)
     return (double)skv_terrain_distance(t, (float)x * PIXEL, (float)y * PIXEL) / (double)PIXEL;
 }
 
-static double sweep(const skv_terrain *t, double x0, double y0, double x1, double y1,
-                    double clearance)
+static double sweep(const skv_terrain *t, double x0, double y0, double x1, double y1, double margin)
 {
     return (double)skv_terrain_sweep(t, (float)x0 * PIXEL, (float)y0 * PIXEL, (float)x1 * PIXEL,
-                                     (float)y1 * PIXEL, (float)clearance * PIXEL);
+                                     (float)y1 * PIXEL, (float)margin * PIXEL);
 }
 
 /* Moves (x, y) as far as it may go. */
-static void move(const skv_terrain *t, double *x, double *y, double dx, double dy, double clearance)
+static void move(const skv_terrain *t, double *x, double *y, double dx, double dy, double margin)
 {
     double before = distance(t, *x, *y);
-    double share = sweep(t, *x, *y, *x + dx, *y + dy, clearance);
+    double share = sweep(t, *x, *y, *x + dx, *y + dy, margin);
     assert_true(share >= 0 && share <= 1);
     *x += share * dx;
     *y += share * dy;
-    assert_true(distance(t, *x, *y) >= fmin(clearance, before) - SLACK);
+    assert_true(distance(t, *x, *y) >= fmin(margin, before) - SLACK);
 }
 
 /* Paints a line through the middle, `wide` pixels across along the axis it is steeper to. */
@@ -63,13 +62,13 @@ static void thin_walls_hold(void **state)
     (void)state;
     const double angles[] = {0, 90, 45, 135, 10, 22.5, 30, 63, 100, 171};
     const uint8_t shades[] = {255, 160, 130};
-    const double clearances[] = {0, 0.3, 1.5};
+    const double margins[] = {0, 0.3, 1.5};
     dice d = {7};
     int stopped = 0;
     for (size_t a = 0; a < sizeof angles / sizeof *angles; a++) {
         for (int variant = 0; variant < 18; variant++) {
             int wide = 1 + variant % 2;
-            double clearance = clearances[variant / 2 % 3];
+            double margin = margins[variant / 2 % 3];
             double angle = angles[a] * acos(-1.0) / 180, nx = -sin(angle), ny = cos(angle);
             paint_line(angles[a], wide, shades[variant / 6]);
             skv_terrain *t = make_terrain(SIDE, SIDE, picture, PIXEL, 0);
@@ -85,11 +84,11 @@ static void thin_walls_hold(void **state)
                 double dx = towards * speed * nx + 10 * (roll(&d) - 0.5);
                 double dy = towards * speed * ny + 10 * (roll(&d) - 0.5);
                 double was_x = x, was_y = y;
-                move(t, &x, &y, dx, dy, clearance);
+                move(t, &x, &y, dx, dy, margin);
                 stopped += hypot(x - was_x, y - was_y) < 0.99 * hypot(dx, dy);
                 for (int push = 0; push < 60; push++) {
                     double length = push % 3 == 0 ? 0.002 : push % 3 == 1 ? 0.02 : 3;
-                    move(t, &x, &y, towards * length * nx, towards * length * ny, clearance);
+                    move(t, &x, &y, towards * length * nx, towards * length * ny, margin);
                 }
                 /* The line's middle wanders by half a pixel around the straight one. */
                 double now = (x - mx) * nx + (y - my) * ny;
@@ -237,18 +236,18 @@ static void nobody_crosses_from_inside(void **state)
     }
 }
 
-/* Straight at a floor, from near and far and at all angles: the move ends at the clearance. */
-static void stops_at_the_clearance(void **state)
+/* Straight at a floor, from near and far and at all angles: the move ends at the margin. */
+static void stops_at_the_margin(void **state)
 {
     (void)state;
     skv_terrain *t = make_terrain(SIDE, SIDE, NULL, PIXEL, 0);
     dice d = {3};
     for (int i = 0; i < 3000; i++) {
-        double clearance = i % 3 * 0.7, height = clearance + 0.01 + 40 * roll(&d);
+        double margin = i % 3 * 0.7, height = margin + 0.01 + 40 * roll(&d);
         double x = 64, dx = 30 * (roll(&d) - 0.5), dy = -height - 20 * roll(&d);
-        double share = sweep(t, x, height, x + dx, height + dy, clearance);
+        double share = sweep(t, x, height, x + dx, height + dy, margin);
         double end = height + share * dy;
-        assert_true(fabs(end - clearance) < SLACK);
+        assert_true(fabs(end - margin) < SLACK);
     }
     skv_terrain_destroy(t);
 }
@@ -277,13 +276,13 @@ static void free_moves_go_all_the_way(void **state)
         assert_true(
             sweep(t, x, y, SIDE * (0.1 + 0.8 * roll(&d)), SIDE * (0.1 + 0.8 * roll(&d)), 5) == 1);
     }
-    /* Along the floor, at the clearance and below it; away from it; out through the open top. */
+    /* Along the floor, at the margin and below it; away from it; out through the open top. */
     assert_true(sweep(t, 10, 1, 110, 1, 1) == 1);
     assert_true(sweep(t, 10, 0.5, 110, 0.5, 1) == 1);
     assert_true(sweep(t, 10, 0.5, 30, 5, 1) == 1);
     assert_true(sweep(t, 64, 60, 64, 1e6, 1) == 1);
     assert_true(sweep(t, 64, 60, 64, 60, 1) == 1);
-    /* Below the clearance and deeper: not at all. */
+    /* Below the margin and deeper: not at all. */
     assert_true(sweep(t, 10, 0.5, 10, -5, 1) < 0.001);
     /* From behind a closed side: back in, not farther out. */
     assert_true(sweep(t, 10, -9, 10, 20, 1) == 1);
@@ -313,7 +312,7 @@ int main(void)
         cmocka_unit_test(moves_from_far_away_stay_in_the_grid),
         cmocka_unit_test(nobody_leaves_a_region),
         cmocka_unit_test(nobody_crosses_from_inside),
-        cmocka_unit_test(stops_at_the_clearance),
+        cmocka_unit_test(stops_at_the_margin),
         cmocka_unit_test(pushing_gains_nothing),
         cmocka_unit_test(free_moves_go_all_the_way),
         cmocka_unit_test(numbers_that_are_none_stay_put),

@@ -47,7 +47,7 @@ static float move_particle(const skv_substep *sub, int i, float *along_x, float 
     *along_x = *along_y = 0;
     /* The distance is bilinear: along a diagonal it can fall by the square root of two. */
     s->clearance[i] -= 1.4143f * sqrtf(dx * dx + dy * dy);
-    if (s->clearance[i] > sub->boundary->clearance) {
+    if (s->clearance[i] > sub->boundary->margin) {
         s->x[i] += dx;
         s->y[i] += dy;
         return 1;

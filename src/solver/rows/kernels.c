@@ -505,7 +505,7 @@ RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind 
     }
     x = v8_add(v8_load(p->x + i), x);
     y = v8_add(v8_load(p->y + i), y);
-    if (!v8_any_below(clear, v8_set(s->acting.wall_clearance))) {
+    if (!v8_any_below(clear, v8_set(s->acting.wall_margin))) {
         v8_store(p->clearance + i, clear);
         v8_store(p->x + i, x);
         v8_store(p->y + i, y);
@@ -523,7 +523,7 @@ RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind 
     v8_store(free[3], v);
     for (int l = 0; l < ROW_LANES && i + l < end; l++) {
         int k = i + l;
-        bool may_meet = left[l] < s->acting.wall_clearance;
+        bool may_meet = left[l] < s->acting.wall_margin;
         if (may_meet && meet_wall(p, k, move_x[l], move_y[l], kind, c, boundary, walls))
             continue;
         p->clearance[k] = may_meet ? p->clearance[k] : left[l];

@@ -28,7 +28,7 @@ typedef struct skv_row_acting {
     float gravity_x, gravity_y;
     const skv_pull *pulls;
     int pull_count;
-    float wall_clearance; /* how close a move may come to a wall */
+    float wall_margin; /* how close a move may come to a wall */
     float contact_distance;
 } skv_row_acting;
 

@@ -44,7 +44,7 @@ static skv_row_acting acting_on(const skv_solver_step *step, const skv_boundary 
         .gravity_y = step->gravity_y * c->dt * per_step,
         .pulls = pulls,
         .pull_count = step->pull_count,
-        .wall_clearance = boundary->clearance * c->inv_h,
+        .wall_margin = boundary->margin * c->inv_h,
         .contact_distance = boundary->contact_distance * c->inv_h,
     };
     if (boundary->swapped)
