@@ -109,6 +109,21 @@ await 'menus() == 1'
 press Particles
 press '1 000'
 await 'worlds[0].opened == 2 and worlds[0].particles == 1000 and menus() == 0 and says("1 000 particles")'
+is 'not shows("Bring Back")' || fail "what nobody has touched is offered: $answer"
+# What was done meanwhile can be brought back, and with it the number that it had.
+key space
+await paused
+xdotool key 2
+drag 60 75 75 77
+let_go
+await 'canUndo and sum(cells("walls", 65, 75, 75, 80)) == 2'
+key F10
+await 'menus() == 1'
+press Particles
+press '500'
+await 'worlds[0].opened == 3 and worlds[0].particles == 500 and not canUndo'
+press 'Bring Back'
+await 'worlds[0].opened == 4 and worlds[0].particles == 1000 and sum(cells("walls", 65, 75, 75, 80)) == 2'
 quit_app
 start_app pool
 await 'worlds[0].opened == 1 and worlds[0].particles == 1000'
