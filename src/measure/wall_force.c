@@ -31,10 +31,10 @@ static skv_result reserve(skv_force_meter *m, int count, skv_error *error)
     int capacity = count > 2 * m->capacity ? count : 2 * m->capacity;
     size_t room = (size_t)capacity;
     const skv_array arrays[] = {
-        SKV_ARRAY(m->x, room, 0),         SKV_ARRAY(m->y, room, 0),
-        SKV_ARRAY(m->vx, room, 0),        SKV_ARRAY(m->vy, room, 0),
-        SKV_ARRAY(m->clearance, room, 0), SKV_ARRAY(m->pressure, room, 0),
-        SKV_ARRAY(m->warm_push, room, 0), SKV_ARRAY(m->id, room, 0),
+        SKV_ARRAY(m->x, room, 0),           SKV_ARRAY(m->y, room, 0),
+        SKV_ARRAY(m->vx, room, 0),          SKV_ARRAY(m->vy, room, 0),
+        SKV_ARRAY(m->clearance, room, 0),   SKV_ARRAY(m->pressure, room, 0),
+        SKV_ARRAY(m->warm_lambda, room, 0), SKV_ARRAY(m->id, room, 0),
     };
     if (!skv_arrays_grow(&m->block, arrays, sizeof arrays / sizeof *arrays))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a force on walls");
@@ -91,7 +91,7 @@ static skv_result copy_fluid(skv_force_meter *m, skv_solver_particles *particles
         m->y[k] = from.y[i];
         m->vx[k] = from.vx[i];
         m->vy[k] = from.vy[i];
-        m->warm_push[k] = from.warm_push[i];
+        m->warm_lambda[k] = from.warm_lambda[i];
         m->id[k] = from.id[i];
         m->clearance[k++] = 0;
     }
@@ -105,7 +105,7 @@ static skv_result copy_fluid(skv_force_meter *m, skv_solver_particles *particles
         .vy = m->vy,
         .clearance = m->clearance,
         .pressure = m->pressure,
-        .warm_push = m->warm_push,
+        .warm_lambda = m->warm_lambda,
         .id = m->id,
     };
     return SKV_OK;

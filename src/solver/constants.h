@@ -23,21 +23,21 @@ typedef struct skv_constants {
     float viscosity_linear, viscosity_quadratic; /* sigma 1/s, beta 1/m */
 
     /* Pressure laws. Densities are dimensionless. */
-    bool clavet;           /* the clavet law, else the calibrated one */
-    bool images;           /* walls by images: wall_image.h; calibrated law alone */
-    int iterations;        /* relaxation rounds */
-    skv_kernel kernel;     /* of the density; the near density has its own */
-    float rest_density;    /* rho0 */
-    float push_scale;      /* calibrated: omega h/gain; clavet: dt^2 k/2; m */
-    float near_push_scale; /* the same for the near density; m */
-    float push_limit;      /* clavet: bound of rho N, m */
-    float wall_virial;     /* distance times push of a smooth solid, per h R: 2/gain */
-    float loose_push;      /* P of a particle that no wall holds up, at most; m */
+    bool clavet;             /* the clavet law, else the calibrated one */
+    bool images;             /* walls by images: wall_image.h; calibrated law alone */
+    int iterations;          /* relaxation rounds */
+    skv_kernel kernel;       /* of the density; the near density has its own */
+    float rest_density;      /* rho0 */
+    float lambda_scale;      /* calibrated: omega h/gain; clavet: dt^2 k/2; m */
+    float near_lambda_scale; /* the same for the near density; m */
+    float lambda_limit;      /* clavet: bound of rho N, m */
+    float wall_virial;       /* virial of a smooth solid, per h R P: 2/gain */
+    float loose_lambda;      /* P of a particle that no wall holds up, at most; m */
     /* Calibrated law alone. */
-    float warm_start; /* share of the last substep's push with which the next one starts; 0: cold */
-    float warm_limit; /* the most of that push that counts, m */
-    float warm_most;  /* ... and the most of it, per push that the excess of density finds */
-    float response_slope; /* how strongly the density answers to a push, per density, ... */
+    float warm_start; /* share of the last substep's P with which the next one starts; 0: cold */
+    float warm_limit; /* the most of that P that counts, m */
+    float warm_most;  /* ... and the most of it, per P that the excess of density finds */
+    float response_slope; /* how strongly the density answers to P, per density, ... */
     float response_floor; /* ... and at least */
     float near_share;     /* near density per density in the lattice at rest: more is a crowd */
     float cohesion_scale; /* cohesion per missing density, m */
@@ -46,7 +46,7 @@ typedef struct skv_constants {
     float cohesion_slope; /* ... and how steeply its share grows to 1 from there */
     float tension_scale;  /* of the surface tension, m */
     float tension_from;   /* gradient up to which there is none */
-    float tension_until;  /* push of the last substep from which on there is none, m */
+    float tension_until;  /* P of the last substep from which on there is none, m */
     /* Walls by images alone. */
     float adhesion;       /* share of a wall's pull that holds against gravity */
     float residual_share; /* near density per density of the residual volume */

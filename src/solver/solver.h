@@ -44,7 +44,7 @@ typedef struct skv_solver_particles {
     /* What the pressure term, without cohesion, crowding and tension, has pushed in the last
      * substep: the sum of its P over dt^2, m/s^2. The next one starts from there. Not written with
      * the clavet law, which does not know it. */
-    float *warm_push;
+    float *warm_lambda;
     const uint32_t *id;
     const uint8_t *part; /* skv_part; null: all move */
 } skv_solver_particles;

@@ -26,12 +26,12 @@ static inline void skv_wall_let_fall(float gx, float gy, float nx, float ny, flo
 /* Writes the wall's part of a displacement, P F1 + N F2: a wall pushes with the particle's own
  * pressure, once; twice, as if it were a mirrored fluid, heats the fluid. Where P is negative it
  * pulls. `loose`: only up to this P is it let fall. */
-static inline void skv_wall_push(float push, float near_push, float f1x, float f1y, float f2x,
+static inline void skv_wall_push(float lambda, float near_lambda, float f1x, float f1y, float f2x,
                                  float f2y, float gx, float gy, float loose, float *x, float *y)
 {
-    *x = push * f1x + near_push * f2x;
-    *y = push * f1y + near_push * f2y;
-    if (push < loose)
+    *x = lambda * f1x + near_lambda * f2x;
+    *y = lambda * f1y + near_lambda * f2y;
+    if (lambda < loose)
         skv_wall_let_fall(gx, gy, f1x, f1y, 0, x, y);
 }
 

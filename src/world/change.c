@@ -170,7 +170,7 @@ void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid)
 {
     /* Another law starts cold: it would not know what it finds. */
     for (int i = 0; fluid->law != world->fluid.law && i < world->state.count; i++)
-        world->state.warm_push[i] = 0;
+        world->state.warm_lambda[i] = 0;
     skv_world_put_fluid(world, fluid);
     skv_world_adapt_substeps(world);
     skv_sleep_wake_all(world);

@@ -137,11 +137,11 @@ void skv_set_stiffness(skv_constants *c, float cold)
     if (c->clavet)
         return;
     if (square <= 1)
-        c->push_scale *= square;
+        c->lambda_scale *= square;
     else
         c->warm_start = 1 - 1 / square;
     /* What the pressure pushes in a substep at the expected depth. */
-    float deep = (float)COMPRESSION * (float)c->iterations * c->push_scale * c->rest_density /
+    float deep = (float)COMPRESSION * (float)c->iterations * c->lambda_scale * c->rest_density /
                  c->response_floor / (1 - c->warm_start);
     c->warm_limit = (float)WARM_REACH * deep;
     c->tension_until = (float)TENSION_UNTIL * deep;
@@ -215,10 +215,10 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->lag_rise = (float)(dt * dt / (LAG_FROM * LAG_FROM * h * h));
     c->rest_density = (float)rest;
     c->warm_most = WARM_MOST;
-    c->push_scale = (float)(relaxation(f) * h / SKV_SMOOTH_GAIN);
+    c->lambda_scale = (float)(relaxation(f) * h / SKV_SMOOTH_GAIN);
     c->response_slope = (float)(lattice.response / rest);
     c->response_floor = (float)lattice.response;
-    c->near_push_scale = (float)(half * (double)f->near_stiffness);
+    c->near_lambda_scale = (float)(half * (double)f->near_stiffness);
     c->near_share = (float)(lattice.near_density / rest);
     c->cohesion_scale = (float)(half * COHESION_PULL * cohesion);
     c->cohesion_below = (float)(COHESION_BELOW * rest);
@@ -227,7 +227,7 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->tension_scale = (float)(dt * dt * COHESION_TENSION * cohesion);
     c->tension_from = (float)(TENSION_FROM * skv_surface_gradient(f));
     c->wall_virial = 2.0f / SKV_SMOOTH_GAIN;
-    c->loose_push = (float)h;
+    c->loose_lambda = (float)h;
     skv_set_stiffness(c, 1);
     if (skv_has_images(f))
         set_images(c, f, dt);
@@ -237,13 +237,13 @@ static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
 {
     /* k has the unit m/s^2 and is given in h/dt^2, so dt^2 k/2 is a length in h. */
     c->rest_density = f->clavet_rest_density;
-    c->push_scale = (float)(0.5 * (double)f->clavet_stiffness * h);
-    c->near_push_scale = (float)(0.5 * (double)f->clavet_near_stiffness * h);
-    c->push_limit = (float)(CLAVET_LIMIT * h);
+    c->lambda_scale = (float)(0.5 * (double)f->clavet_stiffness * h);
+    c->near_lambda_scale = (float)(0.5 * (double)f->clavet_near_stiffness * h);
+    c->lambda_limit = (float)(CLAVET_LIMIT * h);
     c->wall_virial = 2.0f / SKV_SPIKY_GAIN;
     skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SPIKY, (double)f->radius_ratio);
-    c->loose_push =
-        c->push_scale * (float)(CLAVET_LOOSE * lattice.density - (double)f->clavet_rest_density);
+    c->loose_lambda =
+        c->lambda_scale * (float)(CLAVET_LOOSE * lattice.density - (double)f->clavet_rest_density);
 }
 
 skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)

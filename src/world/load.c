@@ -133,7 +133,7 @@ static void stiffen(skv_world *world, float stiffness)
     float times = stiffness / world->load.stiffness;
     world->load.stiffness = stiffness;
     for (int i = 0; times != 1 && i < world->state.count; i++)
-        world->state.warm_push[i] *= times * times;
+        world->state.warm_lambda[i] *= times * times;
 }
 
 /* At once, and the stiffness too: where g dt^2 stays, so does the fluid. */

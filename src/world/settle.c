@@ -209,7 +209,7 @@ static void finish(const settling *s)
     memcpy(p->anchor_y, p->y, bytes);
     for (int i = 0; i < p->count; i++)
         if (s->lies.lie[i] != SKV_RESTS)
-            p->pressure[i] = p->warm_push[i] = 0;
+            p->pressure[i] = p->warm_lambda[i] = 0;
     world->load.stiffness = (float)world->load.wanted; /* in which it has come to rest */
     skv_sleep_wake_all(world);
     skv_world_regroup(world);

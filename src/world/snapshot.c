@@ -310,7 +310,7 @@ static uint8_t get_uint8_t(skv_reader *r)
 /* ---- Particles ------------------------------------------------------------------------------- */
 
 /* m/s^2: that of a metre's displacement in the shortest substep, and more than any has. */
-#define MOST_WARM_PUSH 1e11
+#define MOST_WARM_LAMBDA 1e11
 
 /* What a particle may be, attribute by attribute. */
 static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_before)
@@ -318,7 +318,7 @@ static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_befo
     return skv_within((double)*one->x, -100, 100) && skv_within((double)*one->y, -100, 100) &&
            skv_within((double)*one->vx, -SKV_MOST_SPEED, SKV_MOST_SPEED) &&
            skv_within((double)*one->vy, -SKV_MOST_SPEED, SKV_MOST_SPEED) &&
-           isfinite(*one->pressure) && skv_within((double)*one->warm_push, 0, MOST_WARM_PUSH) &&
+           isfinite(*one->pressure) && skv_within((double)*one->warm_lambda, 0, MOST_WARM_LAMBDA) &&
            isfinite(*one->anchor_x) && isfinite(*one->anchor_y) && *one->id > id_before &&
            *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS && *one->dye <= SKV_DYES &&
            (s->def.sleep || *one->unrest != SKV_CALM);

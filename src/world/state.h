@@ -25,8 +25,8 @@ typedef enum skv_saved {
     X(float, y, SKV_SAVED)                                                                         \
     X(float, vx, SKV_SAVED) /* velocity, m/s */                                                    \
     X(float, vy, SKV_SAVED)                                                                        \
-    X(float, pressure, SKV_SAVED)            /* gauge, of the last substep, Pa m */                \
-    X(float, warm_push, SKV_SAVED_WITH_WARM) /* what the next substep starts from, solver.h */     \
+    X(float, pressure, SKV_SAVED)              /* gauge, of the last substep, Pa m */              \
+    X(float, warm_lambda, SKV_SAVED_WITH_WARM) /* what the next substep starts from, solver.h */   \
     X(float, clearance,                                                                            \
       SKV_SAVED_NOWHERE)          /* lower bound of the distance to the nearest wall, m */         \
     X(float, anchor_x, SKV_SAVED) /* where it was at sleep's last look round, m */                 \

@@ -34,7 +34,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
                       .vy = s->vy,
                       .clearance = s->clearance,
                       .pressure = s->pressure,
-                      .warm_push = s->warm_push,
+                      .warm_lambda = s->warm_lambda,
                       .id = s->id},
         .constants = constants,
         .gravity_x = world->gravity_x,

@@ -90,7 +90,7 @@ skv_result skv_world_set_positions(skv_world *world, const skv_particle_id *ids,
         skv_sleep_wake(world, i);
         s->x[i] = s->anchor_x[i] = x[k];
         s->y[i] = s->anchor_y[i] = y[k];
-        s->pressure[i] = s->warm_push[i] = s->clearance[i] = 0;
+        s->pressure[i] = s->warm_lambda[i] = s->clearance[i] = 0;
     }
     skv_sleep_end_disturbance(world);
     if (count)

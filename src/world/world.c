@@ -39,7 +39,7 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
     s->vx[i] = vx;
     s->vy[i] = vy;
     s->pressure[i] = 0;
-    s->warm_push[i] = 0;
+    s->warm_lambda[i] = 0;
     s->clearance[i] = 0;
     s->id[i] = world->next_id++;
     s->anchor_x[i] = x;

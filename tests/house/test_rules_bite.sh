@@ -127,7 +127,7 @@ sed -i 's/,65\.2[0-9]*,/,65.9,/' "$work/copy/bench/results/amd-epyc.csv"
 sed -i '/^| slosh | period /s/ 0\.99[0-9] / 0.979 /' "$work/copy/docs/lab.md"
 sed -i '/lab.momentum.md/d' "$work/copy/docs/lab.md"
 # shellcheck disable=SC2016
-sed -i 's/`warm_push`/`warm_sin`/' "$work/copy/docs/model.md"
+sed -i 's/`warm_lambda`/`warm_sin`/' "$work/copy/docs/model.md"
 sed -i '/the-lattice.md/d' "$work/copy/docs/notebook/README.md"
 printf '/* docs/model.md, "A sin" */\n' >>"$work/copy/src/base/memory.c"
 for said in "the link to docs/nowhere.md leads nowhere" "there is no src/base/sin.c" \

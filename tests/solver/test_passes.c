@@ -42,12 +42,12 @@ static void bind_arrays(twin *t)
 {
     skv_pass_data *s = &t->substep.data;
     float **arrays[ARRAYS] = {
-        &s->x,          &s->y,          &s->vx,           &s->vy,        &s->wx,
-        &s->wy,         &s->dx,         &s->dy,           &s->density,   &s->near_density,
-        &s->gradient_x, &s->gradient_y, &s->push,         &s->near_push, &s->pressure,
-        &s->wall_near,  &s->f1x,        &s->wall_density, &s->f1y,       &s->f2x,
-        &s->f2y,        &s->clearance,  &s->normal_x,     &s->normal_y,  &s->depth,
-        &s->warm_push,  &s->image,      &s->facing_x,     &s->facing_y,  &s->behind_x,
+        &s->x,           &s->y,          &s->vx,           &s->vy,          &s->wx,
+        &s->wy,          &s->dx,         &s->dy,           &s->density,     &s->near_density,
+        &s->gradient_x,  &s->gradient_y, &s->lambda,       &s->near_lambda, &s->pressure,
+        &s->wall_near,   &s->f1x,        &s->wall_density, &s->f1y,         &s->f2x,
+        &s->f2y,         &s->clearance,  &s->normal_x,     &s->normal_y,    &s->depth,
+        &s->warm_lambda, &s->image,      &s->facing_x,     &s->facing_y,    &s->behind_x,
         &s->behind_y,
     };
     for (int a = 0; a < ARRAYS; a++)
@@ -76,7 +76,7 @@ static void randomise(twin *t)
         set(s->vy, o->vy, i, uniform(-2, 2));
         double loose = (double)t->constants.tension_until / (o->dt * o->dt);
         double most = uniform(0, 1) < 0.5 ? 100 : uniform(0, 1) < 0.5 ? 2 * loose : 0;
-        set(s->warm_push, o->warm, i, uniform(0, most));
+        set(s->warm_lambda, o->warm, i, uniform(0, most));
         double wall = uniform(0, 1) < 0.3 ? 1 : 0, angle = uniform(0, 6.28);
         set(s->wall_density, o->wall_density, i, wall * uniform(0, 2));
         set(s->wall_near, o->wall_near, i, wall * uniform(0, 1));
@@ -291,15 +291,15 @@ static void check_twin(twin *t)
 
     (o->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated)(&t->substep, 0, N);
     oracle_pressure(o, t->substep.first);
-    assert_close(s->push, o->push, 5e-6);
-    assert_close(s->near_push, o->near_push, 5e-6);
-    assert_close(s->warm_push, o->warm, 5e-6);
+    assert_close(s->lambda, o->lambda, 5e-6);
+    assert_close(s->near_lambda, o->near_lambda, 5e-6);
+    assert_close(s->warm_lambda, o->warm, 5e-6);
     /* A later iteration remembers what it adds. */
     t->substep.first = false;
     (o->clavet ? skv_pass_pressure_clavet : skv_pass_pressure_calibrated)(&t->substep, 0, N);
     oracle_pressure(o, t->substep.first);
-    assert_close(s->push, o->push, 5e-6);
-    assert_close(s->warm_push, o->warm, 5e-6);
+    assert_close(s->lambda, o->lambda, 5e-6);
+    assert_close(s->warm_lambda, o->warm, 5e-6);
 
     skv_pass_displacement(&t->substep, 0, N);
     oracle_displacement(o, t->substep.last);

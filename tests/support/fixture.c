@@ -146,7 +146,7 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
     for (int i = 0; i < p.count; i++)
         assert_int_equal(skv_world_add_particle(slow, p.x[i], p.y[i], p.vx[i], p.vy[i], NULL),
                          SKV_OK);
-    memcpy(slow->state.warm_push, fast->state.warm_push, (size_t)p.count * sizeof(float));
+    memcpy(slow->state.warm_lambda, fast->state.warm_lambda, (size_t)p.count * sizeof(float));
     slow->load = fast->load;
     slow->substeps = fast->substeps;
     float dt = 1.0f / 60 / (float)skv_world_substeps_per_frame(fast);

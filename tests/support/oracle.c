@@ -243,8 +243,8 @@ static void pressure_clavet(oracle *o, int i)
     double h = radius_of(o), excess = o->density[i] - o->rest_density_clavet;
     double strength = o->density[i] * 0.5 * o->k_near_clavet * o->near_density[i];
     double limit = strength > 0.2 ? 0.2 / strength : 1;
-    o->push[i] = limit * 0.5 * o->k * h * excess;
-    o->near_push[i] = limit * 0.5 * o->k_near_clavet * h * o->near_density[i];
+    o->lambda[i] = limit * 0.5 * o->k * h * excess;
+    o->near_lambda[i] = limit * 0.5 * o->k_near_clavet * h * o->near_density[i];
 }
 
 /* Accelerations become displacements of dt^2 each, shared out over the iterations. */
@@ -253,16 +253,16 @@ static void pressure_calibrated(oracle *o, int i, bool first)
     double rest = oracle_rest_density(o), response = lattice_response(o->eta);
     double fill = o->density[i] / rest, softer = 1 / fmax(1, fill);
     double share = o->dt * o->dt / o->iterations * softer;
-    double push = o->omega * radius_of(o) / 12 * rest * fmax(0, fill - 1) / response * softer;
+    double lambda = o->omega * radius_of(o) / 12 * rest * fmax(0, fill - 1) / response * softer;
     double warm = o->warm_start * fmin(o->dt * o->dt * o->warm[i], 0.7 * deep_push(o));
-    push += first ? fmin(warm, 6 * push) : 0;
-    o->warm[i] = (first ? 0 : o->warm[i]) + push / (o->dt * o->dt);
+    lambda += first ? fmin(warm, 6 * lambda) : 0;
+    o->warm[i] = (first ? 0 : o->warm[i]) + lambda / (o->dt * o->dt);
     double held = fmin(1, fmax(0, (fill - 0.25) / 0.25));
     double pull = 1.785 * o->k_coh / 2 * rest * fmax(0, 0.95 - fill) * held;
     double usual = lattice_near_density(o->eta) / rest;
     double crowd = o->k_near / 2 * fmax(0, o->near_density[i] - usual * o->density[i]);
-    o->push[i] = push - share * (pull + 4 * usual * crowd);
-    o->near_push[i] = share * crowd;
+    o->lambda[i] = lambda - share * (pull + 4 * usual * crowd);
+    o->near_lambda[i] = share * crowd;
 }
 
 void oracle_pressure(oracle *o, bool first)
@@ -283,13 +283,14 @@ static double push_off_images(const oracle *o, int i, int axis, bool along)
             continue;
         double ahead = image_at(o, i, j, dx, dy, along),
                behind = image_at(o, i, j, -dx, -dy, along);
-        sum += (o->push[i] + o->push[j]) * (kernel(false, 1 - ahead) - kernel(false, 1 - behind)) +
-               4 * (o->near_push[i] + o->near_push[j]) * (pow(ahead, 3) - pow(behind, 3));
+        sum +=
+            (o->lambda[i] + o->lambda[j]) * (kernel(false, 1 - ahead) - kernel(false, 1 - behind)) +
+            4 * (o->near_lambda[i] + o->near_lambda[j]) * (pow(ahead, 3) - pow(behind, 3));
     }
     if (!along) {
         double ahead = own_image(o, i, dx, dy), behind = own_image(o, i, -dx, -dy);
-        sum += o->push[i] * (kernel(false, 1 - ahead) - kernel(false, 1 - behind)) +
-               4 * o->near_push[i] * (pow(ahead, 3) - pow(behind, 3));
+        sum += o->lambda[i] * (kernel(false, 1 - ahead) - kernel(false, 1 - behind)) +
+               4 * o->near_lambda[i] * (pow(ahead, 3) - pow(behind, 3));
     }
     return -radius_of(o) / 12 * sum / (2 * small);
 }
@@ -298,8 +299,8 @@ static double push_off_images(const oracle *o, int i, int axis, bool along)
  * where the density is below three quarters of the lattice's. */
 static void push_off_walls(oracle *o, int i)
 {
-    double x = o->push[i] * o->f1x[i] + o->near_push[i] * o->f2x[i];
-    double y = o->push[i] * o->f1y[i] + o->near_push[i] * o->f2y[i];
+    double x = o->lambda[i] * o->f1x[i] + o->near_lambda[i] * o->f2x[i];
+    double y = o->lambda[i] * o->f1y[i] + o->near_lambda[i] * o->f2y[i];
     double nx = o->f1x[i], ny = o->f1y[i];
     if (has_image(o, i)) {
         x += push_off_images(o, i, 0, false);
@@ -313,7 +314,7 @@ static void push_off_walls(oracle *o, int i)
     gy += o->dt * o->g_y;
     double g = hypot(gx, gy), up = g > 0 ? -(x * gx + y * gy) / g : 0;
     double loose = 0.75 * oracle_lattice_density(true, o->eta) - o->rest_density_clavet;
-    bool is_loose = !o->clavet || o->push[i] < 0.5 * o->k * radius_of(o) * loose;
+    bool is_loose = !o->clavet || o->lambda[i] < 0.5 * o->k * radius_of(o) * loose;
     double freed = o->images ? 1 - o->adhesion : 1;
     if (is_loose && up > 0 && x * nx + y * ny < 0) {
         x += freed * up * gx / g;
@@ -337,9 +338,9 @@ static double wall_virial(const oracle *o, int i, double virial)
     double h = radius_of(o), part = o->clavet ? 1 : 1.0 / 6;
     double full = 3.14159265358979 / 5 * o->eta * o->eta;
     if (has_image(o, i))
-        return 2 * h * (o->push[i] * full / 6 + 2.0 / 3 * o->near_push[i] * full / 2);
-    return virial + h * (part * o->push[i] * o->wall_density[i] +
-                         2.0 / 3 * o->near_push[i] * o->wall_near[i]);
+        return 2 * h * (o->lambda[i] * full / 6 + 2.0 / 3 * o->near_lambda[i] * full / 2);
+    return virial + h * (part * o->lambda[i] * o->wall_density[i] +
+                         2.0 / 3 * o->near_lambda[i] * o->wall_near[i]);
 }
 
 void oracle_displacement(oracle *o, bool last)
@@ -356,8 +357,8 @@ void oracle_displacement(oracle *o, bool last)
             double ux, uy, q = pair_at(o, i, j, &ux, &uy);
             if (q <= 0)
                 continue;
-            double size = (o->push[i] + o->push[j]) * force(o->clavet, 1 - q) +
-                          (o->near_push[i] + o->near_push[j]) * q * q;
+            double size = (o->lambda[i] + o->lambda[j]) * force(o->clavet, 1 - q) +
+                          (o->near_lambda[i] + o->near_lambda[j]) * q * q;
             o->dx[i] -= size * ux;
             o->dy[i] -= size * uy;
             virial += (1 - q) * h * size;

@@ -18,7 +18,7 @@ typedef struct oracle {
     double wx[ORACLE_MAX], wy[ORACLE_MAX], dx[ORACLE_MAX], dy[ORACLE_MAX];
     double px[ORACLE_MAX], py[ORACLE_MAX]; /* where pairs are taken */
     double density[ORACLE_MAX], near_density[ORACLE_MAX], gx[ORACLE_MAX], gy[ORACLE_MAX];
-    double push[ORACLE_MAX], near_push[ORACLE_MAX], pressure[ORACLE_MAX];
+    double lambda[ORACLE_MAX], near_lambda[ORACLE_MAX], pressure[ORACLE_MAX];
     double warm[ORACLE_MAX]; /* of the pressure term in the last substep, m/s^2 */
     double warm_start;       /* share of it with which the next one starts */
     double wall_density[ORACLE_MAX], wall_near[ORACLE_MAX];

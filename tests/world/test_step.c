@@ -24,7 +24,7 @@ static void read_state(const skv_world *world, oracle *o)
         o->y[i] = (double)p.y[i];
         o->vx[i] = (double)p.vx[i];
         o->vy[i] = (double)p.vy[i];
-        o->warm[i] = (double)world->state.warm_push[i];
+        o->warm[i] = (double)world->state.warm_lambda[i];
     }
     o->warm_start = (double)skv_world_make_constants(world).warm_start;
     o->s = (double)f->spacing;

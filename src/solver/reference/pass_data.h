@@ -18,7 +18,7 @@ typedef struct skv_pass_data {
     float *vx, *vy;     /* velocity at the start of the substep, m/s */
     float *clearance;   /* lower bound of the distance to the nearest wall, m */
     float *pressure;    /* gauge pressure of the substep, Pa m */
-    float *warm_push;   /* what the pressure term has pushed, m/s^2 */
+    float *warm_lambda; /* what the pressure term has pushed, m/s^2 */
     const uint32_t *id; /* number at creation; names the direction of coincident pairs */
 
     /* The solver's own, meaningful within a substep. */
@@ -27,8 +27,8 @@ typedef struct skv_pass_data {
     float *dx, *dy; /* what a gather pass has found: a change of velocity or of position */
     float *density, *near_density; /* sum W, sum q^3, walls included; dimensionless */
     float *gradient_x,
-        *gradient_y;         /* sum F r^, walls included, less what the bulk has; dimensionless */
-    float *push, *near_push; /* P and N of the pressure law, m */
+        *gradient_y; /* sum F r^, walls included, less what the bulk has; dimensionless */
+    float *lambda, *near_lambda;     /* P and N of the pressure law, m */
     float *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
     float *f1x, *f1y, *f2x, *f2y;    /* F1, F2 of the wall maps; dimensionless */
     float *image;                    /* D of images, in h: wall_image.h */

@@ -141,7 +141,7 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
     s->vy = p->vy;
     s->clearance = p->clearance;
     s->pressure = p->pressure;
-    s->warm_push = p->warm_push;
+    s->warm_lambda = p->warm_lambda;
     s->id = p->id;
     skv_shared_impulse given = {0};
     r->substep = (skv_substep){
@@ -178,7 +178,7 @@ static skv_result reserve_arrays(reference *r, int count, skv_error *error)
         SKV_ARRAY(s->dx, room, 0),           SKV_ARRAY(s->dy, room, 0),
         SKV_ARRAY(s->density, room, 0),      SKV_ARRAY(s->near_density, room, 0),
         SKV_ARRAY(s->gradient_x, room, 0),   SKV_ARRAY(s->gradient_y, room, 0),
-        SKV_ARRAY(s->push, room, 0),         SKV_ARRAY(s->near_push, room, 0),
+        SKV_ARRAY(s->lambda, room, 0),       SKV_ARRAY(s->near_lambda, room, 0),
         SKV_ARRAY(s->wall_density, room, 0), SKV_ARRAY(s->wall_near, room, 0),
         SKV_ARRAY(s->f1x, room, 0),          SKV_ARRAY(s->f1y, room, 0),
         SKV_ARRAY(s->f2x, room, 0),          SKV_ARRAY(s->f2y, room, 0),

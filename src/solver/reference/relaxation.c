@@ -44,7 +44,7 @@ void skv_pass_density(const skv_substep *sub, int begin, int end)
             float size = sqrtf(gx * gx + gy * gy);
             float share = size > c->tension_from ? (size - c->tension_from) / size : 0;
             /* Only loose fluid has a surface that matters: what was pressed fades. */
-            float pressed = c->dt * c->dt * s->warm_push[i] / c->tension_until;
+            float pressed = c->dt * c->dt * s->warm_lambda[i] / c->tension_until;
             share *= pressed < 1 ? 1 - pressed : 0;
             s->gradient_x[i] = share * gx;
             s->gradient_y[i] = share * gy;
@@ -66,26 +66,26 @@ void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
         float held = (density - c->cohesion_from) * c->cohesion_slope;
         held = held < 0 ? 0 : held < 1 ? held : 1;
         float pull = c->cohesion_scale * (held * (missing > 0 ? missing : 0));
-        float near_push = c->near_push_scale * (crowded > 0 ? crowded : 0);
+        float near_lambda = c->near_lambda_scale * (crowded > 0 ? crowded : 0);
         /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly
          * answers. */
         float response = c->response_slope * density;
         if (!(response > c->response_floor))
             response = c->response_floor;
-        float push = c->push_scale * (excess > 0 ? excess : 0) / response;
+        float lambda = c->lambda_scale * (excess > 0 ? excess : 0) / response;
         /* The warm start: where the density is too high anyway, a share of the last substep's push
          * comes first. What is left to find is less, and so is the density that finds it. */
-        float before = s->warm_push[i];
+        float before = s->warm_lambda[i];
         if (sub->first) {
-            float last = square * before, most = c->warm_most * push;
+            float last = square * before, most = c->warm_most * lambda;
             last = last < c->warm_limit ? last : c->warm_limit;
             float start = c->warm_start * last;
-            push += start < most ? start : most;
+            lambda += start < most ? start : most;
             before = 0;
         }
-        s->warm_push[i] = before + push / square;
-        s->push[i] = push - (pull + SKV_NEAR_WEIGHT * c->near_share * near_push) / response;
-        s->near_push[i] = near_push / response;
+        s->warm_lambda[i] = before + lambda / square;
+        s->lambda[i] = lambda - (pull + SKV_NEAR_WEIGHT * c->near_share * near_lambda) / response;
+        s->near_lambda[i] = near_lambda / response;
     }
 }
 
@@ -94,14 +94,14 @@ void skv_pass_pressure_clavet(const skv_substep *sub, int begin, int end)
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
     for (int i = begin; i < end; i++) {
-        float push = c->push_scale * (s->density[i] - c->rest_density);
-        float near_push = c->near_push_scale * s->near_density[i];
+        float lambda = c->lambda_scale * (s->density[i] - c->rest_density);
+        float near_lambda = c->near_lambda_scale * s->near_density[i];
         /* The limiter: a Jacobi iteration overshoots where many strong pairs meet. Scaling P and N
          * of one particle keeps pairs antisymmetric; capping N alone was tried and failed. */
-        float strength = s->density[i] * near_push;
-        float scale = strength > c->push_limit ? c->push_limit / strength : 1;
-        s->push[i] = scale * push;
-        s->near_push[i] = scale * near_push;
+        float strength = s->density[i] * near_lambda;
+        float scale = strength > c->lambda_limit ? c->lambda_limit / strength : 1;
+        s->lambda[i] = scale * lambda;
+        s->near_lambda[i] = scale * near_lambda;
     }
 }
 
@@ -122,14 +122,14 @@ static void add_solid(const skv_substep *sub, int i, float virial)
     const skv_constants *c = sub->constants;
     float wall_x, wall_y, gx, gy;
     find_fall(sub, i, &gx, &gy);
-    skv_wall_push(s->push[i], s->near_push[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i], gx, gy,
-                  c->loose_push, &wall_x, &wall_y);
+    skv_wall_push(s->lambda[i], s->near_lambda[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i], gx,
+                  gy, c->loose_lambda, &wall_x, &wall_y);
     s->dx[i] += wall_x;
     s->dy[i] += wall_y;
     skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
     /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
-    virial += c->wall_virial * s->push[i] * s->wall_density[i] +
-              2.0f / SKV_NEAR_GAIN * s->near_push[i] * s->wall_near[i];
+    virial += c->wall_virial * s->lambda[i] * s->wall_density[i] +
+              2.0f / SKV_NEAR_GAIN * s->near_lambda[i] * s->wall_near[i];
     s->pressure[i] += c->pressure_scale * c->h * virial;
 }
 
@@ -139,10 +139,10 @@ static void add_imaged(const skv_substep *sub, int i, float out)
 {
     const skv_pass_data *s = &sub->data;
     const skv_constants *c = sub->constants;
-    float push = s->push[i], near_push = s->near_push[i], own = skv_own_image_of(s, c, i);
-    out += 2 * (push * skv_kernel_forcef(c->kernel, own) + near_push * (own * own));
-    float wall_x = push * s->f1x[i] + near_push * s->f2x[i] + out * s->facing_x[i];
-    float wall_y = push * s->f1y[i] + near_push * s->f2y[i] + out * s->facing_y[i];
+    float lambda = s->lambda[i], near_lambda = s->near_lambda[i], own = skv_own_image_of(s, c, i);
+    out += 2 * (lambda * skv_kernel_forcef(c->kernel, own) + near_lambda * (own * own));
+    float wall_x = lambda * s->f1x[i] + near_lambda * s->f2x[i] + out * s->facing_x[i];
+    float wall_y = lambda * s->f1y[i] + near_lambda * s->f2y[i] + out * s->facing_y[i];
     float gx, gy;
     find_fall(sub, i, &gx, &gy);
     skv_wall_let_fall(gx, gy, s->facing_x[i], s->facing_y[i], c->adhesion, &wall_x, &wall_y);
@@ -151,7 +151,7 @@ static void add_imaged(const skv_substep *sub, int i, float out)
     skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
     /* Fluid and images are one body, so it is that of the bulk, and goes with how dense the last
      * iteration finds it, its own W included. */
-    float virial = c->image_virial * push + c->image_near_virial * near_push;
+    float virial = c->image_virial * lambda + c->image_near_virial * near_lambda;
     s->pressure[i] += c->pressure_scale * c->h * virial;
     if (sub->last) {
         float rest = c->rest_density, most = SKV_DENSEST * rest;
@@ -172,14 +172,16 @@ void skv_pass_displacement(const skv_substep *sub, int begin, int end)
             skv_pair pair;
             if (!skv_pair_of(s, c, i, j, &pair))
                 continue;
-            float push = s->push[i] + s->push[j], near_push = s->near_push[i] + s->near_push[j];
+            float lambda = s->lambda[i] + s->lambda[j],
+                  near_lambda = s->near_lambda[i] + s->near_lambda[j];
             float size =
-                push * skv_kernel_forcef(c->kernel, pair.q) + near_push * (pair.q * pair.q);
+                lambda * skv_kernel_forcef(c->kernel, pair.q) + near_lambda * (pair.q * pair.q);
             virial += (1 - pair.q) * size;
             float image = skv_image_of(s, c, i, j, pair.q);
             if (image > 0) {
                 /* For each h of way to the image. */
-                float each = push * (image * image) + near_push * (image * (image / (1 - image)));
+                float each =
+                    lambda * (image * image) + near_lambda * (image * (image / (1 - image)));
                 size += (1 - pair.q) * each;
                 out += 2 * s->image[j] * each;
             }

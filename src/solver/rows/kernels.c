@@ -66,7 +66,7 @@ static void prepare(const skv_rows *s, int row, const skv_constants *c)
         v8_store(s->ahead_x + i, v8_mul(scale, u));
         v8_store(s->ahead_y + i, v8_mul(scale, v));
         v8_store(s->image + i, far);
-        note_graded(s, row, i / ROW_LANES, v8_any_below(v8_load(p->warm_push + i), until));
+        note_graded(s, row, i / ROW_LANES, v8_any_below(v8_load(p->warm_lambda + i), until));
     }
     memset(s->beside + begin / TILE, 0, (size_t)(end - begin) / TILE);
 }
@@ -200,7 +200,7 @@ static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
     const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
     const v8 scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
     const v8 until = v8_set(c->tension_until);
-    const float *warm_push = s->set[s->current].warm_push;
+    const float *warm_lambda = s->set[s->current].warm_lambda;
     begin_graded(s, row);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         const int eight = i / ROW_LANES;
@@ -209,7 +209,7 @@ static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
             gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
             gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
             v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
-            v8 loose = v8_max(v8_sub(one, v8_div(v8_load(warm_push + i), until)), zero);
+            v8 loose = v8_max(v8_sub(one, v8_div(v8_load(warm_lambda + i), until)), zero);
             share = v8_div(v8_mul(scale, v8_max(v8_sub(size, bulk), zero)), size);
             share = v8_mul(share, loose);
         }
@@ -221,19 +221,20 @@ static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
 
 /* The pressure term's P of eight particles at i, which remember it. Of the first iteration's a part
  * is the last substep's, where the density is too high anyway. */
-V8_INLINE v8 warm_push(const skv_rows *s, int i, bool later, const skv_constants *c, v8 excess,
-                       v8 response)
+V8_INLINE v8 warm_lambda(const skv_rows *s, int i, bool later, const skv_constants *c, v8 excess,
+                         v8 response)
 {
-    float *remembered = s->set[s->current].warm_push + i;
-    v8 before = v8_load(remembered), push = v8_div(v8_mul(v8_set(c->push_scale), excess), response);
+    float *remembered = s->set[s->current].warm_lambda + i;
+    v8 before = v8_load(remembered),
+       lambda = v8_div(v8_mul(v8_set(c->lambda_scale), excess), response);
     if (later) {
-        v8_store(remembered, v8_add(before, push));
+        v8_store(remembered, v8_add(before, lambda));
     } else {
         v8 start = v8_mul(v8_set(c->warm_start), v8_min(before, v8_set(c->warm_limit)));
-        push = v8_add(push, v8_min(start, v8_mul(v8_set(c->warm_most), push)));
-        v8_store(remembered, push);
+        lambda = v8_add(lambda, v8_min(start, v8_mul(v8_set(c->warm_most), lambda)));
+        v8_store(remembered, lambda);
     }
-    return push;
+    return lambda;
 }
 
 static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_constants *c)
@@ -242,7 +243,7 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
     const v8 answer = v8_set(c->response_slope), floor = v8_set(c->response_floor);
     const v8 from = v8_set(c->cohesion_from), slope = v8_set(c->cohesion_slope);
     const v8 below = v8_set(c->cohesion_below), share = v8_set(c->near_share);
-    const v8 near_push = v8_set(c->near_push_scale);
+    const v8 near_lambda = v8_set(c->near_lambda_scale);
     const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(SKV_NEAR_WEIGHT * c->near_share);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
@@ -252,30 +253,30 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
         v8 excess = v8_max(v8_sub(density, rest), zero);
         v8 missing = v8_max(v8_sub(below, density), zero);
         v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
-        v8 close = v8_mul(near_push, crowded);
+        v8 close = v8_mul(near_lambda, crowded);
         v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
         v8 response = v8_max(v8_mul(answer, density), floor);
         v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
-        v8 push = warm_push(s, i, later, c, excess, response);
-        push = v8_sub(push, v8_div(pulled, response));
-        v8_store(s->push + i, push);
-        v8_store(s->near_push + i, v8_div(close, response));
+        v8 lambda = warm_lambda(s, i, later, c, excess, response);
+        lambda = v8_sub(lambda, v8_div(pulled, response));
+        v8_store(s->lambda + i, lambda);
+        v8_store(s->near_lambda + i, v8_div(close, response));
     }
 }
 
 static void pressure_clavet(const skv_rows *s, int row, const skv_constants *c)
 {
-    const v8 one = v8_set(1), rest = v8_set(c->rest_density), limit = v8_set(c->push_limit);
-    const v8 push = v8_set(c->push_scale), near_push = v8_set(c->near_push_scale);
+    const v8 one = v8_set(1), rest = v8_set(c->rest_density), limit = v8_set(c->lambda_limit);
+    const v8 lambda = v8_set(c->lambda_scale), near_lambda = v8_set(c->near_lambda_scale);
     const v8 tiny = v8_set(1e-30f);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 density = collected(s->own.density + i, s->next.density + i);
         v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
-        v8 n = v8_mul(near_push, near_density);
+        v8 n = v8_mul(near_lambda, near_density);
         v8 strength = v8_max(v8_mul(density, n), tiny);
         v8 scale = v8_min(v8_div(limit, strength), one);
-        v8_store(s->push + i, v8_mul(scale, v8_mul(push, v8_sub(density, rest))));
-        v8_store(s->near_push + i, v8_mul(scale, n));
+        v8_store(s->lambda + i, v8_mul(scale, v8_mul(lambda, v8_sub(density, rest))));
+        v8_store(s->near_lambda + i, v8_mul(scale, n));
     }
 }
 
@@ -294,14 +295,15 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
 
 /* How dense eight particles at i are, to the lattice at rest, one's own W included: all virials go
  * with it. From what they push, since their densities are gone: P + 4 c N is the pressure alone, in
- * a later or a cold iteration push_scale (rho - rho0)/R, and R goes with rho. At least 1. */
+ * a later or a cold iteration lambda_scale (rho - rho0)/R, and R goes with rho. At least 1. */
 static v8 fullness(const skv_rows *s, int i, const skv_constants *c)
 {
-    const v8 scale = v8_set(c->response_slope / c->push_scale), one = v8_set(1);
+    const v8 scale = v8_set(c->response_slope / c->lambda_scale), one = v8_set(1);
     const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
-    v8 push = v8_mul(v8_set(SKV_NEAR_WEIGHT * c->near_share), v8_load(s->near_push + i));
-    push = v8_mul(scale, v8_add(push, v8_load(s->push + i)));
-    v8 excess = v8_min(v8_max(push, v8_set(0)), v8_set(1 - 1 / SKV_DENSEST)); /* (rho - rho0)/rho */
+    v8 lambda = v8_mul(v8_set(SKV_NEAR_WEIGHT * c->near_share), v8_load(s->near_lambda + i));
+    lambda = v8_mul(scale, v8_add(lambda, v8_load(s->lambda + i)));
+    v8 excess =
+        v8_min(v8_max(lambda, v8_set(0)), v8_set(1 - 1 / SKV_DENSEST)); /* (rho - rho0)/rho */
     return v8_add(one, v8_mul(rest, v8_div(excess, v8_sub(one, excess))));
 }
 
@@ -318,8 +320,8 @@ static void gauge(const skv_rows *s, int row, int iteration, const skv_constants
         v8 before = iteration ? v8_load(s->pressure + i) : zero;
         v8 found = collected(own + i, next + i), full = v8_set(1);
         if (c->images) {
-            v8 beside = v8_add(v8_mul(virial, v8_load(s->push + i)),
-                               v8_mul(near_virial, v8_load(s->near_push + i)));
+            v8 beside = v8_add(v8_mul(virial, v8_load(s->lambda + i)),
+                               v8_mul(near_virial, v8_load(s->near_lambda + i)));
             v8 far = v8_sub(v8_load(s->image + i), v8_set(1));
             far = v8_min(v8_max(far, zero), v8_set(1));
             found = v8_add(beside, v8_mul(far, v8_sub(found, beside)));
@@ -393,7 +395,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
 {
     const skv_row_particles *p = &s->set[s->current];
     int i = wall->particle;
-    float push = s->push[i], near_push = s->near_push[i], dx, dy;
+    float lambda = s->lambda[i], near_lambda = s->near_lambda[i], dx, dy;
     float gx = 0, gy = 0; /* what fluid gains that rests there */
     if (s->acting.pull_count > 0)
         pull(s, p->x[i], p->y[i], &gx, &gy);
@@ -401,19 +403,19 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
     gy += s->acting.gravity_y;
     if (!c->images) {
         const skv_wall_sample *solid = &wall->at.wall;
-        skv_wall_push(push, near_push, solid->f1x, solid->f1y, solid->f2x, solid->f2y, gx, gy,
-                      c->loose_push, &dx, &dy);
+        skv_wall_push(lambda, near_lambda, solid->f1x, solid->f1y, solid->f2x, solid->f2y, gx, gy,
+                      c->loose_lambda, &dx, &dy);
         /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
         if (s->gauged)
             s->own_move.thrust[i] +=
-                c->wall_virial * push * solid->r + 2.0f / SKV_NEAR_GAIN * near_push * solid->rn;
+                c->wall_virial * lambda * solid->r + 2.0f / SKV_NEAR_GAIN * near_lambda * solid->rn;
     } else {
         const skv_image_sample *image = &wall->at.image;
         float q = 1 - 2 * image->distance,
-              rest = push + SKV_NEAR_WEIGHT * c->residual_share * near_push;
+              rest = lambda + SKV_NEAR_WEIGHT * c->residual_share * near_lambda;
         q = q > 0 ? q : 0;
         float out = s->own_move.thrust[i] + s->next_move.thrust[i];
-        out += 2 * (push * skv_kernel_forcef(SKV_KERNEL_SMOOTH, q) + near_push * (q * q));
+        out += 2 * (lambda * skv_kernel_forcef(SKV_KERNEL_SMOOTH, q) + near_lambda * (q * q));
         dx = rest * image->f1x + out * image->nx;
         dy = rest * image->f1y + out * image->ny;
         skv_wall_let_fall(gx, gy, image->nx, image->ny, c->adhesion, &dx, &dy);

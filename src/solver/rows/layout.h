@@ -33,14 +33,14 @@
  *   buffer            sort      A                    L to B          B to U         store
  *   ----------------------------------------------------------------------------------------
  *   set[current]      read      written by the sort, then turned over; U moves them  read
- *    .warm_push                                     renewed
+ *    .warm_lambda                                     renewed
  *   set[!current]     written   the older set's memory, free until the next sort:
  *    .x                         own density          P
  *    .y                         own near density     N
  *    .u                         own gradient x       gradient x      gauge pressure  read
  *    .v                         own gradient y       gradient y
  *    .clearance                 next density                         next move x
- *    .warm_push                 next near density                    next move y
+ *    .warm_lambda                 next near density                    next move y
  *    .number                    next gradient x                      next thrust
  *   spare[0]          key       next gradient y                      own move x      place
  *    [1]                         ahead x (W)                         own move y
@@ -88,8 +88,8 @@ enum { ROW_ADVANCE, ROW_SORT, ROW_RELAX, ROW_TRANSFER, ROW_PHASES };
 typedef struct skv_row_particles {
     float *x, *y, *u, *v;
     float *clearance;
-    float *warm_push; /* of the last substep, then of this one: solver.h */
-    int *number;      /* index in the frame, and ROW_HELD */
+    float *warm_lambda; /* of the last substep, then of this one: solver.h */
+    int *number;        /* index in the frame, and ROW_HELD */
 } skv_row_particles;
 
 /* One part of what the density pass adds up. */
@@ -159,7 +159,7 @@ struct skv_rows {
     int *place;                        /* of a frame's particle, when it is stored */
     skv_row_sums own, next;            /* of the density */
     skv_row_moves own_move, next_move; /* of the displacement */
-    float *push, *near_push;           /* P and N of the pressure law */
+    float *lambda, *near_lambda;       /* P and N of the pressure law */
     float *gradient_x, *gradient_y;    /* that the tension evens out */
     float *image;                      /* D of images, wall_image.h */
     float *ahead_x, *ahead_y;          /* how far the density looks ahead of the places */

@@ -181,8 +181,8 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     skv_row_particles *a = &rows->set[0], *b = &rows->set[1];
     float **floats[] = {
         &a->x,           &a->y,           &a->u,           &a->v,
-        &a->clearance,   &a->warm_push,   &b->x,           &b->y,
-        &b->u,           &b->v,           &b->clearance,   &b->warm_push,
+        &a->clearance,   &a->warm_lambda, &b->x,           &b->y,
+        &b->u,           &b->v,           &b->clearance,   &b->warm_lambda,
         &rows->spare[0], &rows->spare[1], &rows->spare[2], &rows->spare[3],
     };
     int **ints[] = {&a->number, &b->number};
@@ -229,14 +229,14 @@ void skv_rows_lend_buffers(skv_rows *rows)
     const skv_row_particles *older = &rows->set[!rows->current];
     float *number = (float *)(void *)older->number, **spare = rows->spare;
     rows->own = (skv_row_sums){older->x, older->y, older->u, older->v};
-    rows->next = (skv_row_sums){older->clearance, older->warm_push, number, spare[0]};
+    rows->next = (skv_row_sums){older->clearance, older->warm_lambda, number, spare[0]};
     /* What the pressure turns the own sums into, place by place, ... */
-    rows->push = rows->own.density;
-    rows->near_push = rows->own.near_density;
+    rows->lambda = rows->own.density;
+    rows->near_lambda = rows->own.near_density;
     rows->gradient_x = rows->own.gradient_x;
     rows->gradient_y = rows->own.gradient_y;
     /* ... so that the next row's are free for the displacement. */
-    rows->next_move = (skv_row_moves){older->clearance, older->warm_push, number};
+    rows->next_move = (skv_row_moves){older->clearance, older->warm_lambda, number};
     rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};
     rows->pressure = older->u;
     rows->image = spare[3];

@@ -69,18 +69,18 @@ VARIANT wide is_far(wide image)
 /* Adds the images' pushes to those of a tile's pairs, along the wall, and sums up their thrust out
  * of it: the partners' here, the tile's in `thrust`. Where the gauge pressure is wanted, particles
  * far from walls get the virial instead. */
-RARE void add_image_pushes(bool gauged, const pushes *own, wide push, wide near_push, const tile *t,
-                           int j, const wide *q, const wide *virial, wide *size, wide *thrust,
-                           float *partners_thrust)
+RARE void add_image_pushes(bool gauged, const pushes *own, wide lambda, wide near_lambda,
+                           const tile *t, int j, const wide *q, const wide *virial, wide *size,
+                           wide *thrust, float *partners_thrust)
 {
     const wide one = wide_set(1), two = wide_set(2);
     const float *image = t->images, *tile_image = image + t->place;
     wide seen[WIDES], each[WIDES], other[WIDES], partner = wide_each(part_load(image + j));
     measure_images(t, j, q, seen);
-    EACH(k) each[k] = wide_add(own->near_push[k], near_push);
+    EACH(k) each[k] = wide_add(own->near_lambda[k], near_lambda);
     EACH(k) each[k] = wide_div(each[k], wide_sub(one, seen[k]));
     /* For each h of way to the image. */
-    EACH(k) each[k] = wide_add(wide_add(own->push[k], push), each[k]);
+    EACH(k) each[k] = wide_add(wide_add(own->lambda[k], lambda), each[k]);
     EACH(k) each[k] = wide_mul(wide_mul(each[k], seen[k]), seen[k]);
     EACH(k) size[k] = wide_add(size[k], each[k]);
     EACH(k) thrust[k] = wide_mul(wide_mul(two, each[k]), partner);

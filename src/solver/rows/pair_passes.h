@@ -324,7 +324,7 @@ static void density(const skv_rows *s, int row, bool later, const skv_constants 
 
 /* What the displacement reads of the partners. */
 typedef struct partners {
-    const float *push, *near_push, *gradient_x, *gradient_y;
+    const float *lambda, *near_lambda, *gradient_x, *gradient_y;
     float sigma, beta; /* of viscosity */
 } partners;
 
@@ -384,13 +384,13 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
     /* The one division of a pair, for everything. */
     EACH(k) inverse[k] = wide_div(one, r[k]);
     EACH(k) ratio[k] = wide_mul(q[k], inverse[k]);
-    wide push = wide_each(part_load(others->push + j)),
-         near_push = wide_each(part_load(others->near_push + j));
+    wide lambda = wide_each(part_load(others->lambda + j)),
+         near_lambda = wide_each(part_load(others->near_lambda + j));
     wide q2[WIDES], ex[WIDES] = {0}, ey[WIDES] = {0}, along[WIDES];
     EACH(k) q2[k] = wide_mul(q[k], q[k]);
-    EACH(k) size[k] = wide_add(pressed->near_push[k], near_push);
+    EACH(k) size[k] = wide_add(pressed->near_lambda[k], near_lambda);
     EACH(k) size[k] = wide_mul(size[k], with & SMOOTH ? inverse[k] : q[k]);
-    EACH(k) size[k] = wide_add(wide_add(pressed->push[k], push), size[k]);
+    EACH(k) size[k] = wide_add(wide_add(pressed->lambda[k], lambda), size[k]);
     EACH(k) size[k] = wide_mul(size[k], with & SMOOTH ? q2[k] : ratio[k]);
     if (with & WITH_GRADIENT) {
         tension(others, j, pressed, dx, dy, q2, ratio, ex, ey, along);
@@ -407,8 +407,8 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
     }
     if (imaged) {
         wide thrust[WIDES];
-        add_image_pushes(with & WITH_GAUGE, pressed, push, near_push, t, j, q, virial, size, thrust,
-                         to->thrust + j);
+        add_image_pushes(with & WITH_GAUGE, pressed, lambda, near_lambda, t, j, q, virial, size,
+                         thrust, to->thrust + j);
         EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], thrust[k]);
     } else if (with & WITH_GAUGE) {
         EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], virial[k]);
@@ -479,8 +479,8 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
     move_sums sums[PARTS];
     EACH(k)
     {
-        pressed.push[k] = wide_spread(others->push + i + k, WIDES);
-        pressed.near_push[k] = wide_spread(others->near_push + i + k, WIDES);
+        pressed.lambda[k] = wide_spread(others->lambda + i + k, WIDES);
+        pressed.near_lambda[k] = wide_spread(others->near_lambda + i + k, WIDES);
         EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].thrust[k] = wide_set(0);
         pressed.u[k] = pressed.v[k] = wide_set(0);
         pressed.gradient_x[k] = pressed.gradient_y[k] = wide_set(0);
@@ -536,7 +536,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
                               const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
-    const partners others = {s->push,       s->near_push,        s->gradient_x,
+    const partners others = {s->lambda,     s->near_lambda,      s->gradient_x,
                              s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const unsigned plain = with & ~WITH_GRADIENT;

@@ -51,9 +51,9 @@ typedef struct skv_row_frame {
     float *x, *y, *vx, *vy;
     float *clearance;     /* lower bound of the distance to the nearest wall */
     float *pressure;      /* written only; null: nobody wants it */
-    float *warm_push;     /* solver.h */
+    float *warm_lambda;   /* solver.h */
     float length, speed;  /* factors from the caller's units to h, h a substep, ... */
-    float push;           /* ... and h a substep squared */
+    float lambda;         /* ... and h a substep squared */
     float sunk_x, sunk_y; /* how far below their places held ones lie, h */
 } skv_row_frame;
 

@@ -25,8 +25,8 @@ static skv_constants in_own_units(const skv_constants *c)
     r.lag_rise /= per_step * per_step;
     r.viscosity_linear *= c->dt;
     r.viscosity_quadratic *= c->h; /* beta u: u is in h a substep here */
-    float *const lengths[] = {&r.push_scale,    &r.near_push_scale, &r.push_limit,
-                              &r.loose_push,    &r.warm_limit,      &r.cohesion_scale,
+    float *const lengths[] = {&r.lambda_scale,  &r.near_lambda_scale, &r.lambda_limit,
+                              &r.loose_lambda,  &r.warm_limit,        &r.cohesion_scale,
                               &r.tension_scale, &r.tension_until};
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
         *lengths[i] *= inv_h;
@@ -74,10 +74,10 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .vy = r->swapped ? p->vx : p->vy,
         .clearance = p->clearance,
         .pressure = step->ungauged ? NULL : p->pressure,
-        .warm_push = p->warm_push,
+        .warm_lambda = p->warm_lambda,
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
-        .push = c->dt * c->dt * c->inv_h,
+        .lambda = c->dt * c->dt * c->inv_h,
         .sunk_x = sunk * acting.gravity_x,
         .sunk_y = sunk * acting.gravity_y,
     };

@@ -163,7 +163,7 @@ static void move_particles(skv_rows *rows, skv_row_thread *own)
             to->u[place] = from->u[i];
             to->v[place] = from->v[i];
             to->clearance[place] = from->clearance[i];
-            to->warm_push[place] = from->warm_push[i];
+            to->warm_lambda[place] = from->warm_lambda[i];
             to->number[place] = from->number[i];
         }
     }
@@ -178,7 +178,7 @@ static void put_dummies(skv_rows *rows, int row)
     for (int i = rows->new_end[row]; i < skv_row_padded_end(rows->new_end[row]); i++) {
         p->x[i] = p->y[i] = p->clearance[i] = ROW_FAR;
         p->u[i] = p->v[i] = 0;
-        p->warm_push[i] = ROW_FAR; /* nobody looks for a gradient because of them */
+        p->warm_lambda[i] = ROW_FAR; /* nobody looks for a gradient because of them */
     }
 }
 

@@ -101,7 +101,7 @@ static inline float lag_of_one(const skv_row_particles *p, int i, float pair_lag
 
 /* What the displacement needs of them besides. */
 typedef struct pushes {
-    wide push[WIDES], near_push[WIDES], gradient_x[WIDES], gradient_y[WIDES];
+    wide lambda[WIDES], near_lambda[WIDES], gradient_x[WIDES], gradient_y[WIDES];
     wide u[WIDES], v[WIDES];
 } pushes;
 

@@ -57,7 +57,7 @@ void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame,
         p->u[place] = frame->vx[i] * frame->speed;
         p->v[place] = frame->vy[i] * frame->speed;
         p->clearance[place] = frame->clearance[i] * frame->length;
-        p->warm_push[place] = frame->warm_push[i] * frame->push;
+        p->warm_lambda[place] = frame->warm_lambda[i] * frame->lambda;
         p->number[place] = part == SKV_HELD ? i | ROW_HELD : i;
         if (part == SKV_HELD)
             sink_held(p, place, frame, boundary);
@@ -66,7 +66,7 @@ void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame,
     rows->row_end[thread] = place;
     for (int k = place; k < skv_row_padded_end(place); k++) {
         p->x[k] = p->y[k] = p->clearance[k] = ROW_FAR;
-        p->u[k] = p->v[k] = p->warm_push[k] = 0;
+        p->u[k] = p->v[k] = p->warm_lambda[k] = 0;
     }
     own->old_first = thread;
     own->old_end = thread + 1;
@@ -98,7 +98,7 @@ void skv_rows_store(const skv_rows *rows, int thread, const skv_row_frame *frame
         frame->vx[i] = p->u[k] / frame->speed;
         frame->vy[i] = p->v[k] / frame->speed;
         frame->clearance[i] = p->clearance[k] / frame->length * SAFE_BOUND;
-        frame->warm_push[i] = p->warm_push[k] / frame->push;
+        frame->warm_lambda[i] = p->warm_lambda[k] / frame->lambda;
         if (frame->pressure)
             frame->pressure[i] = rows->pressure[k];
     }
