@@ -326,7 +326,7 @@ static void push_off_walls(oracle *o, int i)
 
 /* How dense it is, to the lattice at rest, its own kernel of 1 included; at least 1, at most for a
  * density of ten times the lattice's. */
-static double fullness(const oracle *o, int i)
+static double relative_density(const oracle *o, int i)
 {
     double rest = oracle_lattice_density(false, o->eta);
     return (1 + fmax(rest, fmin(o->density[i], 10 * rest))) / (1 + rest);
@@ -365,7 +365,7 @@ void oracle_displacement(oracle *o, bool last)
         }
         o->pressure[i] += o->fluid_density / (4 * o->dt * o->dt) * wall_virial(o, i, virial);
         if (last && has_image(o, i))
-            o->pressure[i] *= fullness(o, i);
+            o->pressure[i] *= relative_density(o, i);
     }
 }
 

@@ -296,7 +296,7 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
 /* How dense eight particles at i are, to the lattice at rest, one's own W included: all virials go
  * with it. From what they push, since their densities are gone: P + 4 c N is the pressure alone, in
  * a later or a cold iteration lambda_scale (rho - rho0)/R, and R goes with rho. At least 1. */
-static v8 fullness(const skv_rows *s, int i, const skv_constants *c)
+static v8 relative_density(const skv_rows *s, int i, const skv_constants *c)
 {
     const v8 scale = v8_set(c->response_slope / c->lambda_scale), one = v8_set(1);
     const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
@@ -314,7 +314,7 @@ static void gauge(const skv_rows *s, int row, int iteration, const skv_constants
 {
     const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
     const v8 virial = v8_set(c->image_virial), near_virial = v8_set(c->image_near_virial);
-    const float *own = s->own_move.thrust, *next = s->next_move.thrust;
+    const float *own = s->own_move.outward, *next = s->next_move.outward;
     const bool last = iteration == c->iterations - 1;
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 before = iteration ? v8_load(s->pressure + i) : zero;
@@ -326,7 +326,7 @@ static void gauge(const skv_rows *s, int row, int iteration, const skv_constants
             far = v8_min(v8_max(far, zero), v8_set(1));
             found = v8_add(beside, v8_mul(far, v8_sub(found, beside)));
             if (last)
-                full = v8_add(v8_mul(v8_sub(full, far), fullness(s, i, c)), far);
+                full = v8_add(v8_mul(v8_sub(full, far), relative_density(s, i, c)), far);
         }
         v8_store(s->pressure + i, v8_mul(full, v8_add(before, v8_mul(scale, found))));
     }
@@ -407,14 +407,14 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
                       c->loose_lambda, &dx, &dy);
         /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
         if (s->gauged)
-            s->own_move.thrust[i] +=
+            s->own_move.outward[i] +=
                 c->wall_virial * lambda * solid->r + 2.0f / SKV_NEAR_GAIN * near_lambda * solid->rn;
     } else {
         const skv_image_sample *image = &wall->at.image;
         float q = 1 - 2 * image->distance,
               rest = lambda + SKV_NEAR_WEIGHT * c->residual_share * near_lambda;
         q = q > 0 ? q : 0;
-        float out = s->own_move.thrust[i] + s->next_move.thrust[i];
+        float out = s->own_move.outward[i] + s->next_move.outward[i];
         out += 2 * (lambda * skv_kernel_forcef(SKV_KERNEL_SMOOTH, q) + near_lambda * (q * q));
         dx = rest * image->f1x + out * image->nx;
         dy = rest * image->f1y + out * image->ny;

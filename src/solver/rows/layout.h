@@ -33,23 +33,23 @@
  *   buffer            sort      A                    L to B          B to U         store
  *   ----------------------------------------------------------------------------------------
  *   set[current]      read      written by the sort, then turned over; U moves them  read
- *    .warm_lambda                                     renewed
+ *    .warm_lambda                                   renewed
  *   set[!current]     written   the older set's memory, free until the next sort:
  *    .x                         own density          P
  *    .y                         own near density     N
  *    .u                         own gradient x       gradient x      gauge pressure  read
  *    .v                         own gradient y       gradient y
  *    .clearance                 next density                         next move x
- *    .warm_lambda                 next near density                    next move y
- *    .number                    next gradient x                      next thrust
+ *    .warm_lambda               next near density                   next move y
+ *    .number                    next gradient x                      next outward
  *   spare[0]          key       next gradient y                      own move x      place
  *    [1]                         ahead x (W)                         own move y
- *    [2]                         ahead y (W)         own thrust      own thrust
+ *    [2]                         ahead y (W)         own outward     own outward
  *    [3]                         image (W)           image           image
  *
  * Densities are sums of W with the clavet law, of q^4 with the calibrated one, whose W is 4 q^3 - 3
  * q^4 and follows when all pairs are summed up. The gradient belongs to that law and the first
- * iteration, the gauge pressure to the last substep of a call. `thrust` is there with walls by
+ * iteration, the gauge pressure to the last substep of a call. `outward` is there with walls by
  * images; else it holds the virial. skv_rows_lend_buffers, in memory.c, is this table in code.
  */
 #ifndef SKV_ROWS_LAYOUT_H
@@ -101,7 +101,7 @@ typedef struct skv_row_sums {
 /* One part of what the displacement pass adds up. */
 typedef struct skv_row_moves {
     float *x, *y;
-    float *thrust; /* of partners' images, out of the wall; of who has none the virial */
+    float *outward; /* of partners' images, out of the wall; of who has none the virial */
 } skv_row_moves;
 
 /* Where the pairs of one row are kept between density and displacement. */

@@ -66,12 +66,12 @@ VARIANT wide is_far(wide image)
     return wide_min(wide_max(wide_sub(image, wide_set(1)), wide_set(0)), wide_set(1));
 }
 
-/* Adds the images' pushes to those of a tile's pairs, along the wall, and sums up their thrust out
- * of it: the partners' here, the tile's in `thrust`. Where the gauge pressure is wanted, particles
- * far from walls get the virial instead. */
+/* Adds the images' pushes to those of a tile's pairs, along the wall, and sums up what they push
+ * out of it: the partners' here, the tile's in `outward`. Where the gauge pressure is wanted,
+ * particles far from walls get the virial instead. */
 RARE void add_image_pushes(bool gauged, const pushes *own, wide lambda, wide near_lambda,
                            const tile *t, int j, const wide *q, const wide *virial, wide *size,
-                           wide *thrust, float *partners_thrust)
+                           wide *outward, float *partners_outward)
 {
     const wide one = wide_set(1), two = wide_set(2);
     const float *image = t->images, *tile_image = image + t->place;
@@ -83,17 +83,17 @@ RARE void add_image_pushes(bool gauged, const pushes *own, wide lambda, wide nea
     EACH(k) each[k] = wide_add(wide_add(own->lambda[k], lambda), each[k]);
     EACH(k) each[k] = wide_mul(wide_mul(each[k], seen[k]), seen[k]);
     EACH(k) size[k] = wide_add(size[k], each[k]);
-    EACH(k) thrust[k] = wide_mul(wide_mul(two, each[k]), partner);
+    EACH(k) outward[k] = wide_mul(wide_mul(two, each[k]), partner);
     EACH(k) other[k] = wide_mul(wide_mul(two, each[k]), wide_spread(tile_image + k, WIDES));
     if (gauged) {
         EACH(k)
         {
             wide far = is_far(wide_spread(tile_image + k, WIDES)), theirs = is_far(partner);
-            thrust[k] = wide_add(thrust[k], wide_mul(far, wide_sub(virial[k], thrust[k])));
+            outward[k] = wide_add(outward[k], wide_mul(far, wide_sub(virial[k], outward[k])));
             other[k] = wide_add(other[k], wide_mul(theirs, wide_sub(virial[k], other[k])));
         }
     }
-    add_at(partners_thrust, over_tile(other));
+    add_at(partners_outward, over_tile(other));
 }
 
 #endif

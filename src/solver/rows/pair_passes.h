@@ -406,13 +406,13 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
         }
     }
     if (imaged) {
-        wide thrust[WIDES];
+        wide outward[WIDES];
         add_image_pushes(with & WITH_GAUGE, pressed, lambda, near_lambda, t, j, q, virial, size,
-                         thrust, to->thrust + j);
-        EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], thrust[k]);
+                         outward, to->outward + j);
+        EACH(k) sums->outward[k] = wide_add(sums->outward[k], outward[k]);
     } else if (with & WITH_GAUGE) {
-        EACH(k) sums->thrust[k] = wide_add(sums->thrust[k], virial[k]);
-        add_at(to->thrust + j, over_tile(virial));
+        EACH(k) sums->outward[k] = wide_add(sums->outward[k], virial[k]);
+        add_at(to->outward + j, over_tile(virial));
     }
     if (with & WITH_VISCOSITY)
         viscosity(p, others, j, pressed, dx, dy, inverse, q, size);
@@ -441,12 +441,12 @@ VARIANT void displacement_block(const skv_row_particles *p, const partners *othe
                       &sums[n], to, with & KEEP_PAIRS ? keep + n * PART_PAIRS : NULL);
 }
 
-static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, bool thrust)
+static void zero_moves(const skv_rows *s, const skv_row_moves *moves, int row, bool outward)
 {
     zero_row(s, moves->x, row);
     zero_row(s, moves->y, row);
-    if (thrust)
-        zero_row(s, moves->thrust, row);
+    if (outward)
+        zero_row(s, moves->outward, row);
 }
 
 VARIANT void sum_moves(tile_sums *to, const move_sums *sums)
@@ -455,7 +455,7 @@ VARIANT void sum_moves(tile_sums *to, const move_sums *sums)
     sum_lanes(to->sum[0], sums->x, last->x);
     sum_lanes(to->sum[1], sums->y, last->y);
     if (to->more)
-        sum_lanes(to->sum[2], sums->thrust, last->thrust);
+        sum_lanes(to->sum[2], sums->outward, last->outward);
 }
 
 VARIANT void add_moves(const skv_row_moves *to, const tile_sums *late)
@@ -464,7 +464,7 @@ VARIANT void add_moves(const skv_row_moves *to, const tile_sums *late)
     add_tile(to->x + i, late->sum[0]);
     add_tile(to->y + i, late->sum[1]);
     if (late->more)
-        add_tile(to->thrust + i, late->sum[2]);
+        add_tile(to->outward + i, late->sum[2]);
 }
 
 /* Pass B for a tile and all its partners. Returns where the next tile's pairs are kept. */
@@ -481,7 +481,7 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
     {
         pressed.lambda[k] = wide_spread(others->lambda + i + k, WIDES);
         pressed.near_lambda[k] = wide_spread(others->near_lambda + i + k, WIDES);
-        EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].thrust[k] = wide_set(0);
+        EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].outward[k] = wide_set(0);
         pressed.u[k] = pressed.v[k] = wide_set(0);
         pressed.gradient_x[k] = pressed.gradient_y[k] = wide_set(0);
         if (with & WITH_VISCOSITY) {
@@ -540,9 +540,9 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
                              s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const unsigned plain = with & ~WITH_GRADIENT;
-    const bool kept = keep != NULL, thrust = with & WITH_GAUGE || images;
-    zero_moves(s, &own, row, thrust);
-    zero_moves(s, &next, row + 1, thrust);
+    const bool kept = keep != NULL, outward = with & WITH_GAUGE || images;
+    zero_moves(s, &own, row, outward);
+    zero_moves(s, &next, row + 1, outward);
     int begin = s->row_start[row], end = s->row_end[row];
     tile_sums late = {.place = -1};
     for (int i = begin; i < end; i += TILE) {

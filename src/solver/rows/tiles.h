@@ -33,7 +33,7 @@
  * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
  * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
  * pairs that approach. WITH_GAUGE: it sums up what the gauge pressure follows from as well: the
- * virial. WITH_IMAGES: walls act by images, and beside them it sums up their thrust. */
+ * virial. WITH_IMAGES: walls act by images, and beside them it sums up what these push outward. */
 enum {
     SMOOTH = 1,
     WITH_GRADIENT = 2,
@@ -110,7 +110,7 @@ typedef struct density_sums {
     wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES];
 } density_sums;
 typedef struct move_sums {
-    wide x[WIDES], y[WIDES], thrust[WIDES];
+    wide x[WIDES], y[WIDES], outward[WIDES];
 } move_sums;
 
 V8_INLINE void add_at(float *p, eight_part a)
@@ -145,7 +145,7 @@ V8_INLINE void sum_lanes(float to[TILE], const wide *first, const wide *last)
  * stored there has left the processor: a load that waited for it cost 3 to 5 %. */
 typedef struct tile_sums {
     int place; /* of the tile's first particle; -1: there is none yet */
-    bool more; /* than two sums: gradients, or the displacement's thrust or virial */
+    bool more; /* than two sums: gradients, or the displacement's outward or virial */
     float sum[ROW_SUMS][TILE];
 } tile_sums;
 
