@@ -36,7 +36,7 @@ typedef enum skv_part { SKV_ABSENT, SKV_HELD, SKV_MOVES } skv_part;
 /* The particles, in the caller's arrays: SI units. */
 typedef struct skv_solver_particles {
     int count;
-    uint32_t generation; /* another one when particles have come, gone or changed places; not 0 */
+    uint32_t revision; /* another one when particles have come, gone or changed places; not 0 */
     float *x, *y;
     float *vx, *vy;
     float *clearance; /* lower bound of the distance to the nearest wall */
@@ -101,13 +101,13 @@ typedef struct skv_solver_type {
     skv_solver_memory (*memory)(const skv_solver *solver);
     /* What the next step depends on beside the particles: writes the arrays, with an element per
      * particle, to `memories` and returns their number; 0: on nothing. Null: never on anything. */
-    int (*recall)(const skv_solver *solver, uint32_t generation,
+    int (*recall)(const skv_solver *solver, uint32_t revision,
                   const float *memories[SKV_SOLVER_MOST_MEMORIES]);
     /* Makes room for `count` particles' memories, and writes where they have to go; they count from
-     * `remember` on, for particles of that generation. On failure nothing has changed. */
+     * `remember` on, for particles of that revision. On failure nothing has changed. */
     skv_result (*make_memories)(skv_solver *solver, int count,
                                 float *memories[SKV_SOLVER_MOST_MEMORIES], skv_error *error);
-    void (*remember)(skv_solver *solver, uint32_t generation);
+    void (*remember)(skv_solver *solver, uint32_t revision);
 } skv_solver_type;
 
 /* What every solver begins with. */

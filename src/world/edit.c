@@ -140,7 +140,7 @@ skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain, int *re
         world->terrain = terrain;
         world->boundary.terrain = terrain;
         buried = tend_particles(world, before, &e);
-        skv_world_regroup(world); /* pairs that a new thin wall parts are none */
+        skv_world_revise(world); /* pairs that a new thin wall parts are none */
         skv_terrain_destroy(before);
         skv_world_end_removal(world, buried);
         skv_world_adapt_substeps(world);

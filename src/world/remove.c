@@ -43,7 +43,7 @@ static void close_ranks(skv_world *world)
         kept++;
     }
     s->count = kept;
-    skv_world_regroup(world);
+    skv_world_revise(world);
 }
 
 void skv_world_remove_leavers(skv_world *world)

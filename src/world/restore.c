@@ -80,9 +80,9 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
     skv_snapshot_particles(s, &world->state, memories);
     take_facts(world, s);
     take_sleep(world, s);
-    skv_world_regroup(world);
+    skv_world_revise(world);
     if (s->memories)
-        solver->remember(world->solver, world->generation);
+        solver->remember(world->solver, world->revision);
     return SKV_OK;
 }
 

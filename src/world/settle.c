@@ -212,7 +212,7 @@ static void finish(const settling *s)
             p->pressure[i] = p->warm_lambda[i] = 0;
     world->load.stiffness = (float)world->load.wanted; /* in which it has come to rest */
     skv_sleep_wake_all(world);
-    skv_world_regroup(world);
+    skv_world_revise(world);
 }
 
 skv_result skv_world_settle(skv_world *world, skv_error *error)

@@ -107,8 +107,7 @@ static void put_particles(skv_writer *w, const skv_world *world)
     const skv_state *s = &world->state;
     const skv_solver *solver = world->solver;
     const float *memories[SKV_SOLVER_MOST_MEMORIES];
-    int count =
-        solver->type->recall ? solver->type->recall(solver, world->generation, memories) : 0;
+    int count = solver->type->recall ? solver->type->recall(solver, world->revision, memories) : 0;
     skv_put(w, (uint64_t)s->count, 4);
     skv_put(w, (uint64_t)count, 4);
 #define PUT(type, name, saved)                                                                     \

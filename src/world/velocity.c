@@ -94,6 +94,6 @@ skv_result skv_world_set_positions(skv_world *world, const skv_particle_id *ids,
     }
     skv_sleep_end_disturbance(world);
     if (count)
-        skv_world_regroup(world);
+        skv_world_revise(world);
     return SKV_OK;
 }

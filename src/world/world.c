@@ -24,10 +24,10 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
     return result;
 }
 
-void skv_world_regroup(skv_world *world)
+void skv_world_revise(skv_world *world)
 {
-    if (++world->generation == 0)
-        world->generation = 1;
+    if (++world->revision == 0)
+        world->revision = 1;
 }
 
 void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye)
@@ -47,7 +47,7 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
     s->unrest[i] = SKV_NEWLY_RESTLESS;
     s->dye[i] = (uint8_t)dye;
     world->sleep.stepped++;
-    skv_world_regroup(world);
+    skv_world_revise(world);
 }
 
 static skv_result get_pool(skv_world *world, const skv_world_def *def, skv_error *error)
@@ -130,7 +130,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         result = skv_terrain_create(&tank, &world->terrain, error);
     }
     if (result == SKV_OK) {
-        world->generation = 1;
+        world->revision = 1;
         world->log = def->log;
         world->log_user = def->log_user;
         world->fluid = def->fluid;
@@ -246,7 +246,7 @@ const skv_terrain *skv_world_terrain(const skv_world *world)
 uint32_t skv_world_revision(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
-    return world->generation + world->array_moves;
+    return world->revision + world->array_moves;
 }
 
 skv_particles skv_world_particles(const skv_world *world)

@@ -47,7 +47,7 @@ struct skv_world {
 
     skv_state state;
     uint32_t next_id;
-    uint32_t generation;  /* of solver.h: it must not tell how much room there is */
+    uint32_t revision;    /* of solver.h: it must not tell how much room there is */
     uint32_t array_moves; /* how often the particles' arrays went to other memory */
     skv_tiling tiling;
     skv_sleep sleep;
@@ -134,7 +134,7 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
 /* Appends a particle that has been checked; there is room for it. */
 void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye);
 /* Notes that particles have come, gone or changed places. */
-void skv_world_regroup(skv_world *world);
+void skv_world_revise(skv_world *world);
 
 /* host.c: tells the host's log, if there is one, one line. */
 void skv_world_say(skv_world *world, const char *format, ...) SKV_PRINTF(2, 3);

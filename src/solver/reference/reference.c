@@ -44,7 +44,7 @@ typedef struct reference {
     void *block;
     size_t bytes;
     skv_neighbours neighbours;
-    /* Where the particles were when the lists were made, and their generation; 0: there are none.
+    /* Where the particles were when the lists were made, and their revision; 0: there are none.
      */
     float *listed_x, *listed_y;
     uint32_t listed;
@@ -204,9 +204,9 @@ static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_e
     skv_result result = reserve_arrays(r, p->count, error);
     if (result == SKV_OK)
         result = skv_neighbours_reserve(&r->neighbours, p->count, error);
-    if (result == SKV_OK && r->listed != p->generation) {
+    if (result == SKV_OK && r->listed != p->revision) {
         list_from(r, p->x, p->y, p->count);
-        r->listed = p->generation;
+        r->listed = p->revision;
         r->current = false;
     }
     while (result == SKV_OK && !r->current) {
@@ -218,13 +218,13 @@ static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_e
     return result;
 }
 
-static int recall(const skv_solver *solver, uint32_t generation,
+static int recall(const skv_solver *solver, uint32_t revision,
                   const float *memories[SKV_SOLVER_MOST_MEMORIES])
 {
     const reference *r = (const reference *)solver;
     memories[0] = r->listed_x;
     memories[1] = r->listed_y;
-    return r->listed == generation ? 2 : 0;
+    return r->listed == revision ? 2 : 0;
 }
 
 static skv_result make_memories(skv_solver *solver, int count,
@@ -237,10 +237,10 @@ static skv_result make_memories(skv_solver *solver, int count,
     return result;
 }
 
-static void remember(skv_solver *solver, uint32_t generation)
+static void remember(skv_solver *solver, uint32_t revision)
 {
     reference *r = (reference *)solver;
-    r->listed = generation;
+    r->listed = revision;
     r->current = false;
 }
 
