@@ -129,7 +129,8 @@ static char *list_results(const skv_report *report)
         /* Translators: a quantity, its measured and its theoretical value, and their unit. */
         g_string_append_printf(text, _("%s: measured %s, theory %s %s\n"), gettext(row->quantity),
                                play_number_short(row->measured, 4).text,
-                               play_number_short(row->theory, 4).text, row->unit);
+                               play_number_short(row->theory, 4).text,
+                               skv_unit_of(row->unit, false).name);
     if (text->len > 0)
         g_string_truncate(text, text->len - 1);
     return g_string_free(text, FALSE);

@@ -148,7 +148,8 @@ static GtkWidget *make_row(property *row)
 {
     const skv_field *field = row->field;
     char *title = play_title_of_path(field->path);
-    char *unit = *field->unit ? g_strdup_printf("%s · ", field->unit) : g_strdup("");
+    char *unit = *field->unit ? g_strdup_printf("%s · ", skv_unit_of(field->unit, false).name)
+                              : g_strdup("");
     char *text = g_strdup_printf("%s%s", unit, play_word(field->help));
     GtkWidget *widget = adw_action_row_new();
     row->row = widget;

@@ -48,7 +48,7 @@ typedef struct skv_unit {
 } skv_unit;
 
 /** The unit for readings in `si`, of a skv_channel: if `plain`, the one that people know, "cm of
- * water" for "Pa m"; else, and where they know no other, `si` itself. */
+ * water" for "Pa m"; else, and where they know no other, `si` itself, "m/s²" for "m/s^2". */
 SKV_API skv_unit skv_unit_of(const char *si, bool plain);
 
 /** The number of a reading in it, "24.5" of 2403 Pa m; its name, translated, follows a

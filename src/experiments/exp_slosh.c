@@ -118,8 +118,10 @@ const experiment skv_exp_slosh = {
             .predict = "Guess the period. Is it longer in deeper water? In a longer tank? Is the "
                        "second swing as large as the first?",
             .measure =
-                "The tank starts with a sloping surface. The centre of mass of all water is "
-                "followed sideways: its crossings give the period, its turning points the loss.",
+                "Gravity is tilted until the surface slopes, then turned upright. The centre of "
+                "mass "
+                "of all water is followed sideways: its crossings give the period, its turning "
+                "points the loss.",
             .compare = "The lowest standing wave is twice as long as the tank: omega^2 = g k "
                        "tanh(k depth) with k = pi / width. The amplitude is compared with an "
                        "ideal liquid's, which has no friction: from the default slope it keeps "

@@ -166,8 +166,10 @@ skv_result skv_plan_write(const rig_plan *plan, const skv_experiment *of, double
     text t = {skv_calloc(ROOM, 1), 0};
     if (!t.bytes)
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", of->name);
+    /* Who plays with it is to know why gravity points elsewhere than down. */
+    const char *words = plan->gravity_x != 0 ? of->measure : of->description;
     say(&t, "{\"name\": \"%s\", \"title\": \"%s\", \"description\": \"%s\", ", of->name, of->title,
-        of->description);
+        words);
     say(&t, "\"particles\": %.0f, \"fluid\": {", particles);
     for (int i = 0; i < setting_count; i++)
         say(&t, "%s\"%s\": %s", i ? ", " : "", strchr(settings[i].path, '.') + 1,

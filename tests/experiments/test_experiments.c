@@ -522,8 +522,11 @@ static skv_world *play_with(int i)
         fail_msg("%s: %s", skv_experiment_info(i)->name, error.text);
     assert_string_equal(skv_scene_name(scene), skv_experiment_info(i)->name);
     assert_string_equal(skv_scene_title(scene), skv_experiment_info(i)->title);
-    assert_string_equal(skv_scene_description(scene), skv_experiment_info(i)->description);
     assert_int_equal(skv_scene_create_world(scene, 1, &world, &error), SKV_OK);
+    float gx, gy;
+    skv_world_gravity(world, &gx, &gy);
+    assert_string_equal(skv_scene_description(scene), gx == 0 ? skv_experiment_info(i)->description
+                                                              : skv_experiment_info(i)->measure);
     skv_scene_destroy(scene);
     kept_clear(&text);
     return world;
@@ -547,6 +550,12 @@ static void set_ups_can_be_played_with(void **unused)
     fixture_run(tank, 40);
     assert_true(skv_world_particle_count(tank) < before - 20);
     skv_world_destroy(tank);
+    for (int i = 0; i < 2; i++) {
+        skv_world *tilted = play_with(number_of(i ? "slosh" : "u-tube"));
+        skv_world_gravity(tilted, &gx, &gy);
+        assert_true(gx != 0);
+        skv_world_destroy(tilted);
+    }
     skv_error error;
     kept full = {.limit = 20};
     assert_int_equal(skv_experiment_scene(0, kept_add, &full, &error), SKV_ERROR_FILE);

@@ -120,6 +120,9 @@ static void test_readings(void **state)
         {0.314, "m", false, "0,314", "m"},
         {(double)NAN, "m", true, DASH, "cm"},
         {12, "1/s", true, "12", "1/s"},
+        {0.5, "m/s^2", true, "0,5", "m/s²"},
+        {0.5, "m^2/s", false, "0,5", "m²/s"},
+        {0.5, "m^2", true, "0,5", "m²"},
         {0.5, "", true, "0,5", ""},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

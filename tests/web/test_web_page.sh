@@ -16,6 +16,7 @@ trap 'rm -rf "$work"' EXIT
 make_page "$work/page" production
 in_chromium page.js "$work/page"
 in_chromium fingers.js "$work/page"
+in_chromium layout.js "$work/page"
 in_chromium framed.js "$work/page"
 in_chromium device.js "$work/page"
 [[ ${SKV_LONG_TESTS:-0}${SKV_TRIAL:-} == 0 ]] ||

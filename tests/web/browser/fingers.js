@@ -103,12 +103,26 @@ const trials = {
         await until(page, (brush) => window.skvalp.state.value.brush > 3 * brush, 'the size from its least to its largest', brush);
         await close(page);
 
+        await chooseFromMenu(page, 'Preferences');
+        const strength = page.locator('.panel input[type=range]');
+        await strength.scrollIntoViewIfNeeded();
+        await until(page, () => document.getAnimations().length === 0, 'the preferences have risen');
+        const range = await strength.boundingBox();
+        await drag(page, [range.x + range.width / 2, range.y + range.height / 2], [range.width / 2, 0]);
+        await until(page, () => JSON.parse(localStorage.skvalp).tilt === 2, 'the strength at its largest');
+        await close(page);
+
+        await button(page, 'Wall').click();
+        await drag(page, [60, 300], [120, 40]);
+        await until(page, () => window.skvalp.state.value.canUndo, 'a wall from a finger');
+        await whole('the wall');
+
         // Over what does not move a finger moves nothing: it does not go back in the browser's history.
         await chooseFromMenu(page, 'About Skvalp');
         await until(page, () => document.getAnimations().length === 0, 'it has risen');
         const text = await page.locator('.panel-about h2').boundingBox();
         await drag(page, [28, text.y + text.height / 2], [300, 0]);
-        await drag(page, [28, (await bar.boundingBox()).y - 2], [300, 0]);
+        await drag(page, [28, y - 2], [300, 0]);
         await close(page);
 
         // A sheet longer than its room follows a finger, too.

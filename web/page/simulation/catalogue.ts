@@ -3,7 +3,7 @@
 // Invariant: nothing is named here that the library names; a new row of a table is a new entry.
 import type { Library } from '../../src/library.js';
 import type { skv_field } from '../../src/interface.js';
-import { plain, table } from '../../src/memory.js';
+import { plain, table, using } from '../../src/memory.js';
 
 import type { Catalogue, Field, Named } from './protocol';
 
@@ -17,9 +17,15 @@ function typeOf(library: Library, type: number): Field['type'] {
     }
 }
 
+/** As people write it: "m/s²". */
+export function unitOf(library: Library, si: string): string {
+    return using(library, library.c.skv_unit_of(si, false), ({ name }) => name);
+}
+
 function fieldOf(library: Library, field: skv_field): Field {
     const type = typeOf(library, field.type);
-    const { path, unit, minimum, maximum, help } = field;
+    const { path, minimum, maximum, help } = field;
+    const unit = unitOf(library, field.unit);
     const choices = type === 'choice' ? field.choices.split('|') : [];
     return { path, type, unit, minimum, maximum, choices, default: field.default_text, help };
 }

@@ -3,6 +3,7 @@ import type { Library } from '../../src/library.js';
 import type { skv_curve } from '../../src/interface.js';
 import { made, table, using, withSettings } from '../../src/memory.js';
 
+import { unitOf } from './catalogue';
 import type { Curve, LabMessage, Row, Settings } from './protocol';
 
 /** Between two messages, s. */
@@ -41,7 +42,7 @@ export function runExperiment(library: Library, index: number, settings: Setting
         })));
     const rows: Row[] = table(library, 'skv_lab_row', (i) => c.skv_report_row(report, i))
         .map(({ quantity, unit, measured, theory, ratio, tolerance, pass }) =>
-            ({ quantity, unit, measured, theory, ratio, tolerance, pass }));
+            ({ quantity, unit: unitOf(library, unit), measured, theory, ratio, tolerance, pass }));
     const curves: Curve[] = [];
     using(library, library.make('skv_curve'), (curve) => {
         for (let i = 0; c.skv_report_curve(report, i, curve); i++) {

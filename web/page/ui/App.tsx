@@ -1,16 +1,17 @@
 // App: how the page is laid out. Invariant: the water has all the room that controls leave; on phones
 // they lie below it, on wide screens around it.
-import { useEffect } from 'preact/hooks';
 import { openFile } from './actions';
-import { Chips } from './Chips';
 import { Header } from './Header';
 import { Messages } from './Messages';
-import { controls, panel, ready } from './model';
+import { later } from './later';
+import { controls, measures, ready } from './model';
 import { Panel } from './Panel';
 import { Stage } from './Stage';
 import { Tools } from './Tools';
 import { Transport } from './Transport';
 import { _ } from './words';
+
+const Chips = later(() => import('./Chips'), true);
 
 function onDrop(event: DragEvent): void {
     event.preventDefault();
@@ -20,9 +21,6 @@ function onDrop(event: DragEvent): void {
 }
 
 export function App({ canvas }: { canvas: HTMLCanvasElement }) {
-    useEffect(() => {
-        document.documentElement.classList.toggle('has-panel', panel.value !== null);
-    }, [panel.value]);
     const shown = ready.value ? controls.value : 'none';
     return (
         <main class={`app controls-${shown}`} onDragOver={(event) => event.preventDefault()} onDrop={onDrop}>
@@ -35,7 +33,7 @@ export function App({ canvas }: { canvas: HTMLCanvasElement }) {
             </div>
             {shown !== 'none' && (
                 <div class="dock">
-                    <Chips />
+                    {measures.value && <Chips />}
                     <div class="playback">
                         <Transport />
                     </div>

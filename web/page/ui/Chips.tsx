@@ -20,9 +20,9 @@ function onKey(event: KeyboardEvent, probe: Probe): void {
     event.stopPropagation();
 }
 
-export function Chips() {
+export default function Chips() {
     const [first, second] = state.value?.worlds ?? [];
-    if (!first || first.probes.length === 0)
+    if (!first)
         return null;
     return (
         <div class="chips" role="group" aria-label={_('Measurements')}>

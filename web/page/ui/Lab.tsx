@@ -1,6 +1,7 @@
 // Lab: an experiment's card: question, prediction, measurement, comparison. Invariant: what theory says
 // is shown once something was measured, not before: who predicts shall not read it off.
 import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
 import type { Curve, Experiment, LabMessage, Row } from '../simulation/protocol';
 import { wordsOfFailure } from './errands';
 import { download } from './files';
@@ -79,7 +80,15 @@ function shownCurves(latest: LabMessage | null | undefined): Curve[] {
 function Measurement({ index, experiment }: { index: number; experiment: Experiment }) {
     const run = runs.value[index];
     const curves = shownCurves(run?.latest);
+    const holder = useRef<HTMLDivElement>(null);
+    useEffect(() => {
+        if (!run?.running)
+            return;
+        holder.current!.scrollIntoView();
+        holder.current!.querySelector('.plot')!.scrollIntoView({ block: 'nearest' });
+    }, [run?.running]);
     return (
+        <div ref={holder} class="measurement">
         <Part title={_('3. Measure')} text={experiment.measure}>
             <p class="row">
                 <button
@@ -101,15 +110,16 @@ function Measurement({ index, experiment }: { index: number; experiment: Experim
                 </button>
             </p>
             {run?.running && <progress aria-label={_('3. Measure')} value={run.share} />}
-            {curves.length > 0 && (
+            {curves.length > 0 ? (
                 <Plot
                     xLabel={word(experiment.x_label)}
                     yLabel={word(experiment.y_label)}
                     curves={curves}
                     name={word(experiment.title)}
                 />
-            )}
+            ) : run?.running && <div class="plot" />}
         </Part>
+        </div>
     );
 }
 

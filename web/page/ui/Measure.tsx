@@ -6,7 +6,7 @@ import { _, word } from './words';
 
 const any = part((s) => s.worlds[0].probes.length > 0, false);
 
-export function Measure() {
+export default function Measure() {
     return (
         <>
             <ul class="list">

@@ -6,7 +6,6 @@ import { Button } from './Button';
 import { compared, panel, showPanel, subject } from './model';
 import type { Panel as Which } from './model';
 import { later } from './later';
-import { Measure } from './Measure';
 import { Scenes } from './Scenes';
 import { _ } from './words';
 
@@ -16,7 +15,7 @@ const panels: Record<Which, { title: () => string; Content: ComponentType }> = {
     experiment: { title: () => _('Experiments'), Content: later(() => import('./Lab')) },
     views: { title: () => _('What is shown'), Content: later(() => import('./Views')) },
     properties: { title: () => _('Properties'), Content: later(() => import('./Properties')) },
-    measure: { title: () => _('Measure'), Content: Measure },
+    measure: { title: () => _('Measure'), Content: later(() => import('./Measure')) },
     probe: { title: () => _('Measurements'), Content: later(() => import('./ProbeCard')) },
     compare: { title: () => _('Compare Two Worlds'), Content: later(() => import('./Compare')) },
     menu: { title: () => _('Main menu'), Content: later(() => import('./Menu')) },

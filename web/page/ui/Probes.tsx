@@ -3,13 +3,13 @@
 import { useRef } from 'preact/hooks';
 import type { Probe, Side, WorldState } from '../simulation/protocol';
 import { channelOf, gaugeOf } from './instruments';
+import { placesOf } from './labels';
 import { catalogue, simulation, state } from './model';
 import { readingText } from './numbers';
 import { _, word } from './words';
 
-/** CSS pixels: how far a reading stands from the middle of its grip, and how long the longest is. */
-const BESIDE = 17;
-const READING = 160;
+/** CSS pixels, of one letter of a reading, the broadest of fonts. */
+const LETTER = 8.5;
 
 function Grip(props: { probe: Probe; world: WorldState; side: number; end: 0 | 1; label: string }) {
     const { probe, world, end } = props;
@@ -60,29 +60,34 @@ function Line({ probe, world }: { probe: Probe; world: WorldState }) {
     );
 }
 
-/** What it reads, beside its first end: to the left of it where there is no room to the right. */
-function Reading({ probe, world }: { probe: Probe; world: WorldState }) {
+/** What they read, beside their first ends; with its number, what stands further off. */
+function Readings({ world }: { world: WorldState }) {
     const { scale, originX, originY } = world.camera;
-    const x = originX + scale * probe.x0;
-    const left = x > world.area.x + world.area.width - READING;
+    const texts = world.probes.map((probe) => readingText(channelOf(probe)));
+    const first = world.probes.map(({ x0, y0 }) => ({ x: originX + scale * x0, y: originY - scale * y0 }));
+    const second = world.probes.filter((probe) => gaugeOf(probe).line)
+        .map(({ x1, y1 }) => ({ x: originX + scale * x1, y: originY - scale * y1 }));
+    const numbers = world.probes.map(({ id }) => `${id}: `);
+    const labels = first.map((at, i) => ({ ...at, width: LETTER * (numbers[i] + texts[i]).length }));
     return (
-        <text class="reading numeric" x={x + (left ? -BESIDE : BESIDE)} y={originY - scale * probe.y0}
-            text-anchor={left ? 'end' : 'start'}>
-            {readingText(channelOf(probe))}
-        </text>
+        <>
+            {placesOf(labels, [...first, ...second], world.area).map((place, i) => place && (
+                <text class="reading numeric" x={place.x} y={place.y} text-anchor={place.ends ? 'end' : 'start'}>
+                    {place.y === first[i].y ? texts[i] : numbers[i] + texts[i]}
+                </text>
+            ))}
+        </>
     );
 }
 
 /** Readings have their buttons below the picture, which the keyboard reaches; these are for pointers. */
-export function Probes() {
+export default function Probes() {
     const worlds = state.value?.worlds ?? [];
-    if (!worlds.some((world) => world.probes.length > 0))
-        return null;
     return (
         <svg class="probes" role="img" aria-label={_('Measurements')}>
             <title>{worlds[0].probes.map((probe) => word(gaugeOf(probe).title)).join(', ')}</title>
-            {worlds.map((world, side) =>
-                world.probes.map((probe) => (
+            {worlds.map((world, side) => [
+                ...world.probes.map((probe) => (
                     <g key={`${side}.${probe.id}`}>
                         {gaugeOf(probe).line && (
                             <>
@@ -91,10 +96,10 @@ export function Probes() {
                             </>
                         )}
                         <Grip probe={probe} world={world} side={side} end={0} label={String(probe.id)} />
-                        <Reading probe={probe} world={world} />
                     </g>
                 )),
-            )}
+                <Readings key={side} world={world} />,
+            ])}
         </svg>
     );
 }

@@ -2,13 +2,14 @@
 // simulation once; it fills the stage, and the simulation is told whenever its size changes.
 import { useEffect, useRef } from 'preact/hooks';
 import { Ball } from './Ball';
-import { Legends } from './Legend';
-import { catalogue, controls, ready, simulation, trouble } from './model';
+import { catalogue, controls, measures, measuring, paused, ready, simulation, trouble } from './model';
+import { later } from './later';
 import { attachPointers } from './pointers';
-import { Probes } from './Probes';
 import { Status } from './Status';
 import { spoken } from './spoken';
 import { _ } from './words';
+
+const Probes = later(() => import('./Probes'), true);
 
 /** Tells the simulation how large the element is, from now on. */
 function watchSize(element: HTMLElement): () => void {
@@ -47,7 +48,7 @@ export function Stage({ canvas }: { canvas: HTMLCanvasElement }) {
         return () => endings.forEach((end) => end());
     }, [ready.value]);
     return (
-        <div class="stage">
+        <div class={`stage ${measuring.value && paused.value ? 'waits' : ''}`}>
             <div
                 ref={holder}
                 class="water"
@@ -62,9 +63,8 @@ export function Stage({ canvas }: { canvas: HTMLCanvasElement }) {
             <Trouble />
             {ready.value && (
                 <>
-                    <Probes />
+                    {measures.value && <Probes />}
                     <Status />
-                    <Legends />
                     {controls.value === 'all' && catalogue && <Ball />}
                 </>
             )}

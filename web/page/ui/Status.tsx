@@ -1,16 +1,19 @@
 // Status: what is open, over the picture's corner; and for a while what there is to see.
 import { useEffect } from 'preact/hooks';
 import { effect, signal } from '@preact/signals';
-import { compared, controls, part, state } from './model';
+import type { WorldState } from '../simulation/protocol';
+import { catalogue, compared, controls, measuring, part, showPanel, state } from './model';
 import { Icon } from './Icon';
+import { isSame, Legend } from './Legend';
 import { choice } from './choices';
-import { preferences } from './preferences';
+import { quantity } from './numbers';
+import { preferences, touch } from './preferences';
 import { wordsOfAmount } from './spoken';
-import { _, word } from './words';
+import { _, say, word } from './words';
 
 const opened = part((s) => s.worlds[0].opened, 0);
 const described = signal(false);
-/** Whether anybody has held the water yet: who has needs no hint. */
+/** Whether anybody has held the water yet, or opened something else: who has needs no hint. */
 const touched = signal(false);
 effect(() => {
     if (state.value?.worlds.some(({ hands }) => hands > 0))
@@ -28,17 +31,58 @@ function Hint() {
     return (
         <p class="pill description hint">
             <Icon name="hand" />
-            {_('Hold the water with the mouse or with fingers.')}
+            {touch.value ? _('Hold the water with your fingers.') : _('Hold the water with the mouse or with fingers.')}
             {ball && ` ${_('Drag the white ball to tilt the tank.')}`}
         </p>
     );
 }
 
+/** That an experiment is measured where nobody sees it; a press leads to it. */
+function Measuring() {
+    if (!measuring.value)
+        return null;
+    const { index, share } = measuring.value;
+    return (
+        <button type="button" class="pill description" onClick={() => showPanel('experiment', index)}>
+            {say(_('“%s” is being measured: %s. The water here waits.'), word(catalogue.experiments[index].title),
+                quantity(100 * share, 0, '%'))}
+        </button>
+    );
+}
+
+/** CSS pixels: how far below the picture's upper edge the status begins, and how high its first line is. */
+const ABOVE = 60;
+const LINE = 36;
+
+/** What each of two worlds is, and its legend; where both have the same, one shows. */
+function Sides({ worlds }: { worlds: WorldState[] }) {
+    return (
+        <>
+            {worlds.map(({ area, legend }, side) => (
+                <div
+                    class="side"
+                    style={{ left: `${area.x}px`, top: `${Math.max(LINE, area.y + 8 - ABOVE)}px`, width: `${area.width}px` }}
+                >
+                    <p class="pill">
+                        <span class={`letter world-${side}`}>{'AB'[side]}</span>
+                        {side === 0 ? _('As it is') : choice.value}
+                    </p>
+                    {legend && !(side === 1 && isSame(legend, worlds[0].legend)) && <Legend scale={legend} />}
+                </div>
+            ))}
+        </>
+    );
+}
+
 export function Status() {
     useEffect(() => {
+        const isAny = opened.value > 0;
         described.value = true;
         const timer = setTimeout(() => (described.value = false), READING);
-        return () => clearTimeout(timer);
+        return () => {
+            clearTimeout(timer);
+            touched.value ||= isAny;
+        };
     }, [opened.value]);
     const world = state.value?.worlds[0];
     if (!world)
@@ -49,17 +93,11 @@ export function Status() {
                 <strong>{word(world.title)}</strong>
                 <span class="amount numeric">{wordsOfAmount(world)}</span>
             </p>
-            {described.value && (touched.value ? <Description text={world.description} /> : <Hint />)}
-            {compared.value &&
-                state.value!.worlds.map(({ area }, side) => (
-                    <p
-                        class="pill badge"
-                        style={{ left: `${area.x + area.width / 2}px`, top: `${area.y + area.height - 48}px` }}
-                    >
-                        <span class={`letter world-${side}`}>{'AB'[side]}</span>
-                        {side === 0 ? _('As it is') : choice.value}
-                    </p>
-                ))}
+            <Measuring />
+            {compared.value ? <Sides worlds={state.value!.worlds} /> : <>
+                {world.legend && <Legend scale={world.legend} />}
+                {described.value && !measuring.value && (touched.value ? <Description text={world.description} /> : <Hint />)}
+            </>}
         </div>
     );
 }

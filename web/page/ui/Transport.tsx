@@ -21,8 +21,9 @@ function Bar() {
     const seconds = now?.worlds[0].time ?? 0;
     const clock = quantity(seconds, 1, 's') + (behind > 0 ? ` (${fixed(-behind / FRAMES, 1)})` : '');
     return (
-        <div class="bar">
+        <>
             <input
+                class="bar"
                 type="range"
                 aria-label={_('Rewind')}
                 aria-valuetext={clock}
@@ -40,7 +41,7 @@ function Bar() {
                 }}
             />
             <span class="clock">{clock}</span>
-        </div>
+        </>
     );
 }
 

@@ -2,7 +2,7 @@
 // said or passed over; nothing here throws.
 import { signal } from '@preact/signals';
 import { complain, ready, simulation, toast } from './model';
-import { preferences } from './preferences';
+import { preferences, touch } from './preferences';
 import { _ } from './words';
 
 // Full screen
@@ -85,7 +85,8 @@ export function endTilt(): void {
 /** Says why there is none, and what to do instead. */
 function giveUp(reason: string): void {
     endTilt();
-    complain(`${reason} ${_('Drag the gravity ball instead, or press the arrow keys.')}`);
+    const instead = touch.value ? _('Drag the gravity ball instead.') : _('Drag the gravity ball instead, or press the arrow keys.');
+    complain(`${reason} ${instead}`);
 }
 
 export async function beginTilt(): Promise<void> {

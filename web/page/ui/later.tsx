@@ -4,7 +4,8 @@ import type { ComponentType } from 'preact';
 import { useEffect } from 'preact/hooks';
 import { _ } from './words';
 
-export function later(load: () => Promise<{ default: ComponentType }>): ComponentType {
+/** @param quiet nothing is said in its place meanwhile */
+export function later(load: () => Promise<{ default: ComponentType }>, quiet = false): ComponentType {
     const loaded = signal<ComponentType | null>(null);
     const failed = signal(false);
     return function Later() {
@@ -18,6 +19,6 @@ export function later(load: () => Promise<{ default: ComponentType }>): Componen
         const Content = loaded.value;
         if (Content)
             return <Content />;
-        return <p>{failed.value ? _('This could not be loaded: is there a network?') : _('Loading…')}</p>;
+        return quiet ? null : <p>{failed.value ? _('This could not be loaded: is there a network?') : _('Loading…')}</p>;
     };
 }

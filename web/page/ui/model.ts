@@ -28,6 +28,8 @@ export const world = computed<WorldState | null>(() => state.value?.worlds[0] ??
 export const paused = part((s) => s.paused, true);
 export const tool = part((s) => s.tool, 0);
 export const dye = part((s) => s.dye, 0);
+/** Whether there are instruments. */
+export const measures = part((s) => s.worlds.some(({ probes }) => probes.length > 0), false);
 export const compared = part((s) => s.worlds.length > 1, false);
 
 /** Frames a second of simulated time. */
@@ -82,5 +84,7 @@ export const embedded = signal(false);
 export const controls = signal<'all' | 'play' | 'none'>('all');
 /** Arrow keys move a hand. */
 export const keyboardHand = signal(false);
+/** The experiment that is being measured, and how much of it is done. */
+export const measuring = signal<{ index: number; share: number } | null>(null);
 /** The picture can't be drawn. */
 export const trouble = signal<Trouble>(null);

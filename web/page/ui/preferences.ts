@@ -81,7 +81,8 @@ export const systemLight = query('(prefers-color-scheme: light)');
 /** Also where the system's own colours take the place of the page's. */
 export const moreContrast = query('(prefers-contrast: more), (forced-colors: active)');
 export const lessMotion = query('(prefers-reduced-motion: reduce)');
-export const wide = query('(min-width: 900px)');
+/** Fingers are all there is. */
+export const touch = query('(pointer: coarse) and (hover: none)');
 
 /** The renderer's palette that goes with the page's colours. */
 export function paletteOf(chosen: Preferences, light: boolean, contrast: boolean): string {

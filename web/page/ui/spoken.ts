@@ -38,5 +38,6 @@ export const spoken = computed(() => {
         return '';
     const world = now.worlds[0];
     const doing = now.paused ? _('paused') : now.atRest ? _('at rest') : _('playing');
-    return [word(world.title), doing, wordsOfLevels(world)].filter(Boolean).join(', ');
+    const view = catalogue.views.find(({ name }) => name === now.style.view);
+    return [word(world.title), doing, view && word(view.title), wordsOfLevels(world)].filter(Boolean).join(', ');
 });

@@ -1,0 +1,214 @@
+// How the page is laid out, on phones, in frames' sizes and enlarged: what is in sight, what lies over what, and what
+// stays where it is. Arguments: the folder of the built page.
+import assert from 'node:assert/strict';
+
+import { begin, button, chooseFromMenu, close, desk, phone, small, until, water } from './people.js';
+import { carryOut } from './trials.js';
+
+const [folder] = process.argv.slice(2);
+
+/** Waits until panels and messages are where they stay. */
+const still = (page) => until(page, () => document.getAnimations().every((one) => one.playState === 'finished'), 'all stands still');
+
+const boxOf = (page, selector) => page.locator(selector).first().evaluate((element) => {
+    const { left, top, right, bottom } = element.getBoundingClientRect();
+    return { left, top, right, bottom };
+});
+
+/** Pairs of what these selectors find that lie over each other. */
+const overlapping = (page, selectors) => page.evaluate((selectors) => {
+    const all = selectors.flatMap((selector) => [...document.querySelectorAll(selector)])
+        .map((element) => ({ text: element.className.baseVal ?? element.className, box: element.getBoundingClientRect() }));
+    return all.flatMap(({ text, box: a }, i) => all.slice(0, i).filter(({ box: b }) => a.width && b.width &&
+        a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1)
+        .map((other) => `${text} and ${other.text}`));
+}, selectors);
+
+/** What of the header is cut off by the picture's edges. */
+const cutOff = (page) => page.evaluate(() => {
+    const main = document.querySelector('.main').getBoundingClientRect();
+    return [...document.querySelectorAll('.header button')].filter((part) => {
+        const { left, right, top, bottom } = part.getBoundingClientRect();
+        return left < main.left || right > main.right || top < main.top || bottom > main.bottom;
+    }).map((part) => part.ariaLabel ?? part.textContent);
+});
+
+/** How wide the bar is, now that this is said beside it. */
+const barBeside = (page, going, moment) => page.evaluate(([going, moment]) => {
+    const { state } = window.skvalp;
+    state.value = { ...state.value, going, moment };
+    return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() =>
+        resolve(document.querySelector('.bar').getBoundingClientRect().width))));
+}, [going, moment]);
+
+const trials = {
+    async 'the picture has the room that an open sheet leaves'(browser) {
+        const page = await begin(browser, phone, '?scene=pool&paused=1');
+        for (const [width, height] of [[360, 740], [320, 568]]) {
+            await page.setViewportSize({ width, height });
+            for (const name of ['Views', 'Properties', 'Measure', 'Main menu']) {
+                await button(page, name).click();
+                await page.getByText('Loading…').waitFor({ state: 'detached' });
+                await until(page, () => {
+                    const { clientHeight } = document.querySelector('.stage');
+                    return clientHeight < innerHeight - 100 && window.skvalp.state.value.worlds[0].area.height === clientHeight;
+                }, `${name}: the picture is as high as the stage`);
+                await still(page);
+                const [stage, panel] = [await boxOf(page, '.stage'), await boxOf(page, '.panel')];
+                assert.ok(stage.bottom <= panel.top + 1, `${name} lies over the picture: ${panel.top} < ${stage.bottom}`);
+                assert.ok(stage.bottom - stage.top > 0.4 * height, `${name} leaves ${stage.bottom - stage.top} px of ${height}`);
+                assert.ok(Math.abs(panel.bottom - height) < 1 && panel.right - panel.left === width, name);
+                await close(page);
+                await page.locator('.panel').waitFor({ state: 'detached' });
+            }
+        }
+        await button(page, 'Views').click();
+        await page.getByRole('radio', { name: 'Pressure' }).click();
+        await page.locator('.legend').waitFor();
+        assert.deepEqual(await cutOff(page), []);
+    },
+
+    async 'what lies over the picture lies over nothing else there'(browser) {
+        const page = await begin(browser, phone, '?scene=pool&paused=1&view=pressure');
+        const lying = ['.header button', '.pill', '.legend', '.ball', '.message'];
+        await page.locator('.legend').waitFor();
+        await page.locator('.hint').waitFor();
+        assert.match(await page.locator('.hint').textContent(), /finger/);
+        assert.doesNotMatch(await page.locator('.hint').textContent(), /mouse/);
+        // Motion that is refused ends in advice on the ball.
+        await page.evaluate(() => (DeviceMotionEvent.requestPermission = async () => 'denied'));
+        await chooseFromMenu(page, 'Tilt by the Sensor');
+        const message = page.locator('.message').filter({ hasText: 'ball' });
+        await message.waitFor();
+        assert.doesNotMatch(await message.textContent(), /key/);
+        await still(page);
+        assert.deepEqual(await overlapping(page, lying), []);
+
+        await page.evaluate(() => {
+            const { simulation, state: { value: { worlds: [{ width, height }] } } } = window.skvalp;
+            for (const [x, y] of [[0.3, 0.2], [0.34, 0.2], [0.4, 0.22], [0.45, 0.24], [0.9, 0.2]]) {
+                simulation.addProbe(0, x * width, y * height, x * width, y * height);
+            }
+        });
+        await until(page, () => document.querySelectorAll('.chip').length === 5 && document.querySelectorAll('.reading').length > 1
+            && window.skvalp.state.value.worlds[0].area.height === document.querySelector('.stage').clientHeight, 'readings');
+        assert.deepEqual((await overlapping(page, ['.reading', '.disc'])).filter((pair) => pair.includes('reading')), []);
+    },
+
+    async 'the bar stays as wide as it is, whatever is said beside it'(browser) {
+        const page = await begin(browser, phone, '?scene=pool&particles=500');
+        await until(page, () => window.skvalp.state.value.moment > 10, 'time passes');
+        await page.keyboard.press(' ');
+        await until(page, () => window.skvalp.state.value.paused, 'it stands still');
+        for (const [width, height] of [[360, 740], [568, 320], [1366, 768]]) {
+            await page.setViewportSize({ width, height });
+            const widths = [];
+            for (const [words, times, slow, moment] of
+                [['real time', 1, false, 10], ['%s× of real time', 0.25, true, 10], ['at rest', 1, false, 4], ['paused', 1, false, 0]]) {
+                widths.push(await barBeside(page, { words, times, slow }, moment));
+            }
+            assert.ok(widths[0] > 120 && widths.every((one) => one === widths[0]), `${width}x${height}: ${widths}`);
+            assert.deepEqual(await overlapping(page, ['.bar', '.clock', '.pace']), []);
+        }
+    },
+
+    async 'a page that is enlarged four times has all that others have'(browser) {
+        const page = await begin(browser, small, '?scene=pool&paused=1');
+        for (const [width, height] of [[341, 192], [320, 256], [480, 270], [683, 384], [568, 320], [280, 653]]) {
+            const size = `${width}x${height}`;
+            await page.setViewportSize({ width, height });
+            assert.deepEqual(await cutOff(page), [], size);
+            for (const name of ['Hand', 'Size of the tool', 'Undo', 'Stopwatch']) {
+                const part = button(page, name);
+                await part.scrollIntoViewIfNeeded();
+                const { x, y, width: wide, height: high } = await part.boundingBox();
+                assert.ok(wide >= 24 && high >= 24 && x >= 0 && y >= 0 && x + wide <= width && y + high <= height,
+                    `${size}: ${name} at ${[x, y, wide, high]}`);
+            }
+            await page.evaluate(() => scrollTo(0, 0));
+            await button(page, 'Main menu').click();
+            const last = button(page, 'About Skvalp');
+            await last.scrollIntoViewIfNeeded();
+            const { left, right, bottom } = await boxOf(page, '.panel');
+            assert.ok(left >= 0 && right <= width && bottom <= height + 1, `${size}: the menu from ${left} to ${right}`);
+            const { x, width: wide } = await last.boundingBox();
+            assert.ok(x >= left && x + wide <= right && wide > 180, `${size}: an item of ${wide} px at ${x}`);
+            assert.deepEqual(await cutOff(page), [], `${size} with the menu`);
+            await close(page);
+            await page.locator('.panel').waitFor({ state: 'detached' });
+            assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), size);
+        }
+    },
+
+    async 'a page in light colours is light from its first picture on'(browser) {
+        const look = () => {
+            window.grounds = new Set();
+            const note = () => {
+                if (document.body) {
+                    window.grounds.add(getComputedStyle(document.body).backgroundColor);
+                }
+                requestAnimationFrame(note);
+            };
+            note();
+        };
+        const dark = () => {
+            localStorage.setItem('skvalp', '{"scheme":"light"}');
+        };
+        for (const [colorScheme, before] of [['light', null], ['dark', dark]]) {
+            const page = await browser.open('/empty.html', { ...small, more: { colorScheme } });
+            if (before) {
+                await page.evaluate(before);
+            }
+            await page.addInitScript(look);
+            await page.goto(new URL('/index.html?paused=1', page.url()).href);
+            await water(page);
+            const grounds = await page.evaluate(() => [...window.grounds].filter((ground) => ground !== 'rgba(0, 0, 0, 0)'));
+            assert.deepEqual(grounds, ['rgb(230, 237, 244)'], `${colorScheme} system`);
+        }
+    },
+
+    async 'an experiment says that it runs, what stands beside it waits, and its plot is in sight'(browser) {
+        for (const view of [phone, { ...desk, width: 1366, height: 768 }]) {
+            const page = await begin(browser, view, '?scene=pool&particles=500');
+            await until(page, () => !window.skvalp.state.value.paused, 'it plays');
+            await button(page, 'Scenes and experiments').click();
+            await page.locator('.panel .list button').first().click();
+            await page.locator('.measurement').getByRole('button', { name: 'Measure' }).click();
+            const told = page.locator('.status button').filter({ hasText: /“.+” is being measured: \d+\s%\. The water here waits\./ });
+            await told.waitFor();
+            await until(page, () => window.skvalp.state.value.paused, 'what stands beside it waits');
+            await page.locator('.plot').waitFor();
+            const [plot, panel] = [await boxOf(page, '.plot'), await boxOf(page, '.panel')];
+            assert.ok(plot.top >= panel.top && plot.bottom <= panel.bottom + 1, `the plot from ${plot.top} to ${plot.bottom} of ${panel.bottom}`);
+            await close(page);
+            await told.click();
+            await page.locator('.panel-experiment').waitFor();
+            await button(page, 'Stop').click();
+            await told.waitFor({ state: 'detached' });
+            await until(page, () => !window.skvalp.state.value.paused, 'it goes on');
+        }
+    },
+
+    async 'a set-up whose gravity is tilted says so'(browser) {
+        const page = await begin(browser, desk, '?scene=pool&paused=1');
+        const index = await page.evaluate(async () =>
+            (await window.skvalp.simulation.catalogue()).experiments.findIndex(({ name }) => name === 'slosh'));
+        await button(page, 'Scenes and experiments').click();
+        await page.locator('.panel .list button').nth(index).click();
+        await button(page, 'Play with the set-up').click();
+        await until(page, () => window.skvalp.state.value.gravity.x !== 0, 'gravity as the experiment begins');
+        await page.locator('.status').getByText('Gravity is tilted').waitFor();
+    },
+
+    async 'a change of the view is spoken'(browser) {
+        const page = await begin(browser, desk, '?scene=pool&paused=1');
+        const told = page.locator('[aria-live]');
+        await told.filter({ hasText: 'Water' }).waitFor({ state: 'attached' });
+        await page.keyboard.press('v');
+        const { name, title } = await page.evaluate(async () => (await window.skvalp.simulation.catalogue()).views[1]);
+        await until(page, (name) => window.skvalp.state.value.style.view === name, 'the view', name);
+        await told.filter({ hasText: title }).waitFor({ state: 'attached' });
+    },
+};
+
+await carryOut([folder], trials);
