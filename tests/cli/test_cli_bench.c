@@ -92,7 +92,7 @@ static void test_contract(void **state)
 {
     json_t *array =
         measure(*state, (const char *const[]){"skvalp", "bench", "--quick", "--json", "--particles",
-                                              "1500", "--threads", "3", NULL});
+                                              "1000", "--threads", "3", NULL});
     for (int threads = 1; threads <= 3; threads += 2) {
         assert_int_equal(count_rows(array, "pool", "calibrated", threads), 1);
         assert_int_equal(count_rows(array, "pool", "clavet", threads), 1);
@@ -101,7 +101,7 @@ static void test_contract(void **state)
     }
     assert_int_equal(json_array_size(array), 8);
     for (size_t i = 0; i < 8; i++)
-        assert_in_range((int)number(json_array_get(array, i), "particles"), 1400, 1600);
+        assert_in_range((int)number(json_array_get(array, i), "particles"), 900, 1100);
     json_decref(array);
 }
 
@@ -146,7 +146,7 @@ static void check_plot(const char *svg)
 
 static void test_files(void **state)
 {
-    program_result result = SKVALP(*state, "bench", "--quick", "--particles", "2000", "--threads",
+    program_result result = SKVALP(*state, "bench", "--quick", "--particles", "1000", "--threads",
                                    "2", "--markdown", "--csv", "bench.csv", "--plot", "bench.svg");
     assert_int_equal(result.status, 0);
     assert_string_equal(result.err, "");

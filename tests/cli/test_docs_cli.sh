@@ -10,7 +10,13 @@ docs=$(realpath "${2:?usage: test_docs_cli.sh BUILD SOURCE}")/docs
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/bin" "$work/here"
-ln -s "$build/skvalp" "$work/bin/skvalp"
+# The lab's worlds are small, and figures are the same on any number of threads: on one they cost least.
+cat >"$work/bin/skvalp" <<END
+#!/bin/sh
+[ "\$1" != lab ] || [ "\$2" = --cards ] || set -- "\$@" --threads 1
+exec "$build/skvalp" "\$@"
+END
+chmod +x "$work/bin/skvalp"
 PATH=$work/bin:$PATH
 cd "$work/here"
 

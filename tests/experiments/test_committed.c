@@ -70,6 +70,7 @@ static int add_start(line *lines, int which, int start)
     skv_lab_options options = skv_default_lab_options();
     options.settings = asked;
     options.setting_count = 2;
+    options.threads = 1;
     skv_report *report;
     skv_error error;
     if (skv_experiment_run(which, &options, &report, &error) != SKV_OK)

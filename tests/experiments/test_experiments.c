@@ -243,10 +243,10 @@ static void a_real_finding_fails_against_a_wrong_theory(void **unused)
     skv_findings_free(&found);
 }
 
-/* Measures an experiment at 1500 particles; returns the area that they were given, m^2. */
+/* Measures an experiment at 600 particles; returns the area that they were given, m^2. */
 static double measure_some(const char *name, findings *found)
 {
-    const skv_setting setting = {"particles", "1500"};
+    const skv_setting setting = {"particles", "600"};
     skv_lab_options options = skv_default_lab_options();
     options.settings = &setting;
     options.setting_count = 1;
@@ -474,12 +474,13 @@ static bool look(const skv_lab_moment *moment, void *user)
     return true;
 }
 
-/* Every experiment that can be watched with its theory; watching changes no figure. */
+/* Every experiment that can be watched with its theory, the longest one with SKV_LONG_TESTS=1;
+ * watching changes no figure. */
 static void an_experiment_can_be_watched(void **unused)
 {
     (void)unused;
     static const char *const names[] = {"hydrostatics", "dam-break", "u-tube"};
-    for (int e = 0; e < 3; e++) {
+    for (int e = 0; e < (long_tests() ? 3 : 2); e++) {
         const skv_setting few = {"particles", "600"};
         skv_lab_options options = skv_default_lab_options();
         options.settings = &few;

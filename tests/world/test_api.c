@@ -121,7 +121,7 @@ static void allowed_violence_is_survived(void **unused)
 {
     (void)unused;
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
-        skv_world *world = fixture_dam((skv_law)law, 0.025f, 2);
+        skv_world *world = fixture_dam((skv_law)law, 0.025f, 1);
         for (int f = 0; f < 60; f++) {
             skv_hand hand = {0.4f,  0.2f, 1000, -1000, 2, f % 2 ? 10000.0f : -10000.0f,
                              10000, 10000};
