@@ -2,8 +2,8 @@
  *
  * Cells are so large that each one inside a fresh lattice holds a particle. Those that touch, with
  * no wall between, are a body; those of it above each other are a column. What is beside a cell of
- * it is fluid, a wall, or air. A body rests if there is no air below or beside it, and all the air
- * above it is at one level.
+ * it is fluid, a wall, or air. A body rests if there is no air below or beside it, all the air
+ * above it is at one level, and no fluid of it stands higher, below a roof.
  *
  * Invariant: cells, and what is found of them, follow from the particles and their order alone.
  */
@@ -36,6 +36,7 @@ typedef struct cell {
 } cell;
 
 typedef struct body {
+    float top; /* its highest particle, along gravity; a roof may keep it from the air */
     float highest, lowest; /* its free surface, along gravity */
     float lowest_side;     /* the lowest place with air beside it */
     bool falls;            /* there is air below some of it */
@@ -177,12 +178,14 @@ static void note_air(body *whole, const cell *c, int side)
 static void spread(bodies *b, cell *first, int number)
 {
     body *whole = &b->bodies[number];
-    *whole = (body){.highest = -INFINITY, .lowest = INFINITY, .lowest_side = INFINITY};
+    *whole =
+        (body){.top = -INFINITY, .highest = -INFINITY, .lowest = INFINITY, .lowest_side = INFINITY};
     first->body = number;
     int waiting = 0;
     b->stack[waiting++] = (int)(first - b->cells);
     while (waiting) {
         const cell *c = &b->cells[b->stack[--waiting]];
+        whole->top = skv_maxf(whole->top, c->high);
         for (int side = 0; side < NEIGHBOURS; side++) {
             cell *beside = connected(b, c, side);
             if (!beside) {
@@ -199,8 +202,8 @@ static void spread(bodies *b, cell *first, int number)
 static bool rests(const bodies *b, const body *whole)
 {
     float step = ONE_LEVEL * b->world->fluid.spacing;
-    return !whole->falls && !(whole->highest - whole->lowest > step) &&
-           !(whole->highest - whole->lowest_side > step);
+    return !whole->falls && !(whole->top - whole->lowest > step) &&
+           !(whole->top - whole->lowest_side > step);
 }
 
 /* Measures the column below a cell that nothing of it is above. */
