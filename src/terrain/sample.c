@@ -2,22 +2,31 @@
 #include "terrain/sample.h"
 
 #include "base/assert.h"
+#include "base/exact.h"
 
 #include <math.h>
 
+/* What a sampled distance may be other than the true one at two places, and a little more. */
+#define SAMPLED 3.0f
+
 /* Whether solid lies between two points so far apart, whose distances from it are known; all in
- * pixels. What both distances cover is free: a distance falls by at most sqrt(2) a pixel. */
+ * pixels. What both distances cover is free: a sampled distance falls by at most sqrt(2) a pixel,
+ * and on a long way by little more than the way. The half that lies nearer to solid is looked at
+ * first: there a way that meets it mostly ends. */
 static bool is_occluded(const skv_terrain *terrain, float ax, float ay, float a, float bx, float by,
                         float b, float length)
 {
     if (a <= 0 || b <= 0)
         return true;
-    if (length < 0.3f || a + b >= 1.4143f * length)
+    if (length < 0.3f || a + b >= skv_minf(1.4143f * length, length + SAMPLED))
         return false;
     float x = 0.5f * (ax + bx), y = 0.5f * (ay + by), half = 0.5f * length;
     float middle = skv_grid_distance(terrain, x, y) * terrain->per_metre;
-    return is_occluded(terrain, ax, ay, a, x, y, middle, half) ||
-           is_occluded(terrain, x, y, middle, bx, by, b, half);
+    if (a < b)
+        return is_occluded(terrain, ax, ay, a, x, y, middle, half) ||
+               is_occluded(terrain, x, y, middle, bx, by, b, half);
+    return is_occluded(terrain, x, y, middle, bx, by, b, half) ||
+           is_occluded(terrain, ax, ay, a, x, y, middle, half);
 }
 
 /* The distance of an end from solid in pixels, or the bound of it that is known. Ends are

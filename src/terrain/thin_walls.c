@@ -58,6 +58,9 @@ static bool find_middle(const skv_terrain *terrain, int x, int y, double longest
     return false;
 }
 
+/* Pixels; a coordinate of 8192 pixels is rounded by 0.0005. */
+#define SLACK 0.01f
+
 /* What is known of a cell. */
 enum {
     MIDDLE = 1,    /* a thin wall's middle lies in it ... */
@@ -152,13 +155,17 @@ static void find_solid(const search *s)
     cells_between(s, thin->columns, s->within.x0, s->within.x1, terrain->columns, &x0, &x1);
     cells_between(s, thin->rows, s->within.y0, s->within.y1, terrain->rows, &y0, &y1);
     for (int y = y0; y < y1; y++) {
-        float gy = middle_of(s, y);
+        float gy = middle_of(s, y), air_to = -INFINITY;
         for (int x = x0; x < x1; x++) {
             float gx = middle_of(s, x);
+            if (!is_redone(s, gx, gy, 0))
+                continue;
             /* A line passes the middles of a chain of cells by no more than half a side. */
-            if (is_redone(s, gx, gy, 0))
-                thin->found[cell_at(thin, x, y)] =
-                    skv_grid_distance(terrain, gx, gy) <= 0.5f * side ? SOLID : 0;
+            float room = gx <= air_to ? side : skv_grid_distance(terrain, gx, gy) - 0.5f * side;
+            thin->found[cell_at(thin, x, y)] = room <= 0 ? SOLID : 0;
+            /* Along a row distances fall by at most the way. */
+            if (gx > air_to)
+                air_to = gx + room * terrain->per_metre - SLACK;
         }
     }
 }

@@ -195,10 +195,12 @@ void skv_wall_build_block(const skv_wall_builder *b, int x, int y, skv_wall_bloc
     fill_block(&b->map->kernel, &w, made);
 }
 
-static void build_blocks(const skv_wall_builder *b)
+/* Those of some rows. */
+static void build_blocks(int begin, int end, void *context)
 {
-    skv_wall_map *map = b->map;
-    for (int y = 0; y < map->rows; y++) {
+    const skv_wall_builder *b = context;
+    const skv_wall_map *map = b->map;
+    for (int y = begin; y < end; y++) {
         for (int x = 0; x < map->columns; x++) {
             int32_t number = map->index[(size_t)y * (size_t)map->columns + (size_t)x];
             if (number >= 0)
@@ -278,7 +280,8 @@ skv_result skv_wall_map_check(const skv_terrain *terrain, float radius, skv_erro
 }
 
 skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
-                               skv_kernel pressure, skv_wall_map **map, skv_error *error)
+                               skv_kernel pressure, skv_pool *pool, skv_wall_map **map,
+                               skv_error *error)
 {
     SKV_ASSERT_OR(map, SKV_ERROR_VALUE);
     *map = NULL;
@@ -319,7 +322,7 @@ skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float s
         skv_wall_map_destroy(made);
         return result;
     }
-    build_blocks(&b);
+    skv_pool_run(pool, rows, build_blocks, &b);
     *map = made;
     return SKV_OK;
 }
@@ -375,22 +378,43 @@ void skv_wall_shade_sample(const skv_wall_map *map, const skv_terrain *terrain,
                   map->radius * (double)terrain->per_metre, map->density, sights, values);
 }
 
+/* What shading needs. */
+typedef struct shading {
+    const skv_wall_map *map;
+    const skv_terrain *terrain;
+    skv_shadow_rays rays;
+} shading;
+
 /* Replaces the samples of block (x, y) that lie in the air near a thin wall. */
-static void shade_block(const skv_wall_map *map, const skv_terrain *terrain,
-                        const skv_shadow_rays *rays, int x, int y, skv_wall_block *b)
+static void shade_block(const shading *s, int x, int y, skv_wall_block *b)
 {
     for (int j = 0; j < SAMPLES; j++) {
         for (int i = 0; i < SAMPLES; i++) {
-            float sx = skv_wall_sample_place(map, x * BLOCK + i),
-                  sy = skv_wall_sample_place(map, y * BLOCK + j);
+            float sx = skv_wall_sample_place(s->map, x * BLOCK + i),
+                  sy = skv_wall_sample_place(s->map, y * BLOCK + j);
             double sights[SKV_SHADOW_RAYS];
-            if (skv_wall_is_shaded(map->thin, terrain, sx, sy))
-                skv_wall_shade_sample(map, terrain, rays, sx, sy, sights, b->samples[j][i]);
+            if (skv_wall_is_shaded(s->map->thin, s->terrain, sx, sy))
+                skv_wall_shade_sample(s->map, s->terrain, &s->rays, sx, sy, sights,
+                                      b->samples[j][i]);
         }
     }
 }
 
-skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error)
+/* The same for all blocks of some rows. */
+static void shade_blocks(int begin, int end, void *context)
+{
+    const shading *s = context;
+    for (int y = begin; y < end; y++) {
+        for (int x = 0; x < s->map->columns; x++) {
+            int32_t number = s->map->index[(size_t)y * (size_t)s->map->columns + (size_t)x];
+            if (number >= 0)
+                shade_block(s, x, y, &s->map->blocks[number]);
+        }
+    }
+}
+
+skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_pool *pool,
+                              skv_error *error)
 {
     SKV_ASSERT_OR(map && terrain && !map->found && !map->images, SKV_ERROR_VALUE);
     skv_thin_walls *found;
@@ -398,15 +422,10 @@ skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv
         skv_thin_walls_create(terrain, (float)map->radius, NULL, NULL, &found, error);
     if (result != SKV_OK)
         return result;
-    skv_shadow_rays rays;
-    skv_shadow_rays_make(&rays);
-    skv_wall_take_found(map, found, &rays);
-    for (int y = 0; map->thin && y < map->rows; y++) {
-        for (int x = 0; x < map->columns; x++) {
-            int32_t number = map->index[(size_t)y * (size_t)map->columns + (size_t)x];
-            if (number >= 0)
-                shade_block(map, terrain, &rays, x, y, &map->blocks[number]);
-        }
-    }
+    shading s = {.map = map, .terrain = terrain};
+    skv_shadow_rays_make(&s.rays);
+    skv_wall_take_found(map, found, &s.rays);
+    if (map->thin)
+        skv_pool_run(pool, map->rows, shade_blocks, &s);
     return SKV_OK;
 }

@@ -80,13 +80,15 @@ skv_result skv_wall_map_check(const skv_terrain *terrain, float radius, skv_erro
 
 /* Builds the maps of a terrain for one h, s and kernel. `terrain` is only read during the call. */
 skv_result skv_wall_map_create(const skv_terrain *terrain, float radius, float spacing,
-                               skv_kernel pressure, skv_wall_map **map, skv_error *error);
+                               skv_kernel pressure, skv_pool *pool, skv_wall_map **map,
+                               skv_error *error);
 void skv_wall_map_destroy(skv_wall_map *map);
 
 /* Finds the thin walls of the map's terrain. Near them the sums then run over everything that a
  * point cannot see, the fluid behind the wall included: pairs are cut there, so the wall must stand
  * for all that they would have given. Once for a map; on failure it stays as it was. */
-skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_error *error);
+skv_result skv_wall_map_shade(skv_wall_map *map, const skv_terrain *terrain, skv_pool *pool,
+                              skv_error *error);
 
 /* Adds what images need to a map for the smooth kernel, after shading. Once for a map; on failure
  * it stays as it was. */

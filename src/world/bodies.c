@@ -25,13 +25,14 @@ static const int column_step[NEIGHBOURS] = {0, 0, -1, 1};
 static const int row_step[NEIGHBOURS] = {1, -1, 0, 0};
 
 typedef struct cell {
-    int column, row; /* across gravity, and against it */
-    int particle;    /* one of its */
-    int next;        /* in the same slot, as in `head` */
-    int body;        /* -1 at first */
-    unsigned air;    /* a bit for each side with air beside it */
-    float high, low; /* its particles, along gravity; then the column's highest and lowest */
-    bool carried;    /* its column is */
+    int column, row;        /* across gravity, and against it */
+    int particle;           /* one of its */
+    int next;               /* in the same slot, as in `head` */
+    int body;               /* -1 at first */
+    unsigned air;           /* a bit for each side with air beside it */
+    float high, low;        /* its particles, along gravity; then the column's highest and lowest */
+    int beside[NEIGHBOURS]; /* numbers of the cells that its fluid touches, from 1; 0: none */
+    bool carried;           /* its column is */
     bool measured;
 } cell;
 
@@ -50,6 +51,7 @@ typedef struct bodies {
     int *head;     /* by slot: number of the last cell put there, from 1; 0: none */
     cell *cells;
     int cell_count;
+    int *cell_of; /* by particle */
     body *bodies;
     int *stack; /* cells whose neighbours have to be looked at */
 } bodies;
@@ -75,8 +77,9 @@ static int cell_number(const bodies *b, float place)
 
 static int *slot_of(const bodies *b, int column, int row)
 {
-    unsigned key = (unsigned)column * 0x9e3779b1u ^ (unsigned)row * 0x85ebca6bu;
-    return &b->head[(key ^ key >> 15) & b->mask];
+    /* Cells in a row are neighbours here, too, and mostly asked for one after the other. */
+    unsigned key = (unsigned)column + (unsigned)row * 0x9e3779b1u;
+    return &b->head[key & b->mask];
 }
 
 /* The cell there; null if it is empty. */
@@ -94,23 +97,30 @@ static cell *find(const bodies *b, int column, int row)
 
 static cell *cell_of(const bodies *b, int particle)
 {
-    return find(b, cell_number(b, across(b, particle)), cell_number(b, along(b, particle)));
+    return &b->cells[b->cell_of[particle]];
 }
 
 static void put_into_cells(bodies *b)
 {
     for (int i = 0; i < b->world->state.count; i++) {
         float height = along(b, i);
-        cell *c = cell_of(b, i);
+        int column = cell_number(b, across(b, i)), row = cell_number(b, height);
+        cell *c = find(b, column, row);
         if (c) {
             c->high = skv_maxf(c->high, height);
             c->low = skv_minf(c->low, height);
+            b->cell_of[i] = (int)(c - b->cells);
             continue;
         }
-        int column = cell_number(b, across(b, i)), row = cell_number(b, height);
         int *slot = slot_of(b, column, row);
-        b->cells[b->cell_count] =
-            (cell){column, row, i, *slot, -1, 0, height, height, false, false};
+        b->cells[b->cell_count] = (cell){.column = column,
+                                         .row = row,
+                                         .particle = i,
+                                         .next = *slot,
+                                         .body = -1,
+                                         .high = height,
+                                         .low = height};
+        b->cell_of[i] = b->cell_count;
         *slot = ++b->cell_count;
     }
 }
@@ -125,9 +135,9 @@ static bool touch(const bodies *b, const cell *a, const cell *c)
            !(skv_terrain_sweep(terrain, x, y, s->x[c->particle], s->y[c->particle], 0) < 1);
 }
 
-/* The cell at a side of another with fluid that touches its fluid; null if there is none. A cell
- * that is cut by a wall or by the surface may be empty inside the fluid: then one beside it. */
-static cell *connected(const bodies *b, const cell *c, int side)
+/* Looks for the cell at a side of another with fluid that touches its fluid. A cell that is cut by
+ * a wall or by the surface may be empty inside the fluid: then one beside it. Its number, or 0. */
+static int find_beside(const bodies *b, const cell *c, int side)
 {
     static const int aside[] = {0, -1, 1};
     for (int k = 0; k < 3; k++) {
@@ -135,9 +145,22 @@ static cell *connected(const bodies *b, const cell *c, int side)
         int row = c->row + (side < SIDES ? row_step[side] : aside[k]);
         cell *other = find(b, column, row);
         if (other && touch(b, c, other))
-            return other;
+            return (int)(other - b->cells) + 1;
     }
-    return NULL;
+    return 0;
+}
+
+static void connect_cells(const bodies *b)
+{
+    for (cell *c = b->cells; c < b->cells + b->cell_count; c++)
+        for (int side = 0; side < NEIGHBOURS; side++)
+            c->beside[side] = find_beside(b, c, side);
+}
+
+/* The cell at a side of another with fluid that touches its fluid; null if there is none. */
+static cell *connected(const bodies *b, const cell *c, int side)
+{
+    return c->beside[side] ? &b->cells[c->beside[side] - 1] : NULL;
 }
 
 /* Looks for air beside every cell, from each of its particles: a hole in a wall may be narrower
@@ -288,9 +311,11 @@ skv_result skv_world_find_lies(const skv_world *world, skv_lies *lies, skv_error
     b.cells = skv_calloc(most, sizeof *b.cells);
     b.bodies = skv_calloc(most, sizeof *b.bodies);
     b.stack = skv_calloc(most, sizeof *b.stack);
-    bool enough = b.head && b.cells && b.bodies && b.stack;
+    b.cell_of = skv_calloc(most, sizeof *b.cell_of);
+    bool enough = b.head && b.cells && b.bodies && b.stack && b.cell_of;
     if (enough) {
         put_into_cells(&b);
+        connect_cells(&b);
         look_for_air(&b);
         for (int c = 0, number = 0; c < b.cell_count; c++)
             if (b.cells[c].body < 0)
@@ -302,5 +327,6 @@ skv_result skv_world_find_lies(const skv_world *world, skv_lies *lies, skv_error
     skv_free(b.cells);
     skv_free(b.bodies);
     skv_free(b.stack);
+    skv_free(b.cell_of);
     return enough ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");
 }

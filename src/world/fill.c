@@ -22,6 +22,8 @@ enum { FILL_COOKIE = 0x4649 };
 /* And of aligned lattices this far from other particles: where fills follow each other frame by
  * frame, closer ones would add up to a pressure that throws the fluid apart. */
 #define BRUSH_SPACING 0.95f
+/* Pixels; a coordinate of 8192 pixels is rounded by 0.0005. */
+#define SLACK 0.01f
 /* Shift of each particle, in spacings: a perfect lattice would stand like a crystal. */
 #define JITTER 0.02f
 
@@ -56,9 +58,10 @@ typedef struct walk {
     uint32_t next_id;
     int limit; /* walk no farther than so many places */
     skv_placed placed;
-    bool keep;    /* the places found, not only their number */
-    float *x;     /* capacity places' x, followed by as many y */
-    int capacity; /* of x */
+    float clear_to; /* the row's x up to which no wall is near, as far as is known */
+    bool keep;      /* the places found, not only their number */
+    float *x;       /* capacity places' x, followed by as many y */
+    int capacity;   /* of x */
     bool out_of_memory;
 } walk;
 
@@ -103,13 +106,24 @@ static bool grow(walk *w)
     return true;
 }
 
+/* Whether a wall is too near to a place. A look at the distance tells how far the row is free, for
+ * along it distances fall by at most the way; SLACK is for rounding. */
+static bool is_blocked(walk *w, float x, float y)
+{
+    if (x <= w->clear_to)
+        return false;
+    float room = skv_terrain_distance(w->terrain, x, y) - WALL_GAP * w->spacing;
+    w->clear_to = x + room - SLACK * skv_terrain_pixel_size(w->terrain);
+    return room < 0;
+}
+
 /* Judges one place of the lattice. */
 static void visit(walk *w, float x, float y)
 {
     if (!skv_region_holds(&w->area, x, y) ||
         (w->def->inside && !w->def->inside(x, y, w->def->user)))
         return;
-    if (skv_terrain_distance(w->terrain, x, y) < WALL_GAP * w->spacing) {
+    if (is_blocked(w, x, y)) {
         w->placed.blocked++;
         return;
     }
@@ -142,6 +156,7 @@ static void take_walk(walk *w)
         float y = (float)(bottom + (row + 0.5) * b);
         if (!(y <= w->y1))
             return;
+        w->clear_to = -1;
         for (int column = first_column;; column++) {
             float x = (float)(left + (column + (row % 2 ? 0.75 : 0.25)) * a);
             if (!(x <= w->x1))

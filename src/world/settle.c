@@ -15,16 +15,20 @@
  * places on any number of threads.
  */
 #include "base/assert.h"
+#include "base/exact.h"
 #include "base/memory.h"
 #include "world/bodies.h"
 
 #include <math.h>
 #include <string.h>
 
-enum {
-    LEAST_ROUNDS = 20,
-    MOST_WORK = 5000000 /* particles times rounds of one length: many particles get fewer of them */
-};
+/* MOST_WORK is particles times rounds of one length: many particles get fewer rounds. */
+enum { LEAST_ROUNDS = 20, MOST_WORK = 5000000 };
+
+/* Near a thin wall each pair is asked whether it sees the other. Where the radius is longer than
+ * distances reach, that takes long ways through the picture. With a radius of 150 pixels, three
+ * times their reach, and a wall between most pairs, a particle costs as much as 65 others. */
+#define SIGHT_COST 30
 
 /* Rounds, at most, of the longest substeps, of each length between and of the world's own; the rms
  * speed that is calm, as a share of that of a fall through the fluid's depth; and the share of the
@@ -54,6 +58,7 @@ typedef struct settling {
     double carried; /* 1/c^2 of the substeps whose weight they have taken on, s^2/m^2 */
     double calm;    /* m/s, in the substeps that are taken */
     float kept;     /* share of the velocity, from one round to the next */
+    double work;    /* of a round: particles, weighed by what they cost */
     skv_constants constants;
 } settling;
 
@@ -89,13 +94,16 @@ static size_t round_size(const skv_state *p)
     return (size_t)(p->clearance + p->count - p->x);
 }
 
-/* Takes a round without pressures, which cost a seventh, or the last one `again`, with them: which
- * one is the last is known only when it is over. */
-static skv_result take_round(const settling *s, bool again, skv_error *error)
+/* Takes a round. Pressures cost a seventh, so only the last one has them. Where it turns out to
+ * have been the last when it is over, it is taken `again`. */
+static skv_result take_round(const settling *s, bool last, bool again, skv_error *error)
 {
     skv_world *world = s->world;
     skv_state *p = &world->state;
-    memcpy(again ? p->x : s->before, again ? s->before : p->x, round_size(p) * sizeof *p->x);
+    if (again)
+        memcpy(p->x, s->before, round_size(p) * sizeof *p->x);
+    else if (!last)
+        memcpy(s->before, p->x, round_size(p) * sizeof *p->x);
     float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
     for (int i = 0; i < p->count; i++) {
         float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
@@ -106,7 +114,7 @@ static skv_result take_round(const settling *s, bool again, skv_error *error)
     skv_solver_step step = skv_world_describe_step(world, &s->constants, pulls);
     step.gravity_x = step.gravity_y = 0;
     step.pull_count = 0;
-    step.ungauged = !again;
+    step.ungauged = !last;
     skv_result result = world->solver->type->reserve(world->solver, &step, error);
     if (result == SKV_OK)
         world->solver->type->advance(world->solver, &step);
@@ -143,23 +151,35 @@ static bool is_calm(const settling *s)
     return squares <= s->calm * s->calm * p->count;
 }
 
+/* What a round costs, in particles with no thin wall near. */
+static double measure_work(const skv_world *world)
+{
+    const skv_state *p = &world->state;
+    const skv_boundary *walls = &world->boundary;
+    double reaches = (double)(world->h * walls->terrain->per_metre) / SKV_TERRAIN_REACH;
+    int near = 0;
+    for (int i = 0; reaches > 1 && i < p->count; i++)
+        near += skv_boundary_near_thin(walls, p->x[i], p->y[i]);
+    return p->count + SIGHT_COST * skv_max(reaches - 1, 0) * near;
+}
+
 /* Relaxes in substeps of one length. */
 static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
 {
     double softness = softness_of(s, substeps);
-    int most = MOST_WORK / s->world->state.count;
-    most = most > LEAST_ROUNDS ? most : LEAST_ROUNDS;
+    int most = (int)skv_max(MOST_WORK / s->work, LEAST_ROUNDS);
     rounds = rounds < most ? rounds : most;
     s->constants = skv_make_constants(&s->fluid, 1.0f / 60 / (float)substeps);
     sink(s, SKV_RESTS, softness - s->carried);
     s->carried = softness;
     skv_result result = SKV_OK;
-    bool again = false;
-    for (int r = 0; result == SKV_OK && !again; r++) {
-        again = r == rounds || (r >= LEAST_ROUNDS && is_calm(s));
+    bool last = false;
+    for (int r = 0; result == SKV_OK && !last; r++) {
+        bool again = r >= LEAST_ROUNDS && is_calm(s);
+        last = again || r + 1 == rounds;
         result = skv_pool_asks_to_stop(s->world->pool)
                      ? skv_fail(error, SKV_STOPPED, "settling was stopped")
-                     : take_round(s, again, error);
+                     : take_round(s, last, again, error);
     }
     return result;
 }
@@ -225,6 +245,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
     settling s = {.world = world, .fluid = world->fluid};
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
+    s.work = measure_work(world);
     float *numbers = skv_calloc(3 * count + round_size(p), sizeof *numbers);
     s.lies.lie = skv_calloc(count, sizeof *s.lies.lie);
     skv_result result = SKV_OK;

@@ -71,9 +71,10 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
     skv_result result = get_pool(world, def, error);
     if (result == SKV_OK)
         result = skv_wall_map_create(terrain, world->h, world->fluid.spacing,
-                                     skv_law_kernel(world->fluid.law), &world->walls, error);
+                                     skv_law_kernel(world->fluid.law), world->pool, &world->walls,
+                                     error);
     if (result == SKV_OK)
-        result = skv_wall_map_shade(world->walls, terrain, error);
+        result = skv_wall_map_shade(world->walls, terrain, world->pool, error);
     if (result == SKV_OK && skv_has_images(&world->fluid))
         result = skv_wall_map_add_images(world->walls, terrain, world->pool, error);
     if (result == SKV_OK) {

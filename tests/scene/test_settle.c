@@ -278,6 +278,56 @@ static void a_host_may_settle(void **unused)
     }
 }
 
+static bool count_question(void *user)
+{
+    ++*(int *)user;
+    return false;
+}
+
+/* How often settling is asked whether it is to stop: once a round and substep. The basin is cut in
+ * pieces by upright walls, of which each particle has one near. */
+static int questions_of(const char *pixel)
+{
+    char text[1000];
+    size_t used = (size_t)snprintf(text, sizeof text,
+                                   "{\"world\":{\"width\":3.2,\"height\":3.2,\"pixel\":%s},"
+                                   "\"fluid\":{\"spacing\":0.1},\"solid\":[",
+                                   pixel);
+    for (int i = 1; i < 8; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "%s{\"shape\":\"box\",\"x0\":%g,\"x1\":%g}", i > 1 ? "," : "",
+                                 0.4 * i, 0.4 * i + 0.02);
+    snprintf(text + used, sizeof text - used, "],\"water\":[{\"shape\":\"box\",\"y1\":2.4}]}");
+    skv_scene *scene;
+    skv_world *world;
+    skv_pool *own;
+    int asked = 0;
+    skv_error error;
+    if (skv_scene_load_memory(text, strlen(text), "json", "test", NULL, &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    assert_int_equal(skv_pool_create(1, &own, NULL), SKV_OK);
+    skv_pool_set_stop(own, count_question, &asked);
+    skv_world_def def = skv_scene_world_def(scene);
+    def.pool = own;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    assert_int_equal(skv_scene_fill(scene, world, NULL), SKV_OK);
+    skv_scene_destroy(scene);
+    skv_world_destroy(world);
+    skv_pool_destroy(own);
+    return asked;
+}
+
+/* Where a radius has very many pixels, each round takes long beside thin walls, and is one of
+ * fewer.
+ */
+static void fine_pictures_get_fewer_rounds(void **unused)
+{
+    (void)unused;
+    int coarse = questions_of("0.01"), fine = questions_of("0.002");
+    if (!(fine < coarse / 2))
+        fail_msg("%d rounds, and %d in a fine picture", coarse / 2, fine / 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -288,6 +338,7 @@ int main(void)
         cmocka_unit_test(gravity_may_point_anywhere),
         cmocka_unit_test(settling_is_deterministic),
         cmocka_unit_test(a_host_may_settle),
+        cmocka_unit_test(fine_pictures_get_fewer_rounds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

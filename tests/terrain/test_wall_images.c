@@ -20,8 +20,9 @@ static skv_wall_map *make_map(const skv_terrain *terrain, float radius)
 {
     skv_wall_map *map;
     assert_int_equal(
-        skv_wall_map_create(terrain, radius, radius / 3, SKV_KERNEL_SMOOTH, &map, NULL), SKV_OK);
-    assert_int_equal(skv_wall_map_shade(map, terrain, NULL), SKV_OK);
+        skv_wall_map_create(terrain, radius, radius / 3, SKV_KERNEL_SMOOTH, NULL, &map, NULL),
+        SKV_OK);
+    assert_int_equal(skv_wall_map_shade(map, terrain, NULL, NULL), SKV_OK);
     assert_int_equal(skv_wall_map_add_images(map, terrain, NULL, NULL), SKV_OK);
     return map;
 }
@@ -291,9 +292,9 @@ static void failures_change_nothing(void **state)
     skv_terrain *tank = tank_with_box(0, 0, 0, 0), *painted;
     assert_int_equal(skv_terrain_paint(tank, strokes, 2, &painted, NULL), SKV_OK);
     skv_wall_map *map, *before = make_map(tank, 0.1f), *after = make_map(painted, 0.1f);
-    assert_int_equal(skv_wall_map_create(tank, 0.1f, 0.1f / 3, SKV_KERNEL_SMOOTH, &map, NULL),
+    assert_int_equal(skv_wall_map_create(tank, 0.1f, 0.1f / 3, SKV_KERNEL_SMOOTH, NULL, &map, NULL),
                      SKV_OK);
-    assert_int_equal(skv_wall_map_shade(map, tank, NULL), SKV_OK);
+    assert_int_equal(skv_wall_map_shade(map, tank, NULL, NULL), SKV_OK);
     failing_memory memory;
     int failures = 0;
     skv_result result = SKV_ERROR_MEMORY;

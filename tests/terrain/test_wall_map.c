@@ -63,7 +63,7 @@ static errors measure(skv_kernel kernel, double degrees, double radius_pixels, b
     paint_shape(&wall, side, side, grey, picture);
     skv_terrain *terrain = make_terrain(side, side, picture, pixel, 15);
     skv_wall_map *map = NULL;
-    assert_int_equal(skv_wall_map_create(terrain, h, s, kernel, &map, NULL), SKV_OK);
+    assert_int_equal(skv_wall_map_create(terrain, h, s, kernel, NULL, &map, NULL), SKV_OK);
     double at_wall[4];
     for (int k = 0; k < 4; k++)
         at_wall[k] = half_plane(kernel, 0, k);
@@ -134,7 +134,7 @@ static skv_wall_map *make_map_for(skv_kernel kernel, const skv_terrain *terrain,
 {
     skv_wall_map *map = NULL;
     skv_error error = {0};
-    if (skv_wall_map_create(terrain, h, s, kernel, &map, &error) != SKV_OK)
+    if (skv_wall_map_create(terrain, h, s, kernel, NULL, &map, &error) != SKV_OK)
         fail_msg("%s", error.text);
     return map;
 }
@@ -362,13 +362,13 @@ static void bad_values_are_refused(void **state)
         skv_wall_map *map = (skv_wall_map *)1;
         skv_error error = {0};
         assert_int_equal(
-            skv_wall_map_create(tank, bad[i][0], bad[i][1], SKV_KERNEL_SMOOTH, &map, &error),
+            skv_wall_map_create(tank, bad[i][0], bad[i][1], SKV_KERNEL_SMOOTH, NULL, &map, &error),
             SKV_ERROR_VALUE);
         assert_null(map);
         assert_non_null(strstr(error.text, "radius"));
     }
     skv_wall_map *map = NULL;
-    assert_int_equal(skv_wall_map_create(tank, 1e-9f, 1e-9f, SKV_KERNEL_SMOOTH, &map, NULL),
+    assert_int_equal(skv_wall_map_create(tank, 1e-9f, 1e-9f, SKV_KERNEL_SMOOTH, NULL, &map, NULL),
                      SKV_ERROR_LIMIT);
     skv_wall_map_destroy(NULL);
     /* A radius larger than the world is odd but possible. */
@@ -389,7 +389,7 @@ static void too_long_thin_walls_are_refused(void **state)
     skv_terrain *terrain = make_terrain(SIDE, SIDE, picture, 0.001f, 0);
     skv_wall_map *map = make_map(terrain, 0.007f, 0.0035f);
     skv_error error = {0};
-    assert_int_equal(skv_wall_map_shade(map, terrain, &error), SKV_ERROR_LIMIT);
+    assert_int_equal(skv_wall_map_shade(map, terrain, NULL, &error), SKV_ERROR_LIMIT);
     assert_string_equal(
         error.text, "its thin walls are too long for a fluid with a radius of 7 mm; choose fewer "
                     "particles or a wider spacing, or make them thicker or shorter");
@@ -411,7 +411,7 @@ static void memory_failures_leave_nothing(void **state)
         skv_error error = {0};
         failing_memory_start(&memory, fail_at);
         skv_result result =
-            skv_wall_map_create(tank, 0.06f, 0.02f, SKV_KERNEL_SMOOTH, &map, &error);
+            skv_wall_map_create(tank, 0.06f, 0.02f, SKV_KERNEL_SMOOTH, NULL, &map, &error);
         if (result == SKV_OK) {
             skv_wall_map_destroy(map);
             assert_int_equal(memory.live, 0);
@@ -450,7 +450,7 @@ static void check_thin_wall(skv_kernel kernel)
     /* Shares of the values at the wall. */
     const double allowed[4] = {0.034, 0.042, 0.04, 0.066};
     assert_null(map->thin);
-    assert_int_equal(skv_wall_map_shade(map, terrain, NULL), SKV_OK);
+    assert_int_equal(skv_wall_map_shade(map, terrain, NULL, NULL), SKV_OK);
     assert_non_null(map->thin);
     for (int side = -1; side <= 1; side += 2) {
         for (double d = 0.02; d < 1; d += 0.07) {
@@ -494,7 +494,7 @@ static void only_thin_walls_are_thin(void **state)
         skv_terrain *terrain =
             tank_with_wall(cases[i].first, cases[i].pixels, cases[i].from, cases[i].to);
         skv_wall_map *map = make_map(terrain, 0.12f, 0.04f);
-        assert_int_equal(skv_wall_map_shade(map, terrain, NULL), SKV_OK);
+        assert_int_equal(skv_wall_map_shade(map, terrain, NULL, NULL), SKV_OK);
         assert_int_equal(skv_wall_map_near_thin(map, 0.6f, 0.6f), cases[i].middle);
         assert_int_equal(skv_wall_map_near_thin(map, 0.6f, 1.05f), cases[i].top);
         skv_wall_map_destroy(map);
