@@ -211,4 +211,9 @@ const trials = {
     },
 };
 
-await carryOut([folder], trials);
+await carryOut([folder], trials, [
+    'a page in light colours is light from its first picture on',
+    'an experiment says that it runs, what stands beside it waits, and its plot is in sight',
+    'a set-up whose gravity is tilted says so',
+    'a change of the view is spoken',
+]);

@@ -1,11 +1,12 @@
 // Menu: what is done seldom.
 import { toggleKeyboardHand } from './actions';
-import { beginTilt, canFullscreen, canTilt, endTilt, fullscreen, tilt, toggleFullscreen } from './device';
+import { canFullscreen, fullscreen, toggleFullscreen } from './device';
 import { Icon } from './Icon';
 import { keyboardHand, showPanel } from './model';
 import { canRecord, recorded, toggleRecording } from './recording';
 import { saveFile } from './files';
 import { shareLink } from './sharing';
+import { beginTilt, canTilt, endTilt, tilt } from './tilting';
 import { _ } from './words';
 
 interface Item {

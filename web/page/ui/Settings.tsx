@@ -1,9 +1,9 @@
 // Settings: what a reader chooses once. Invariant: a choice acts at once and is remembered at once.
-import { canTilt } from './device';
 import { catalogue } from './model';
 import { preferences, prefer } from './preferences';
 import type { Preferences } from './preferences';
 import { short } from './numbers';
+import { canTilt } from './tilting';
 import { _, known, word } from './words';
 
 /** A language's name, in that language. */

@@ -94,10 +94,16 @@ export function Status() {
                 <span class="amount numeric">{wordsOfAmount(world)}</span>
             </p>
             <Measuring />
-            {compared.value ? <Sides worlds={state.value!.worlds} /> : <>
-                {world.legend && <Legend scale={world.legend} />}
-                {described.value && !measuring.value && (touched.value ? <Description text={world.description} /> : <Hint />)}
-            </>}
+            {compared.value ? (
+                <Sides worlds={state.value!.worlds} />
+            ) : (
+                <>
+                    {world.legend && <Legend scale={world.legend} />}
+                    {described.value && !measuring.value && (
+                        touched.value ? <Description text={world.description} /> : <Hint />
+                    )}
+                </>
+            )}
         </div>
     );
 }
