@@ -99,7 +99,14 @@ xdotool mousedown 1
 point 30 80
 await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.01 and abs(worlds[0].probes[0].y0 - 0.72) < 0.01'
 await 'worlds[0].probes[0].value is None and says("1  Pressure  no water here")'
-await 'shows("1  no water here")' # beside it, too
+await 'shows("1  no water here")' # beside it, too: white on a plate, to the right of the grip
+is_written() {
+    local xid x y
+    is 'grip()' && read -r xid x y <<<"$answer"
+    import -silent -window "$xid" -crop "60x14+$((x + 22))+$((y - 7))" +repage "$work/beside.ppm"
+    (($(convert "$work/beside.ppm" -fill black +opaque white -format '%[fx:round(mean*w*h)]' info:) > 20))
+}
+repeat is_written || fail "the reading is not beside its probe"
 let_go
 press '1  Pressure  no water here' Toggle
 await 'menus() == 1 and shows("Save as CSV…")'
