@@ -283,6 +283,7 @@ void play_view_begin(PlayView *view, PlayView *first)
     skv_error error;
     skv_stage_def def = skv_default_stage_def();
     def.wake = wake;
+    def.margin = skv_control_limits()->margin;
     def.user = view;
     if (first)
         view->stage = first->stage;

@@ -23,6 +23,7 @@ typedef struct skv_camera {
     double world_width, world_height; /**< m */
     double centre_x, centre_y;        /**< the point of the world in the middle of the view, m */
     double zoom; /**< 1: the whole world as large as fits; at most SKV_CAMERA_MAX_ZOOM */
+    int margin;  /**< view pixels that stay free beyond each side of the world */
 } skv_camera;
 
 /** Shows a whole world of the given size in metres (> 0), centred, as large as fits a view of the
@@ -39,6 +40,12 @@ SKV_API skv_camera skv_camera_fill(int width, int height, double world_width, do
  * skv_camera_at(new_width, new_height, ..., old.centre_x, old.centre_y, old.zoom). */
 SKV_API skv_camera skv_camera_at(int width, int height, double world_width, double world_height,
                                  double centre_x, double centre_y, double zoom);
+
+/** The same with a margin: what lies on a side of the world, a lid for example, is seen whole. At
+ * most an eighth of the view's shorter side counts. */
+SKV_API skv_camera skv_camera_apart(int margin, int width, int height, double world_width,
+                                    double world_height, double centre_x, double centre_y,
+                                    double zoom);
 
 /** Zooms by a factor (> 0) about a view pixel, which goes on showing the same point of the world
  * as long as the bounds of skv_camera_at allow. */

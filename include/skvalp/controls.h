@@ -17,6 +17,7 @@ typedef struct skv_limits {
     int frames_a_second;               /**< of simulated time */
     int reach;                         /**< of the bar that rewinds, frames */
     int grip;                          /**< round a draggable point, pixels: a finger's width */
+    int margin;                        /**< round the world, pixels: a lid's line and its shadow */
     const char *first_scene;           /**< that a newcomer sees */
 } skv_limits;
 SKV_API const skv_limits *skv_control_limits(void);
@@ -60,8 +61,8 @@ SKV_API void skv_control_tool(skv_stage *stage, int tool);
 SKV_API void skv_control_brush(skv_stage *stage, double radius);
 SKV_API void skv_control_scale_brush(skv_stage *stage, double factor);
 
-/** Why a field of numbers does not take a text, which is as skv_number_read gives it, in words: the
- * first "%s" of them is the least that it takes, the second the greatest. Null if it takes it. */
+/** What to say where a field of numbers does not take a text, which is as skv_number_read gives it:
+ * the first "%s" is the least that it takes, the second the greatest. Null if it takes it. */
 SKV_API const char *skv_field_refusal(const skv_field *field, const char *text);
 /** All these words, for translators; null past the last. */
 SKV_API const char *skv_refusal_words(int i);

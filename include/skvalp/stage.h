@@ -46,6 +46,7 @@ typedef struct skv_stage_def {
     void (*wake)(void *user);
     void *user;
     double (*clock)(void); /**< s from any origin, for what steps cost; null: the system's */
+    int margin;            /**< of the views' cameras, pixels; default 0 */
 } skv_stage_def;
 
 /** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */

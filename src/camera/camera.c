@@ -10,39 +10,52 @@ static double clamp(double value, double low, double high)
     return value > low ? (value < high ? value : high) : low;
 }
 
-/* The centre nearest to the wanted one with which no bar is wider than it must be. */
-static double bounded_centre(double wanted, double world, double shown)
+/* The centre nearest to the wanted one with which no bar is wider than it must be; all in m. */
+static double bounded_centre(double wanted, double world, double shown, double margin)
 {
-    return shown < world ? clamp(wanted, 0.5 * shown, world - 0.5 * shown) : 0.5 * world;
+    return shown < world + 2 * margin
+               ? clamp(wanted, 0.5 * shown - margin, world - 0.5 * shown + margin)
+               : 0.5 * world;
 }
 
 /* Everything else from sizes, centre and zoom. */
 static void place(skv_camera *camera, double centre_x, double centre_y, double zoom)
 {
-    double scale_x = camera->width / camera->world_width;
-    double scale_y = camera->height / camera->world_height;
+    int shorter = camera->width < camera->height ? camera->width : camera->height;
+    double margin = clamp(camera->margin, 0, shorter / 8);
+    double scale_x = (camera->width - 2 * margin) / camera->world_width;
+    double scale_y = (camera->height - 2 * margin) / camera->world_height;
     camera->zoom = clamp(zoom, 1, SKV_CAMERA_MAX_ZOOM);
     camera->scale = camera->zoom * (scale_x < scale_y ? scale_x : scale_y);
-    camera->centre_x = bounded_centre(centre_x, camera->world_width, camera->width / camera->scale);
+    margin /= camera->scale;
+    camera->centre_x =
+        bounded_centre(centre_x, camera->world_width, camera->width / camera->scale, margin);
     camera->centre_y =
-        bounded_centre(centre_y, camera->world_height, camera->height / camera->scale);
+        bounded_centre(centre_y, camera->world_height, camera->height / camera->scale, margin);
     camera->origin_x = 0.5 * camera->width - camera->scale * camera->centre_x;
     camera->origin_y = 0.5 * camera->height + camera->scale * camera->centre_y;
 }
 
-skv_camera skv_camera_at(int width, int height, double world_width, double world_height,
-                         double centre_x, double centre_y, double zoom)
+skv_camera skv_camera_apart(int margin, int width, int height, double world_width,
+                            double world_height, double centre_x, double centre_y, double zoom)
 {
     skv_camera camera = {.width = width < 1 ? 1 : width,
                          .height = height < 1 ? 1 : height,
                          .world_width = world_width,
-                         .world_height = world_height};
+                         .world_height = world_height,
+                         .margin = margin};
     SKV_ASSERT_OR(
         world_width > 0 && world_height > 0,
         (skv_camera){
             .scale = 1, .width = 1, .height = 1, .world_width = 1, .world_height = 1, .zoom = 1});
     place(&camera, centre_x, centre_y, zoom);
     return camera;
+}
+
+skv_camera skv_camera_at(int width, int height, double world_width, double world_height,
+                         double centre_x, double centre_y, double zoom)
+{
+    return skv_camera_apart(0, width, height, world_width, world_height, centre_x, centre_y, zoom);
 }
 
 skv_camera skv_camera_fit(int width, int height, double world_width, double world_height)

@@ -93,8 +93,8 @@ void skv_stage_follow(skv_stage *stage, int side)
     skv_camera led = skv_stage_camera(stage, side);
     for (int i = 0; i < stage->count; i++) {
         skv_camera own = skv_stage_camera(stage, i);
-        own = skv_camera_at(own.width, own.height, own.world_width, own.world_height, led.centre_x,
-                            led.centre_y, led.zoom);
+        own = skv_camera_apart(own.margin, own.width, own.height, own.world_width, own.world_height,
+                               led.centre_x, led.centre_y, led.zoom);
         skv_session_set_camera(stage->worlds[i], &own);
     }
 }
@@ -129,7 +129,7 @@ void skv_stage_show_all(skv_stage *stage)
 {
     SKV_ASSERT(stage);
     skv_camera c = skv_stage_camera(stage, 0);
-    c = skv_camera_fit(c.width, c.height, c.world_width, c.world_height);
+    c = skv_camera_apart(c.margin, c.width, c.height, c.world_width, c.world_height, 0, 0, 1);
     show(stage, 0, &c);
 }
 

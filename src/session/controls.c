@@ -19,6 +19,7 @@ static const skv_limits limits = {
     .frames_a_second = 60,
     .reach = 30 * 60,
     .grip = 22,
+    .margin = 6,
     .first_scene = "dam-break",
 };
 
@@ -180,11 +181,9 @@ void skv_control_scale_brush(skv_stage *stage, double factor)
     skv_control_brush(stage, skv_stage_picture(stage, 0)->brush * factor);
 }
 
-enum { NO_NUMBER, OUT_OF_RANGE, NOT_WHOLE };
 static const char *const refusal_words[] = {
-    [NO_NUMBER] = "This is no number: give one from %s to %s.",
-    [OUT_OF_RANGE] = "Give a number from %s to %s.",
-    [NOT_WHOLE] = "Give a whole number from %s to %s.",
+    "Give a number from %s to %s.",
+    "Give a whole number from %s to %s.",
 };
 
 const char *skv_refusal_words(int i)
@@ -199,9 +198,7 @@ const char *skv_field_refusal(const skv_field *field, const char *text)
     bool numeric = field->type == SKV_FIELD_NUMBER || field->type == SKV_FIELD_INTEGER;
     if (!numeric || !skv_field_read(field, text, &number))
         return NULL;
-    if (!skv_parse_number(text, &number))
-        return refusal_words[NO_NUMBER];
-    return refusal_words[field->type == SKV_FIELD_INTEGER ? NOT_WHOLE : OUT_OF_RANGE];
+    return refusal_words[field->type == SKV_FIELD_INTEGER];
 }
 
 /* ---- Instruments ----------------------------------------------------------------------------- */

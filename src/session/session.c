@@ -57,7 +57,8 @@ skv_result skv_session_create(const skv_stage_def *def, skv_session **out, skv_e
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a session");
     skv_worker *worker = &session->worker;
     skv_worker_start(worker, def);
-    session->camera = skv_camera_fit(1280, 720, DEFAULT_WORLD_WIDTH, DEFAULT_WORLD_HEIGHT);
+    session->camera = skv_camera_apart(def->margin, 1280, 720, DEFAULT_WORLD_WIDTH,
+                                       DEFAULT_WORLD_HEIGHT, 0, 0, 1);
     skv_result result = skv_pool_create(def->threads, &worker->pool, error);
     if (result == SKV_OK) {
         skv_pool_set_stop(worker->pool, skv_worker_is_unwanted, worker);
@@ -259,9 +260,8 @@ skv_camera skv_session_camera(const skv_session *session)
     bool same = picture->opened == session->seen;
     skv_gallery_release(gallery, picture);
     const skv_camera *c = &session->camera;
-    return same ? skv_camera_at(c->width, c->height, width, height, c->centre_x, c->centre_y,
-                                c->zoom)
-                : skv_camera_fit(c->width, c->height, width, height);
+    return skv_camera_apart(c->margin, c->width, c->height, width, height, c->centre_x, c->centre_y,
+                            same ? c->zoom : 1);
 }
 
 /* There is another camera. */

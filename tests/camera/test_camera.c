@@ -116,6 +116,31 @@ static void a_wide_world_fills_an_upright_view(void **state)
     assert_true(fabs(turned.centre_x - 0.4) < 1e-12 && turned.zoom == 2);
 }
 
+/* With a margin every side of the world is inside the view, whatever the view's size becomes, and
+ * at the end of every way to pan. */
+static void margins_stay_free(void **state)
+{
+    (void)state;
+    static const int sizes[][2] = {{1600, 900}, {1600, 860}, {1600, 700},
+                                   {300, 900},  {16, 9},     {1, 1}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        int width = sizes[i][0], height = sizes[i][1], least = width < height ? width : height;
+        double margin = fmin(6, least / 8), left, right, bottom, top;
+        skv_camera camera = skv_camera_apart(6, width, height, 1.6, 0.9, 0.3, 0.2, 1);
+        skv_camera_to_view(&camera, 0, 0, &left, &bottom);
+        skv_camera_to_view(&camera, 1.6, 0.9, &right, &top);
+        assert_true(left >= margin - 1e-9 && right <= width - margin + 1e-9);
+        assert_true(top >= margin - 1e-9 && bottom <= height - margin + 1e-9);
+        skv_camera_zoom(&camera, 16, 0.5 * width, 0.5 * height);
+        skv_camera_pan(&camera, 1e6, 1e6);
+        skv_camera_to_view(&camera, 0, 0.9, &left, &top);
+        assert_true(fabs(left - margin) < 1e-6 && fabs(top - margin) < 1e-6);
+        skv_camera_pan(&camera, -1e6, -1e6);
+        skv_camera_to_view(&camera, 1.6, 0, &right, &bottom);
+        assert_true(fabs(right - width + margin) < 1e-6 && fabs(bottom - height + margin) < 1e-6);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -126,6 +151,7 @@ int main(void)
         cmocka_unit_test(panning_stops_at_the_sides),
         cmocka_unit_test(a_wide_world_fills_an_upright_view),
         cmocka_unit_test(pixels_lead_back_to_metres),
+        cmocka_unit_test(margins_stay_free),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

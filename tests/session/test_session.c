@@ -340,6 +340,32 @@ static void test_camera_shows_the_whole_world(void **state)
     assert_true(skv_stage_camera(stage, 0).zoom == 1);
 }
 
+/* Whatever row of a window comes and goes. */
+static void test_margin_stays_free(void **state)
+{
+    (void)state;
+    skv_stage *stage;
+    skv_stage_def def = skv_default_stage_def();
+    def.margin = 6;
+    def.own_thread = false;
+    assert_int_equal(skv_stage_create(&def, &stage, NULL), SKV_OK);
+    const int heights[] = {900, 860, 700, 1000};
+    for (int i = 0; i < 8; i++) {
+        if (i == 4)
+            open_scene(stage, "dam-break");
+        skv_stage_zoom(stage, 0, 3, 800, 450);
+        skv_stage_show_all(stage);
+        skv_stage_set_view(stage, 0, 1600, heights[i % 4]);
+        skv_camera camera = skv_stage_camera(stage, 0);
+        double left, top, right, bottom;
+        skv_camera_to_view(&camera, 0, camera.world_height, &left, &top);
+        skv_camera_to_view(&camera, camera.world_width, 0, &right, &bottom);
+        assert_true(fabs(fmin(left, top) - 6) < 1e-6);
+        assert_true(fabs(fmin(1600 - right, heights[i % 4] - bottom) - 6) < 1e-6);
+    }
+    skv_stage_destroy(stage);
+}
+
 static int news;
 static void count_news(void *user)
 {
@@ -488,6 +514,7 @@ int main(void)
         BOTH(test_pause_and_single_steps),
         cmocka_unit_test_setup_teardown(test_failing_step_pauses, stage_setup, stage_teardown),
         BOTH(test_gravity_turns),
+        cmocka_unit_test(test_margin_stays_free),
         BOTH(test_camera_shows_the_whole_world),
         BOTH(test_probes),
         BOTH(test_saving),

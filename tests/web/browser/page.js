@@ -157,12 +157,12 @@ const trials = {
 
         // What is refused stays as it was typed, with the reason below it, until something else is.
         const wrong = page.getByRole('alert').filter({ hasText: /från \u2212\d/ });
-        for (const [text, words] of [['tre', 'Det är inget tal'], ['9000', 'Ange ett tal'], ['', 'Det är inget tal']]) {
+        for (const text of ['tre', '9000', '']) {
             await field.fill(text);
             const { moment } = await stateOf(page); // what comes meanwhile takes nothing of it away
             await until(page, (moment) => window.skvalp.state.value.moment > moment + 3, 'time passes', moment);
             await field.press('Enter');
-            await wrong.filter({ hasText: words }).waitFor();
+            await wrong.filter({ hasText: 'Ange ett tal' }).waitFor();
             assert.deepEqual([await field.inputValue(), await field.getAttribute('aria-invalid')], [text, 'true']);
             const described = (await field.getAttribute('aria-describedby')).split(' ')[0];
             assert.equal(described, await wrong.getAttribute('id'));

@@ -290,7 +290,7 @@ export interface Catalogue {
     speeds: Plain<skv_named_number>[];
     planets: Plain<skv_named_number>[];
     keys: Plain<skv_key>[];
-    /** Why a number is refused: it is none, out of range, or not whole. */
+    /** What to say of a refused number, and of a whole one. */
     refusals: string[];
     limits: Plain<skv_limits>;
     /** What can be set while it runs, and what a scene or an experiment can be opened with. */

@@ -44,6 +44,7 @@ export class Worlds {
             def.threads = threads;
             def.own_thread = false;
             def.history = history;
+            def.margin = library.view('skv_limits', c.skv_control_limits()).margin;
             def.clock = instance.exports.skv_wasm_clock();
             return library.create((out, error) => c.skv_stage_create(def, out, error));
         });

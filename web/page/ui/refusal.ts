@@ -9,10 +9,9 @@ import { say, word } from './words';
 export function refusalOf({ type, minimum, maximum }: Field, plain: string): string | null {
     if (type !== 'number' && type !== 'integer')
         return null;
-    const [none, outside, fraction] = catalogue.refusals;
     const value = /^[-+]?\d+(\.\d+)?(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
     const [given, least, most] = [value, minimum, maximum].map(Math.fround);
     const taken = given >= least && given <= most && (type === 'number' || Number.isInteger(value));
-    const words = Number.isNaN(value) ? none : type === 'integer' ? fraction : outside;
+    const words = catalogue.refusals[Number(type === 'integer')];
     return taken ? null : say(word(words), shown(String(minimum)), shown(String(maximum)));
 }
