@@ -119,8 +119,8 @@ skv_result skv_force_measure(skv_force_meter *m, const skv_world *world, double 
     skv_reaction reaction = {
         skv_min(x0, x1), skv_min(y0, y1), skv_max(x0, x1), skv_max(y0, y1), 0, 0, 0};
     const skv_constants constants = skv_world_make_constants(world);
-    skv_pull pulls[SKV_SOLVER_MOST_PULLS];
-    skv_solver_step step = skv_world_describe_step(world, &constants, pulls);
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    skv_solver_step step = skv_world_describe_step(world, &constants, forces);
     skv_result result = prepare_solver(m, world, &reaction, error);
     if (result == SKV_OK)
         result = copy_fluid(m, &step.particles, error);

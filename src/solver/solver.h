@@ -14,8 +14,8 @@
 #include "base/pool.h"
 #include "skvalp/base.h"
 #include "solver/constants.h"
+#include "solver/external_force.h"
 #include "solver/impulse.h"
-#include "solver/pull.h"
 #include "terrain/boundary.h"
 
 #include <limits.h>
@@ -61,8 +61,8 @@ typedef struct skv_solver_step {
     skv_solver_particles particles;
     const skv_constants *constants;
     float gravity_x, gravity_y; /* m/s^2 */
-    const skv_pull *pulls;
-    int pull_count;
+    const skv_external_force *forces;
+    int force_count;
     int substeps;
     bool ungauged;          /* nobody wants the pressures: they need not be written */
     skv_pool *pool;         /* null: the calling thread */
@@ -79,7 +79,7 @@ typedef struct skv_solver_memory {
 
 typedef struct skv_solver skv_solver;
 
-enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_PULLS = 48, SKV_SOLVER_MOST_MEMORIES = 2 };
+enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_FORCES = 48, SKV_SOLVER_MOST_MEMORIES = 2 };
 
 /* A kind of solver. */
 typedef struct skv_solver_type {

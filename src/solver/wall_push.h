@@ -8,7 +8,7 @@
 #define SKV_NO_GRAVITY_SQUARED 1e-30f
 
 /* Takes from a wall's pull what would hold a particle up against (gx, gy), the direction in which
- * gravity and pulls would have it fall, or drops would hang from ceilings for ever; but for the
+ * external forces would have it fall, or drops would hang from ceilings for ever; but for the
  * share `adhesion` of it. (nx, ny) points out of the wall. Leaving out all of the pull heats the
  * fluid where its surface meets a wall, since it has no energy then.
  */

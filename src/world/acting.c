@@ -10,17 +10,17 @@
 
 #include <math.h>
 
-int skv_make_pulls(const skv_acting *acting, float h, float dt,
-                   skv_pull pulls[SKV_SOLVER_MOST_PULLS])
+int skv_make_external_forces(const skv_acting *acting, float h, float dt,
+                             skv_external_force forces[SKV_SOLVER_MOST_FORCES])
 {
     int count = 0;
     for (int i = 0; i < acting->hand_count; i++)
-        pulls[count++] = skv_hand_pull(&acting->hands[i], dt);
+        forces[count++] = skv_hand_force(&acting->hands[i], dt);
     for (int i = 0; i < acting->force_count; i++)
-        pulls[count++] = skv_force_pull(&acting->forces[i], h, dt);
+        forces[count++] = skv_field_force(&acting->forces[i], h, dt);
     for (int i = 0; i < acting->emitter_count; i++)
         if (!acting->streams[i].pauses)
-            skv_make_mouth_pull(&acting->emitters[i], h, &pulls[count++]);
+            skv_make_mouth_force(&acting->emitters[i], h, &forces[count++]);
     return count;
 }
 

@@ -41,8 +41,8 @@ typedef struct skv_acting {
 
 /* All of it as a solver sees it, for a smoothing radius and substeps of `dt`; returns their number.
  * They refer to `acting`. */
-int skv_make_pulls(const skv_acting *acting, float h, float dt,
-                   skv_pull pulls[SKV_SOLVER_MOST_PULLS]);
+int skv_make_external_forces(const skv_acting *acting, float h, float dt,
+                             skv_external_force forces[SKV_SOLVER_MOST_FORCES]);
 
 /* The largest acceleration that may come on top of gravity, m/s^2. */
 float skv_acting_strength(const skv_acting *acting);

@@ -84,11 +84,12 @@ skv_region skv_mouth(const skv_emitter *e, float h, float corners[8])
     return r;
 }
 
-void skv_make_mouth_pull(const skv_emitter *e, float h, skv_pull *pull)
+void skv_make_mouth_force(const skv_emitter *e, float h, skv_external_force *force)
 {
-    *pull = (skv_pull){.field = true, .unit = 1, .softness = h * h, .vx = e->vx, .vy = e->vy};
-    pull->region = skv_mouth(e, h, pull->corners);
-    pull->follow = 1;
+    *force =
+        (skv_external_force){.field = true, .unit = 1, .softness = h * h, .vx = e->vx, .vy = e->vy};
+    force->region = skv_mouth(e, h, force->corners);
+    force->follow = 1;
 }
 
 skv_emitter_rows skv_emitter_lay_out(const skv_emitter *e, float spacing)

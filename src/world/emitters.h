@@ -21,7 +21,7 @@ float skv_emitter_speed(const skv_emitter *emitter);
 
 /* The mouth, whose four corners go to `corners`: fluid in it has the emitter's velocity. */
 skv_region skv_mouth(const skv_emitter *emitter, float h, float corners[8]);
-void skv_make_mouth_pull(const skv_emitter *emitter, float h, skv_pull *pull);
+void skv_make_mouth_force(const skv_emitter *emitter, float h, skv_external_force *force);
 
 enum { SKV_MOST_COLUMNS = 1000 };
 

@@ -69,9 +69,9 @@ skv_result skv_check_forces(const skv_force *forces, int count, skv_error *error
     return result;
 }
 
-skv_pull skv_force_pull(const skv_force *force, float h, float dt)
+skv_external_force skv_field_force(const skv_force *force, float h, float dt)
 {
-    skv_pull pull = {
+    skv_external_force seen = {
         .field = true,
         .region = skv_area_region(&force->area),
         .unit = 1,
@@ -86,11 +86,11 @@ skv_pull skv_force_pull(const skv_force *force, float h, float dt)
         .follow = skv_minf(1, dt * force->drag), /* more would overshoot the wind */
     };
     if (force->spin != 0) {
-        pull.spin = force->spin;
-        pull.middle_x = (pull.region.x0 + pull.region.x1) / 2;
-        pull.middle_y = (pull.region.y0 + pull.region.y1) / 2;
+        seen.spin = force->spin;
+        seen.middle_x = (seen.region.x0 + seen.region.x1) / 2;
+        seen.middle_y = (seen.region.y0 + seen.region.y1) / 2;
     }
-    return pull;
+    return seen;
 }
 
 static float length(float x, float y)

@@ -5,7 +5,7 @@
 #include "world/acting.h"
 
 skv_result skv_check_forces(const skv_force *forces, int count, skv_error *error);
-skv_pull skv_force_pull(const skv_force *force, float h, float dt);
+skv_external_force skv_field_force(const skv_force *force, float h, float dt);
 /* The acceleration that a force may give, at most, m/s^2. */
 float skv_force_strength(const skv_force *force);
 /* Writes or reads one, unchecked. */

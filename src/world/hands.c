@@ -55,9 +55,9 @@ const skv_hand *skv_world_hands(const skv_world *world, int *count)
     return world->acting.hands;
 }
 
-skv_pull skv_hand_pull(const skv_hand *hand, float dt)
+skv_external_force skv_hand_force(const skv_hand *hand, float dt)
 {
-    return (skv_pull){
+    return (skv_external_force){
         .x = hand->x,
         .y = hand->y,
         .vx = hand->vx,

@@ -110,10 +110,10 @@ static skv_result take_round(const settling *s, bool last, bool again, skv_error
         p->vx[i] = s->kept * p->vx[i] + weighs * x;
         p->vy[i] = s->kept * p->vy[i] + weighs * y;
     }
-    skv_pull pulls[SKV_SOLVER_MOST_PULLS];
-    skv_solver_step step = skv_world_describe_step(world, &s->constants, pulls);
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    skv_solver_step step = skv_world_describe_step(world, &s->constants, forces);
     step.gravity_x = step.gravity_y = 0;
-    step.pull_count = 0;
+    step.force_count = 0;
     step.ungauged = !last;
     skv_result result = world->solver->type->reserve(world->solver, &step, error);
     if (result == SKV_OK)

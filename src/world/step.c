@@ -22,7 +22,7 @@ skv_constants skv_world_make_constants(const skv_world *world)
 }
 
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
-                                        skv_pull pulls[SKV_SOLVER_MOST_PULLS])
+                                        skv_external_force forces[SKV_SOLVER_MOST_FORCES])
 {
     const skv_state *s = &world->state;
     return (skv_solver_step){
@@ -39,8 +39,8 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
         .constants = constants,
         .gravity_x = world->gravity_x,
         .gravity_y = world->gravity_y,
-        .pulls = pulls,
-        .pull_count = skv_make_pulls(&world->acting, world->h, constants->dt, pulls),
+        .forces = forces,
+        .force_count = skv_make_external_forces(&world->acting, world->h, constants->dt, forces),
         .substeps = 1,
         .pool = world->pool,
     };
@@ -49,8 +49,8 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
 /* Takes some substeps, `time` seconds in all; what sleeps stays. */
 static skv_result take_substeps(skv_world *world, int substeps, float time, skv_error *error)
 {
-    skv_pull pulls[SKV_SOLVER_MOST_PULLS];
-    skv_solver_step step = skv_world_describe_step(world, &world->constants, pulls);
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    skv_solver_step step = skv_world_describe_step(world, &world->constants, forces);
     const skv_solver_type *solver = world->solver->type;
     step.substeps = substeps;
     skv_result result = solver->reserve(world->solver, &step, error);

@@ -114,7 +114,7 @@ bool skv_within(double value, double lo, double hi);
 
 /* step.c: what a solver is to take one substep of: all particles, with what acts on them. */
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,
-                                        skv_pull pulls[SKV_SOLVER_MOST_PULLS]);
+                                        skv_external_force forces[SKV_SOLVER_MOST_FORCES]);
 
 /* change.c: the greatest load that the rule expects; how far the free region goes along gravity, m;
  * the substeps a 1/60 s frame that the rule asks for; goes on with a fluid that differs only in

@@ -243,18 +243,18 @@ static void check_twin(twin *t)
     double spacing = (double)t->fluid.spacing;
 
     oracle_hand hand = {5 * spacing, 7 * spacing, 1.5, -0.5, 8 * spacing, 60, 6, 9};
-    skv_pull pull = {.x = (float)hand.x,
-                     .y = (float)hand.y,
-                     .vx = 1.5f,
-                     .vy = -0.5f,
-                     .inv_radius = (float)(1 / hand.radius),
-                     .attraction = (float)(60 * o->dt),
-                     .friction = (float)fmin(0.5, 6 * o->dt),
-                     .follow = (float)fmin(0.5, 9 * o->dt)};
+    skv_external_force force = {.x = (float)hand.x,
+                                .y = (float)hand.y,
+                                .vx = 1.5f,
+                                .vy = -0.5f,
+                                .inv_radius = (float)(1 / hand.radius),
+                                .attraction = (float)(60 * o->dt),
+                                .friction = (float)fmin(0.5, 6 * o->dt),
+                                .follow = (float)fmin(0.5, 9 * o->dt)};
     o->g_y = -9.81;
     t->substep.gravity_y = -9.81f;
-    t->substep.pulls = &pull;
-    t->substep.pull_count = 1;
+    t->substep.forces = &force;
+    t->substep.force_count = 1;
     skv_pass_external_forces(&t->substep, 0, N);
     oracle_external_forces(o, &hand);
     assert_close(s->vx, o->vx, 2e-6);

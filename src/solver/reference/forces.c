@@ -14,7 +14,8 @@ void skv_pass_external_forces(const skv_substep *sub, int begin, int end)
     for (int i = begin; i < end; i++) {
         s->vx[i] += ax;
         s->vy[i] += ay;
-        skv_pull_on(sub->pulls, sub->pull_count, s->x[i], s->y[i], &s->vx[i], &s->vy[i]);
+        skv_apply_external_forces(sub->forces, sub->force_count, s->x[i], s->y[i], &s->vx[i],
+                                  &s->vy[i]);
     }
 }
 

@@ -19,8 +19,8 @@ typedef struct skv_substep {
     skv_pass_data data;
     const skv_constants *constants;
     float gravity_x, gravity_y; /* m/s^2 */
-    const skv_pull *pulls;
-    int pull_count;
+    const skv_external_force *forces;
+    int force_count;
     const skv_neighbours *neighbours;
     const skv_boundary *boundary;
     bool first;                /* iteration: with gradient and tension, and the warm start */

@@ -105,12 +105,12 @@ void skv_pass_pressure_clavet(const skv_substep *sub, int begin, int end)
     }
 }
 
-/* The velocity that gravity and pulls give in a substep to fluid that rests where a particle is. */
+/* The velocity that external forces give in a substep to fluid that rests where a particle is. */
 static void find_fall(const skv_substep *sub, int i, float *gx, float *gy)
 {
     const skv_pass_data *s = &sub->data;
     float vx = 0, vy = 0;
-    skv_pull_on(sub->pulls, sub->pull_count, s->x[i], s->y[i], &vx, &vy);
+    skv_apply_external_forces(sub->forces, sub->force_count, s->x[i], s->y[i], &vx, &vy);
     *gx = sub->constants->dt * sub->gravity_x + vx;
     *gy = sub->constants->dt * sub->gravity_y + vy;
 }

@@ -383,10 +383,11 @@ V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float 
     }
 }
 
-/* One function: pulls are long, and rare. */
-static __attribute__((noinline)) void pull(const skv_rows *s, float x, float y, float *u, float *v)
+/* One function: it is long, and rarely needed. */
+static __attribute__((noinline)) void add_forces(const skv_rows *s, float x, float y, float *u,
+                                                 float *v)
 {
-    skv_pull_on(s->acting.pulls, s->acting.pull_count, x, y, u, v);
+    skv_apply_external_forces(s->acting.forces, s->acting.force_count, x, y, u, v);
 }
 
 /* Adds the wall's push. */
@@ -397,8 +398,8 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
     int i = wall->particle;
     float lambda = s->lambda[i], near_lambda = s->near_lambda[i], dx, dy;
     float gx = 0, gy = 0; /* what fluid gains that rests there */
-    if (s->acting.pull_count > 0)
-        pull(s, p->x[i], p->y[i], &gx, &gy);
+    if (s->acting.force_count > 0)
+        add_forces(s, p->x[i], p->y[i], &gx, &gy);
     gx += s->acting.gravity_x;
     gy += s->acting.gravity_y;
     if (!c->images) {
@@ -575,8 +576,8 @@ static void advance(const skv_rows *s, int row, const skv_constants *c,
         v8_store(p->u + i, v8_add(v8_load(p->u + i), gx));
         v8_store(p->v + i, v8_add(v8_load(p->v + i), gy));
     }
-    for (int i = s->row_start[row]; s->acting.pull_count > 0 && i < end; i++)
-        pull(s, p->x[i], p->y[i], &p->u[i], &p->v[i]);
+    for (int i = s->row_start[row]; s->acting.force_count > 0 && i < end; i++)
+        add_forces(s, p->x[i], p->y[i], &p->u[i], &p->v[i]);
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
         v8 u = v8_load(p->u + i), v = v8_load(p->v + i);
         v8 speed = v8_sqrt(v8_max(v8_add(v8_mul(u, u), v8_mul(v, v)), tiny));

@@ -26,8 +26,8 @@
 /* What acts on the fluid from outside, in h and substeps. */
 typedef struct skv_row_acting {
     float gravity_x, gravity_y;
-    const skv_pull *pulls;
-    int pull_count;
+    const skv_external_force *forces;
+    int force_count;
     float wall_margin; /* how close a move may come to a wall */
     float contact_distance;
 } skv_row_acting;

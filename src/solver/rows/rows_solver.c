@@ -35,15 +35,15 @@ static skv_constants in_own_units(const skv_constants *c)
 }
 
 static skv_row_acting acting_on(const skv_solver_step *step, const skv_boundary *boundary,
-                                const skv_pull *pulls)
+                                const skv_external_force *forces)
 {
     const skv_constants *c = step->constants;
     float per_step = c->dt * c->inv_h;
     skv_row_acting acting = {
         .gravity_x = step->gravity_x * c->dt * per_step,
         .gravity_y = step->gravity_y * c->dt * per_step,
-        .pulls = pulls,
-        .pull_count = step->pull_count,
+        .forces = forces,
+        .force_count = step->force_count,
         .wall_margin = boundary->margin * c->inv_h,
         .contact_distance = boundary->contact_distance * c->inv_h,
     };
@@ -58,11 +58,11 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
     const skv_constants *c = step->constants;
     const skv_solver_particles *p = &step->particles;
     const skv_boundary boundary = skv_boundary_seen(r->boundary, c->h, c->inv_h, r->swapped);
-    skv_pull pulls[SKV_SOLVER_MOST_PULLS];
-    for (int i = 0; i < step->pull_count; i++)
-        pulls[i] = skv_pull_seen(&step->pulls[i], c->h, c->inv_h, c->dt, r->swapped);
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    for (int i = 0; i < step->force_count; i++)
+        forces[i] = skv_external_force_seen(&step->forces[i], c->h, c->inv_h, c->dt, r->swapped);
     const skv_constants constants = in_own_units(c);
-    const skv_row_acting acting = acting_on(step, &boundary, pulls);
+    const skv_row_acting acting = acting_on(step, &boundary, forces);
     /* If each iteration lifts what has fallen by as much as any other. */
     float sunk = (float)(c->iterations + 1) / (float)(2 * c->iterations);
     skv_row_frame frame = {
