@@ -5,6 +5,8 @@
 
 #include "base/ieee.h"
 
+#include <stdbool.h>
+
 #define SKV_PI 3.141592653589793
 
 /* The smaller and the larger of two; b if a is NaN. Not fmin and fmax: of 0 and -0 these may return
@@ -27,6 +29,12 @@ static inline double skv_min(double a, double b)
 static inline double skv_max(double a, double b)
 {
     return a > b ? a : b;
+}
+
+/* True if lo <= value <= hi; false for a NaN. */
+static inline bool skv_within(double value, double lo, double hi)
+{
+    return value >= lo && value <= hi;
 }
 
 /* e^x for |x| <= 700, relative error below 1e-14. */

@@ -12,8 +12,8 @@
 #define SKV_SOLVER_SOLVER_H
 
 #include "base/pool.h"
+#include "model/constants.h"
 #include "skvalp/base.h"
-#include "solver/constants.h"
 #include "solver/external_force.h"
 #include "solver/impulse.h"
 #include "terrain/boundary.h"

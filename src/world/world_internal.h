@@ -73,44 +73,8 @@ struct skv_world {
     void *user;
 };
 
-/* constants.c: derives the constants of a substep. The rule: how many a frame bear a load. */
-int skv_substep_rule(const skv_fluid_def *fluid, double load);
-/* How many substeps are as stiff as that many of the rule's, which start cold, if they start warm
- * (docs/model.md); with the clavet law so many. */
-int skv_warm_substeps(const skv_fluid_def *fluid, int cold);
-/* Makes a substep's pressure as stiff as that of so many substeps that start cold: weaker if they
- * are less than one, warm if they are more. Not with the clavet law, which is as stiff as it is. */
-void skv_set_stiffness(skv_constants *constants, float cold);
-/* The kernel of a law's pressure. */
-skv_kernel skv_law_kernel(skv_law law);
-
-/* Whether walls act by images. */
-bool skv_has_images(const skv_fluid_def *fluid);
-
-/* Closer to a wall than this is contact, m. */
-float skv_contact_distance(const skv_fluid_def *fluid);
-
-/* |g| at a flat surface: n0 times the integral of F x/r over a half disc. */
-double skv_surface_gradient(const skv_fluid_def *fluid);
-
-/* The areas, in that of the start, that a clavet fluid may take at rest: one that takes more bursts
- * as soon as it can, and of one that takes less its particles meet in points. From 1.5 on a dam's
- * drops fly faster than it falls. */
-#define SKV_CLAVET_WIDEST    1.45
-#define SKV_CLAVET_NARROWEST 0.4
-
-/* 1 if it takes more at rest, -1 if it takes less; else, and by another law, 0. */
-int skv_clavet_swells(const skv_fluid_def *fluid);
-
-/* m/s, with substeps of dt; 0 for a law that has none. */
-double skv_speed_of_sound(const skv_fluid_def *fluid, double dt);
-
-/* Those of a fluid as stiff as dt allows, and those of a world at present. */
-skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
+/* step.c: the constants of a substep at present. */
 skv_constants skv_world_make_constants(const skv_world *world);
-
-/* True if lo <= value <= hi; false for a NaN. */
-bool skv_within(double value, double lo, double hi);
 
 /* step.c: what a solver is to take one substep of: all particles, with what acts on them. */
 skv_solver_step skv_world_describe_step(const skv_world *world, const skv_constants *constants,

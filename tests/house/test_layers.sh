@@ -19,11 +19,11 @@ declare -A may=(
     [camera]="camera base"
     [world]="world solver terrain model base"
     [measure]="measure world solver terrain model base"
-    [skvalp]="base camera terrain world measure"
-    [scene]="scene world solver terrain base"
-    [render]="render camera world solver terrain base"
-    [experiments]="experiments measure scene world terrain base"
-    [session]="session measure scene camera world solver terrain base"
+    [skvalp]="base model camera terrain world measure"
+    [scene]="scene world solver terrain model base"
+    [render]="render camera world solver terrain model base"
+    [experiments]="experiments measure scene world terrain model base"
+    [session]="session measure scene camera world solver terrain model base"
     [link]="link base"
 )
 # What the core may take from the system: what a compiler brings along, and so much of <math.h> and
@@ -61,7 +61,8 @@ layer_of() {
     of=
     case $name in
     skvalp/fields.h) of=base ;;
-    skvalp/acting.h | skvalp/area.h | skvalp/fluid.h | skvalp/frame.h | skvalp/parameters.h) of=world ;;
+    skvalp/fluid.h) of=model ;;
+    skvalp/acting.h | skvalp/area.h | skvalp/frame.h | skvalp/parameters.h) of=world ;;
     skvalp/particles.h | skvalp/query.h | skvalp/snapshot.h) of=world ;;
     skvalp/mark.h) of=camera ;;
     skvalp/player.h | skvalp/stage.h) of=session ;;

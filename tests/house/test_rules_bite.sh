@@ -122,7 +122,7 @@ bites test_readme.sh "a command that fails" "no-such-scene' fails"
 printf '%s\n' '[nowhere](docs/nowhere.md)' '`src/base/sin.c`' '`skv_world_sin`' '`skvalp lab sin`' \
     '`skvalp run sin`' '`skvalp run pool --sin`' '`sin.of=1`' >>"$work/copy/README.md"
 sed -i 's/model.md#substeps/model.md#sin/' "$work/copy/docs/performance.md"
-sed -i 's/^\(#define SPEED_OF_SOUND *\)0.78/\10.79/' "$work/copy/src/world/constants.c"
+sed -i 's/^\(#define SPEED_OF_SOUND *\)0.78/\10.79/' "$work/copy/src/model/constants.c"
 sed -i 's/,65\.2[0-9]*,/,65.9,/' "$work/copy/bench/results/amd-epyc.csv"
 sed -i '/^| slosh | period /s/ 0\.99[0-9] / 0.979 /' "$work/copy/docs/lab.md"
 sed -i '/lab.momentum.md/d' "$work/copy/docs/lab.md"

@@ -2,7 +2,7 @@
 #ifndef SKV_SOLVER_REFERENCE_PAIR_H
 #define SKV_SOLVER_REFERENCE_PAIR_H
 
-#include "solver/constants.h"
+#include "model/constants.h"
 #include "solver/direction.h"
 #include "solver/reference/pass_data.h"
 #include "solver/wall_image.h"

@@ -56,8 +56,8 @@ V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
 static void prepare(const skv_rows *s, int row, const skv_constants *c)
 {
     const skv_row_particles *p = &s->set[s->current];
-    const v8 gain = v8_set(SKV_SMOOTH_GAIN / SKV_SMOOTH_QUARTICS), until = v8_set(c->tension_until),
-             far = v8_set(SKV_FAR);
+    const v8 gain = v8_set((float)SKV_SMOOTH_GAIN / SKV_SMOOTH_QUARTICS),
+             until = v8_set(c->tension_until), far = v8_set(SKV_FAR);
     int begin = s->row_start[row], end = skv_row_padded_end(s->row_end[row]);
     begin_graded(s, row);
     for (int i = begin; i < end; i += ROW_LANES) {

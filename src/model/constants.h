@@ -1,9 +1,10 @@
 /* What is the same for all particles of a substep: the fluid's constants. The world makes them in
  * SI units. The rows convert them once, at their door, to those in which h and dt are 1. */
-#ifndef SKV_SOLVER_CONSTANTS_H
-#define SKV_SOLVER_CONSTANTS_H
+#ifndef SKV_MODEL_CONSTANTS_H
+#define SKV_MODEL_CONSTANTS_H
 
 #include "model/kernel.h"
+#include "skvalp/fluid.h"
 
 #include <stdbool.h>
 
@@ -74,5 +75,40 @@ static inline bool skv_resists_slip(const skv_constants *constants)
 {
     return constants->slip_friction > 0 || constants->wall_drag > 0;
 }
+
+/* Those of a fluid as stiff as dt allows. */
+skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
+
+/* The rule: how many substeps a frame bear a load. */
+int skv_substep_rule(const skv_fluid_def *fluid, double load);
+/* How many substeps are as stiff as that many of the rule's, which start cold, if they start warm
+ * (docs/model.md); with the clavet law so many. */
+int skv_warm_substeps(const skv_fluid_def *fluid, int cold);
+/* Makes a substep's pressure as stiff as that of so many substeps that start cold: weaker if they
+ * are less than one, warm if they are more. Not with the clavet law, which is as stiff as it is. */
+void skv_set_stiffness(skv_constants *constants, float cold);
+/* The kernel of a law's pressure. */
+skv_kernel skv_law_kernel(skv_law law);
+
+/* Whether walls act by images. */
+bool skv_has_images(const skv_fluid_def *fluid);
+
+/* Closer to a wall than this is contact, m. */
+float skv_contact_distance(const skv_fluid_def *fluid);
+
+/* |g| at a flat surface: n0 times the integral of F x/r over a half disc. */
+double skv_surface_gradient(const skv_fluid_def *fluid);
+
+/* The areas, in that of the start, that a clavet fluid may take at rest: one that takes more bursts
+ * as soon as it can, and of one that takes less its particles meet in points. From 1.5 on a dam's
+ * drops fly faster than it falls. */
+#define SKV_CLAVET_WIDEST    1.45
+#define SKV_CLAVET_NARROWEST 0.4
+
+/* 1 if it takes more at rest, -1 if it takes less; else, and by another law, 0. */
+int skv_clavet_swells(const skv_fluid_def *fluid);
+
+/* m/s, with substeps of dt; 0 for a law that has none. */
+double skv_speed_of_sound(const skv_fluid_def *fluid, double dt);
 
 #endif

@@ -4,9 +4,10 @@
  * to float once at the end, so every machine steps with the same constants. Formulas and their
  * sources are in docs/model.md.
  */
+#include "model/constants.h"
+
 #include "base/exact.h"
 #include "model/lattice.h"
-#include "world/world_internal.h"
 
 #include <math.h>
 
@@ -37,11 +38,6 @@
 #define RESIDUAL_CROWD   2     /* how crowded the residual volume is, to the lattice */
 #define SLIP_FRICTION    0.2   /* of the friction in contact: it acts on all of the layer */
 #define COHESION_MARGIN  12    /* how much stiffer than the cohesion the pressure must be */
-
-bool skv_within(double value, double lo, double hi)
-{
-    return value >= lo && value <= hi;
-}
 
 skv_kernel skv_law_kernel(skv_law law)
 {
