@@ -14,7 +14,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LAYERS = ["base", "model", "camera", "terrain", "solver", "world", "measure"]
+LAYERS = ["base", "model", "camera", "terrain", "solver", "calm", "world", "measure"]
 PUBLIC = ROOT / "include/skvalp/skvalp.h"
 KERNELS = ROOT / "src/solver/rows/kernels.c"
 SIMD = ROOT / "src/base/simd.h"

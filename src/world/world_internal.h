@@ -1,9 +1,11 @@
-/* The world's inside, shared by the files of src/world; besides them only src/measure/wall_force.c,
- * which takes a substep on a copy, reads it. */
+/* The world's inside, shared by the files of src/world and src/calm; besides them only
+ * src/measure/wall_force.c, which takes a substep on a copy, reads it. */
 #ifndef SKV_WORLD_INTERNAL_H
 #define SKV_WORLD_INTERNAL_H
 
 #include "base/pool.h"
+#include "calm/load.h"
+#include "calm/sleep.h"
 #include "skvalp/acting.h"
 #include "skvalp/parameters.h"
 #include "skvalp/particles.h"
@@ -14,8 +16,6 @@
 #include "terrain/wall_map.h"
 #include "world/acting.h"
 #include "world/events.h"
-#include "world/load.h"
-#include "world/sleep.h"
 #include "world/state.h"
 #include "world/tiling.h"
 

@@ -20,7 +20,7 @@ comm -23 "$work/libm" "$work/exact" >"$work/inexact"
 (($(wc -l <"$work/inexact") > 100)) || complain "the functions of libm were not found in $libm"
 
 # The core's files, whose results are particles and readings.
-find src/base src/model src/solver src/terrain src/world src/measure -name '*.c' -printf '%f.o\n' |
+find src/base src/model src/solver src/terrain src/calm src/world src/measure -name '*.c' -printf '%f.o\n' |
     sort >"$work/core"
 
 # inexact_calls ARCHIVE: "file function" for every forbidden call from the core's files.

@@ -130,7 +130,7 @@ for pattern in patterns:
                 complain(path, f'cites "{section}" of {page}, which has no such heading')
 
 # The constants that the model's page lists.
-constants = read("src/model/constants.c") + read("src/world/load.c")
+constants = read("src/model/constants.c") + read("src/calm/load.c")
 listed = re.findall(r"^\| `([A-Z_]+)` \| ([\d.]+) \|", texts["docs/model.md"], re.M)
 for name, value in listed:
     at = re.search(rf"^#define {name}\s+([\d.]+)f?\b", constants, re.M)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The layering rule: base <- model <- terrain <- solver <- world <- measure, scene, render; base <- camera
-# <- world; experiments and session stand on measure and scene, the faces on all of them. A file includes only what stands
+# <- world; calm is a part of the world in a folder of its own; experiments and session stand on measure
+# and scene, the faces on all of them. A file includes only what stands
 # left of it, and nothing goes round in a circle; the faces know public headers only, the experiments besides their own only those of
 # base; the core needs nothing but the C library and threads. The web's modules go ui -> simulation ->
 # src. Arguments: build folder, source folder.
@@ -17,13 +18,14 @@ declare -A may=(
     [solver]="solver terrain model base"
     [terrain]="terrain model base"
     [camera]="camera base"
-    [world]="world solver terrain model base"
-    [measure]="measure world solver terrain model base"
+    [calm]="calm world solver terrain model base"
+    [world]="world calm solver terrain model base"
+    [measure]="measure world calm solver terrain model base"
     [skvalp]="base model camera terrain world measure"
-    [scene]="scene world solver terrain model base"
-    [render]="render camera world solver terrain model base"
+    [scene]="scene world calm solver terrain model base"
+    [render]="render camera world calm solver terrain model base"
     [experiments]="experiments measure scene world terrain model base"
-    [session]="session measure scene camera world solver terrain model base"
+    [session]="session measure scene camera world calm solver terrain model base"
     [link]="link base"
 )
 # What the core may take from the system: what a compiler brings along, and so much of <math.h> and
@@ -36,6 +38,7 @@ declare -A system=(
     [solver]=$core_system
     [terrain]=$core_system
     [camera]=$core_system
+    [calm]=$core_system
     [world]=$core_system
     [measure]=$core_system
 )

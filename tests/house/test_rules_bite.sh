@@ -62,7 +62,7 @@ mkdir -p "$work/copy/src/solver/deeper"
 printf 'struct skv_world;\n' >"$work/copy/src/solver/deeper/sin.c"
 bites test_layers.sh "the solver names the world" "the solver must not know the world"
 
-printf '#include "world/sleep.h"\n' >"$work/copy/src/experiments/sin.c"
+printf '#include "calm/sleep.h"\n' >"$work/copy/src/experiments/sin.c"
 bites test_layers.sh "an experiment includes a private header" "an experiment must not include"
 
 printf '#include <skvalp/scene.h>\n' >"$work/copy/src/render/sin.c"

@@ -1,6 +1,6 @@
 /* Sleep: regions whose particles have been still for a while are not stepped; see sleep.c. */
-#ifndef SKV_WORLD_SLEEP_H
-#define SKV_WORLD_SLEEP_H
+#ifndef SKV_CALM_SLEEP_H
+#define SKV_CALM_SLEEP_H
 
 #include "skvalp/base.h"
 

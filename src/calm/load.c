@@ -11,7 +11,7 @@
  * never stiffer than its substeps allow; all of this follows from the particles alone, in their
  * order.
  */
-#include "world/load.h"
+#include "calm/load.h"
 
 #include "base/exact.h"
 #include "base/memory.h"

@@ -19,7 +19,7 @@
  * Invariant: a calm particle outside awake tiles has no velocity and does not move; who sleeps
  * depends on the particles alone, not on threads.
  */
-#include "world/sleep.h"
+#include "calm/sleep.h"
 
 #include "base/exact.h"
 #include "base/memory.h"

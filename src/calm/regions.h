@@ -1,15 +1,15 @@
 /* How fluid lies where it was put: which of it would stay there, and the weight above each
  * particle. */
-#ifndef SKV_WORLD_BODIES_H
-#define SKV_WORLD_BODIES_H
+#ifndef SKV_CALM_REGIONS_H
+#define SKV_CALM_REGIONS_H
 
 #include "world/world_internal.h"
 
 /* How a particle lies. */
 typedef enum skv_lie {
     SKV_HANGS, /* the fluid below it ends in the air: it is going to fall */
-    SKV_LEANS, /* it is carried, but its body is going to flow: a dam, a heap, unequal levels */
-    SKV_RESTS  /* its body fills what holds it up to one level */
+    SKV_LEANS, /* it is carried, but its region is going to flow: a dam, a heap, unequal levels */
+    SKV_RESTS  /* its region fills what holds it up to one level */
 } skv_lie;
 
 typedef struct skv_lies {

@@ -17,7 +17,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
-#include "world/bodies.h"
+#include "calm/regions.h"
 
 #include <math.h>
 #include <string.h>

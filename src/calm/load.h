@@ -1,6 +1,6 @@
 /* How many substeps a frame takes, by what they must carry; see load.c. */
-#ifndef SKV_WORLD_LOAD_H
-#define SKV_WORLD_LOAD_H
+#ifndef SKV_CALM_LOAD_H
+#define SKV_CALM_LOAD_H
 
 #include "skvalp/base.h"
 

@@ -1,13 +1,13 @@
-/* How fluid lies: bodies of it in square cells, along gravity and across it.
+/* How fluid lies: regions of it in square cells, along gravity and across it.
  *
  * Cells are so large that each one inside a fresh lattice holds a particle. Those that touch, with
- * no wall between, are a body; those of it above each other are a column. What is beside a cell of
- * it is fluid, a wall, or air. A body rests if there is no air below or beside it, all the air
+ * no wall between, are a region; those of it above each other are a column. What is beside a cell
+ * of it is fluid, a wall, or air. A region rests if there is no air below or beside it, all the air
  * above it is at one level, and no fluid of it stands higher, below a roof.
  *
  * Invariant: cells, and what is found of them, follow from the particles and their order alone.
  */
-#include "world/bodies.h"
+#include "calm/regions.h"
 
 #include "base/exact.h"
 #include "base/memory.h"
@@ -28,7 +28,7 @@ typedef struct cell {
     int column, row;        /* across gravity, and against it */
     int particle;           /* one of its */
     int next;               /* in the same slot, as in `head` */
-    int body;               /* -1 at first */
+    int region;             /* -1 at first */
     unsigned air;           /* a bit for each side with air beside it */
     float high, low;        /* its particles, along gravity; then the column's highest and lowest */
     int beside[NEIGHBOURS]; /* numbers of the cells that its fluid touches, from 1; 0: none */
@@ -36,14 +36,14 @@ typedef struct cell {
     bool measured;
 } cell;
 
-typedef struct body {
+typedef struct region {
     float top; /* its highest particle, along gravity; a roof may keep it from the air */
     float highest, lowest; /* its free surface, along gravity */
     float lowest_side;     /* the lowest place with air beside it */
     bool falls;            /* there is air below some of it */
-} body;
+} region;
 
-typedef struct bodies {
+typedef struct regions {
     const skv_world *world;
     float ux, uy;  /* upwards: against gravity */
     float size;    /* of a cell, m */
@@ -52,30 +52,30 @@ typedef struct bodies {
     cell *cells;
     int cell_count;
     int *cell_of; /* by particle */
-    body *bodies;
+    region *regions;
     int *stack; /* cells whose neighbours have to be looked at */
-} bodies;
+} regions;
 
-static float along(const bodies *b, int particle)
+static float along(const regions *b, int particle)
 {
     const skv_state *s = &b->world->state;
     return s->x[particle] * b->ux + s->y[particle] * b->uy;
 }
 
-static float across(const bodies *b, int particle)
+static float across(const regions *b, int particle)
 {
     const skv_state *s = &b->world->state;
     return s->x[particle] * b->uy - s->y[particle] * b->ux;
 }
 
-static int cell_number(const bodies *b, float place)
+static int cell_number(const regions *b, float place)
 {
     return (int)floorf(place / b->size);
 }
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
 
-static int *slot_of(const bodies *b, int column, int row)
+static int *slot_of(const regions *b, int column, int row)
 {
     /* Cells in a row are neighbours here, too, and mostly asked for one after the other. */
     unsigned key = (unsigned)column + (unsigned)row * 0x9e3779b1u;
@@ -83,7 +83,7 @@ static int *slot_of(const bodies *b, int column, int row)
 }
 
 /* The cell there; null if it is empty. */
-static cell *find(const bodies *b, int column, int row)
+static cell *find(const regions *b, int column, int row)
 {
     int number = *slot_of(b, column, row);
     while (number) {
@@ -95,12 +95,12 @@ static cell *find(const bodies *b, int column, int row)
     return NULL;
 }
 
-static cell *cell_of(const bodies *b, int particle)
+static cell *cell_of(const regions *b, int particle)
 {
     return &b->cells[b->cell_of[particle]];
 }
 
-static void put_into_cells(bodies *b)
+static void put_into_cells(regions *b)
 {
     for (int i = 0; i < b->world->state.count; i++) {
         float height = along(b, i);
@@ -117,7 +117,7 @@ static void put_into_cells(bodies *b)
                                          .row = row,
                                          .particle = i,
                                          .next = *slot,
-                                         .body = -1,
+                                         .region = -1,
                                          .high = height,
                                          .low = height};
         b->cell_of[i] = b->cell_count;
@@ -126,7 +126,7 @@ static void put_into_cells(bodies *b)
 }
 
 /* Whether no wall stands between the fluid of two cells. */
-static bool touch(const bodies *b, const cell *a, const cell *c)
+static bool touch(const regions *b, const cell *a, const cell *c)
 {
     const skv_state *s = &b->world->state;
     const skv_terrain *terrain = b->world->terrain;
@@ -137,7 +137,7 @@ static bool touch(const bodies *b, const cell *a, const cell *c)
 
 /* Looks for the cell at a side of another with fluid that touches its fluid. A cell that is cut by
  * a wall or by the surface may be empty inside the fluid: then one beside it. Its number, or 0. */
-static int find_beside(const bodies *b, const cell *c, int side)
+static int find_beside(const regions *b, const cell *c, int side)
 {
     static const int aside[] = {0, -1, 1};
     for (int k = 0; k < 3; k++) {
@@ -150,7 +150,7 @@ static int find_beside(const bodies *b, const cell *c, int side)
     return 0;
 }
 
-static void connect_cells(const bodies *b)
+static void connect_cells(const regions *b)
 {
     for (cell *c = b->cells; c < b->cells + b->cell_count; c++)
         for (int side = 0; side < NEIGHBOURS; side++)
@@ -158,14 +158,14 @@ static void connect_cells(const bodies *b)
 }
 
 /* The cell at a side of another with fluid that touches its fluid; null if there is none. */
-static cell *connected(const bodies *b, const cell *c, int side)
+static cell *connected(const regions *b, const cell *c, int side)
 {
     return c->beside[side] ? &b->cells[c->beside[side] - 1] : NULL;
 }
 
 /* Looks for air beside every cell, from each of its particles: a hole in a wall may be narrower
  * than a cell. */
-static void look_for_air(const bodies *b)
+static void look_for_air(const regions *b)
 {
     const skv_state *s = &b->world->state;
     float reach = AIR * b->world->fluid.spacing;
@@ -183,9 +183,10 @@ static void look_for_air(const bodies *b)
     }
 }
 
-/* ---- Bodies ---------------------------------------------------------------------------------- */
+/* ---- Regions ----------------------------------------------------------------------------------
+ */
 
-static void note_air(body *whole, const cell *c, int side)
+static void note_air(region *whole, const cell *c, int side)
 {
     if (side == ABOVE) {
         whole->highest = skv_maxf(whole->highest, c->high);
@@ -197,13 +198,13 @@ static void note_air(body *whole, const cell *c, int side)
     }
 }
 
-/* Finds all cells of a body from one of them. */
-static void spread(bodies *b, cell *first, int number)
+/* Finds all cells of a region from one of them. */
+static void spread(regions *b, cell *first, int number)
 {
-    body *whole = &b->bodies[number];
-    *whole =
-        (body){.top = -INFINITY, .highest = -INFINITY, .lowest = INFINITY, .lowest_side = INFINITY};
-    first->body = number;
+    region *whole = &b->regions[number];
+    *whole = (region){
+        .top = -INFINITY, .highest = -INFINITY, .lowest = INFINITY, .lowest_side = INFINITY};
+    first->region = number;
     int waiting = 0;
     b->stack[waiting++] = (int)(first - b->cells);
     while (waiting) {
@@ -214,15 +215,15 @@ static void spread(bodies *b, cell *first, int number)
             if (!beside) {
                 if (c->air & 1u << side)
                     note_air(whole, c, side);
-            } else if (beside->body < 0) {
-                beside->body = number;
+            } else if (beside->region < 0) {
+                beside->region = number;
                 b->stack[waiting++] = (int)(beside - b->cells);
             }
         }
     }
 }
 
-static bool rests(const bodies *b, const body *whole)
+static bool rests(const regions *b, const region *whole)
 {
     float step = ONE_LEVEL * b->world->fluid.spacing;
     return !whole->falls && !(whole->top - whole->lowest > step) &&
@@ -230,7 +231,7 @@ static bool rests(const bodies *b, const body *whole)
 }
 
 /* Measures the column below a cell that nothing of it is above. */
-static void measure_column(const bodies *b, cell *top)
+static void measure_column(const regions *b, cell *top)
 {
     float high = top->high, low = top->low;
     const cell *last = top;
@@ -248,7 +249,7 @@ static void measure_column(const bodies *b, cell *top)
 }
 
 /* A cell that no column goes through is as the one above it. */
-static void measure_like_above(const bodies *b, cell *c)
+static void measure_like_above(const regions *b, cell *c)
 {
     const cell *above = c;
     for (int i = 0; above && !above->measured && i < b->cell_count; i++)
@@ -260,7 +261,7 @@ static void measure_like_above(const bodies *b, cell *c)
     }
 }
 
-static void measure_columns(const bodies *b)
+static void measure_columns(const regions *b)
 {
     for (int c = 0; c < b->cell_count; c++)
         if (!connected(b, &b->cells[c], ABOVE))
@@ -272,12 +273,12 @@ static void measure_columns(const bodies *b)
 
 /* ---- Particles ------------------------------------------------------------------------------- */
 
-static void judge(const bodies *b, skv_lies *lies)
+static void judge(const regions *b, skv_lies *lies)
 {
     float half = 0.5f * b->world->fluid.spacing;
     for (int i = 0; i < b->world->state.count; i++) {
         const cell *c = cell_of(b, i);
-        const body *whole = &b->bodies[c->body];
+        const region *whole = &b->regions[c->region];
         bool resting = rests(b, whole);
         lies->lie[i] = (uint8_t)(resting ? SKV_RESTS : c->carried ? SKV_LEANS : SKV_HANGS);
         /* Below a roof the level outside counts. */
@@ -299,33 +300,33 @@ skv_result skv_world_find_lies(const skv_world *world, skv_lies *lies, skv_error
     if (!(g > 0) || count == 0)
         return SKV_OK;
     float spacing = world->fluid.spacing;
-    bodies b = {.world = world,
-                .ux = -world->gravity_x / g,
-                .uy = -world->gravity_y / g,
-                .size = CELL_SIZE * spacing,
-                .mask = 1023};
+    regions b = {.world = world,
+                 .ux = -world->gravity_x / g,
+                 .uy = -world->gravity_y / g,
+                 .size = CELL_SIZE * spacing,
+                 .mask = 1023};
     while (b.mask < (unsigned)count)
         b.mask = 2 * b.mask + 1;
     size_t most = (size_t)count;
     b.head = skv_calloc((size_t)b.mask + 1, sizeof *b.head);
     b.cells = skv_calloc(most, sizeof *b.cells);
-    b.bodies = skv_calloc(most, sizeof *b.bodies);
+    b.regions = skv_calloc(most, sizeof *b.regions);
     b.stack = skv_calloc(most, sizeof *b.stack);
     b.cell_of = skv_calloc(most, sizeof *b.cell_of);
-    bool enough = b.head && b.cells && b.bodies && b.stack && b.cell_of;
+    bool enough = b.head && b.cells && b.regions && b.stack && b.cell_of;
     if (enough) {
         put_into_cells(&b);
         connect_cells(&b);
         look_for_air(&b);
         for (int c = 0, number = 0; c < b.cell_count; c++)
-            if (b.cells[c].body < 0)
+            if (b.cells[c].region < 0)
                 spread(&b, &b.cells[c], number++);
         measure_columns(&b);
         judge(&b, lies);
     }
     skv_free(b.head);
     skv_free(b.cells);
-    skv_free(b.bodies);
+    skv_free(b.regions);
     skv_free(b.stack);
     skv_free(b.cell_of);
     return enough ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");
