@@ -84,14 +84,18 @@ static void sink(const settling *s, skv_lie lie, double softness)
     }
 }
 
-/* Seven arrays of floats lie beside each other: all that a round begins from, and the pressures. */
-_Static_assert(offsetof(skv_state, clearance) - offsetof(skv_state, x) == 6 * sizeof(float *),
-               "what a round begins from is copied as one piece");
+enum { BEGINNINGS = 6 };
 
-/* How many floats lie from the first that a round begins from to the last, pressures in between. */
-static size_t round_size(const skv_state *p)
+/* Keeps what a round begins from, or takes it `back`. */
+static void keep_beginning(const settling *s, bool back)
 {
-    return (size_t)(p->clearance + p->count - p->x);
+    const skv_state *p = &s->world->state;
+    float *const arrays[BEGINNINGS] = {p->x, p->y, p->vx, p->vy, p->warm_lambda, p->clearance};
+    size_t count = (size_t)p->count;
+    for (size_t k = 0; k < BEGINNINGS; k++) {
+        float *kept = s->before + k * count;
+        memcpy(back ? arrays[k] : kept, back ? kept : arrays[k], count * sizeof *kept);
+    }
 }
 
 /* Takes a round. Pressures cost a seventh, so only the last one has them. Where it turns out to
@@ -100,10 +104,8 @@ static skv_result take_round(const settling *s, bool last, bool again, skv_error
 {
     skv_world *world = s->world;
     skv_state *p = &world->state;
-    if (again)
-        memcpy(p->x, s->before, round_size(p) * sizeof *p->x);
-    else if (!last)
-        memcpy(s->before, p->x, round_size(p) * sizeof *p->x);
+    if (again || !last)
+        keep_beginning(s, again);
     float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
     for (int i = 0; i < p->count; i++) {
         float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
@@ -246,7 +248,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
     s.work = measure_work(world);
-    float *numbers = skv_calloc(3 * count + round_size(p), sizeof *numbers);
+    float *numbers = skv_calloc((3 + BEGINNINGS) * count, sizeof *numbers);
     s.lies.lie = skv_calloc(count, sizeof *s.lies.lie);
     skv_result result = SKV_OK;
     if (!numbers || !s.lies.lie)
