@@ -114,8 +114,9 @@ SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_
  * world its time; only places change, at rest by up to a few spacings. What is going to flow or to
  * fall, a dam or a drop in the air, keeps its shape. Takes at most 500 substeps of the longest
  * length, 200 of each half of it, and 1000 of the world's own (Clavet's law: 1200 of each); fewer
- * where particles times substeps would pass 5 million. SKV_ERROR_MEMORY: some of it may have been
- * done. */
+ * where particles times substeps would pass 5 million, in which those beside thin walls count more
+ * if a smoothing radius is longer than 48 pixels. SKV_ERROR_MEMORY: some of it may have been done.
+ */
 SKV_API skv_result skv_world_settle(skv_world *world, skv_error *error);
 
 /** A particle to add. */

@@ -346,6 +346,82 @@ static void aim(host *h)
     fuzz_expect(ray.fluid.particle < skv_world_particle_count(h->world), "a particle that exists");
 }
 
+static skv_hand some_hand(fuzz_input *in)
+{
+    skv_hand hand = skv_default_hand();
+    hand.x = fuzz_float(in, -1, 2);
+    hand.radius = fuzz_float(in, 0, 0.5f);
+    return hand;
+}
+
+/* One thing that acts, by its name: added, changed and removed; also by names that were never
+ * given. */
+static void handle(host *h)
+{
+    skv_acting_id id = 0;
+    skv_error error = {0};
+    skv_hand hand = some_hand(&h->in);
+    skv_result result = skv_world_add_hand(h->world, &hand, &id, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect((result == SKV_OK) == (id != 0), "a name exactly if SKV_OK");
+    skv_acting_id other = fuzz_byte(&h->in) % 2 ? id : (skv_acting_id)fuzz_below(&h->in, 65536);
+    skv_acting_kind kind = SKV_ACTING_HAND;
+    int there = skv_world_acting_index(h->world, other, &kind), count;
+    skv_hand changed = some_hand(&h->in);
+    skv_error refusal = {0};
+    result = skv_world_change_hand(h->world, other, &changed, &refusal);
+    fuzz_expect_answer(result, &refusal);
+    fuzz_expect(result != SKV_OK || (there >= 0 && kind == SKV_ACTING_HAND),
+                "only a hand that is there changes");
+    fuzz_expect(skv_world_remove_acting(h->world, other) == (there >= 0), "who is there can go");
+    fuzz_expect(skv_world_acting_index(h->world, other, NULL) < 0, "and is gone then");
+    skv_world_hands(h->world, &count);
+    for (int i = 0; i < count; i++)
+        fuzz_expect(skv_world_acting_index(
+                        h->world, skv_world_acting_id(h->world, SKV_ACTING_HAND, i), &kind) == i &&
+                        kind == SKV_ACTING_HAND,
+                    "names and places agree");
+}
+
+/* Particles go elsewhere, by their ids, which may be gone. */
+static void move_particles(host *h)
+{
+    enum { MOST = 4 };
+    skv_particle_id ids[MOST];
+    float x[MOST], y[MOST];
+    int count = fuzz_below(&h->in, MOST + 1), before = skv_world_particle_count(h->world);
+    for (int i = 0; i < count; i++) {
+        ids[i] = (skv_particle_id)fuzz_below(&h->in, 300);
+        x[i] = fuzz_float(&h->in, -0.05f, h->width + 0.05f);
+        y[i] = fuzz_float(&h->in, -0.05f, h->height + 0.05f);
+    }
+    uint64_t hash = skv_world_hash(h->world);
+    skv_error error = {0};
+    skv_result result = skv_world_set_positions(h->world, ids, count, x, y, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(skv_world_particle_count(h->world) == before, "moving removes nobody");
+    fuzz_expect(result == SKV_OK || skv_world_hash(h->world) == hash, "a refusal moves nobody");
+}
+
+/* A number of a world that runs. */
+static void set_number(host *h)
+{
+    int number = 0, parameter;
+    while (skv_world_field(number))
+        number++;
+    parameter = fuzz_below(&h->in, number);
+    const skv_field *field = skv_world_field(parameter);
+    double range = field->maximum - field->minimum;
+    double value = field->minimum + range * (double)fuzz_float(&h->in, -0.1f, 1.1f);
+    double before = skv_world_number(h->world, parameter);
+    skv_error error = {0};
+    skv_result result = skv_world_set_number(h->world, parameter, value, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(result != SKV_OK || skv_world_can_change(field->path), "what can't change stays");
+    fuzz_expect(result == SKV_OK || skv_world_number(h->world, parameter) == before,
+                "a refusal changes nothing");
+}
+
 static void judge(const host *h)
 {
     skv_particles p = skv_world_particles(h->world);
@@ -364,6 +440,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static void (*const calls[])(host *) = {
         step, step,      step, add_particle, fill, add_many, hold,  push, turn_gravity,
         look, take_away, aim,  blow,         draw, emit,     drain, dye,  fork_world};
+    /* From a byte on with which no committed input calls: so they stay what they were. */
+    static void (*const later[])(host *) = {handle, move_particles, set_number};
+    enum { LATER = 251 };
     host h = {.in = {data, size}};
     h.world = make_world(&h.in);
     if (h.world == NULL)
@@ -371,10 +450,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     h.width = skv_terrain_width(skv_world_terrain(h.world));
     h.height = skv_terrain_height(skv_world_terrain(h.world));
     for (int i = 0; i < MOST_CALLS && h.in.size > 0; i++) {
-        int call = fuzz_byte(&h.in) % (int)(sizeof calls / sizeof *calls);
+        uint8_t byte = fuzz_byte(&h.in);
+        int call = byte % (int)(sizeof calls / sizeof *calls);
         if (skv_world_particle_count(h.world) > MOST_PARTICLES && call >= 3 && call <= 5)
             call = 0;
-        calls[call](&h);
+        if (byte >= LATER)
+            later[byte % (int)(sizeof later / sizeof *later)](&h);
+        else
+            calls[call](&h);
         judge(&h);
     }
     skv_world_destroy(h.world);
