@@ -81,15 +81,29 @@ SKV_API void skv_stage_open_memory(skv_stage *stage, const void *data, size_t si
                                    const char *format, const char *label,
                                    const skv_scene_options *options);
 
-/** Back to the start, and all that was done since is played again, until somebody takes over. */
+/** Back to the start, and all that was done since is played again: watched, as a replay that was
+ * opened is. Meanwhile nothing that people do to the fluid is done, so nobody cuts off what is
+ * still to come without meaning it (skv_picture.withheld); time, tools, views and instruments are
+ * theirs.
+ */
 SKV_API void skv_stage_replay(skv_stage *stage);
+/** Ends watching here: from now on people act, and with the first frame what was still to come is
+ * cut off; redo brings it back until the next edit. */
+SKV_API void skv_stage_take_over(skv_stage *stage);
+/** Goes to the end of what is watched, and on from there. */
+SKV_API void skv_stage_skip(skv_stage *stage);
 
-/** Writes the first world's state (a name that ends in .skv) or replay (.skvr) to a file, which
+/** Tells how the fluid is shown, by the renderer's names: "pressure", and of overlays several with
+ * commas between them. Replays and links keep it, besides the second world, the instruments and
+ * whether time stands still. */
+SKV_API void skv_stage_set_look(skv_stage *stage, const char *view, const char *overlays);
+
+/** Writes the first world's state (a name that ends in .skv) or a replay (.skvr) to a file, which
  * appears when it is complete. Reported as SKV_OUTCOME_SAVE, in the order of these calls; why it
  * failed is the cause alone, "No space left on device", for who asks knows the file. */
 SKV_API void skv_stage_save(skv_stage *stage, const char *path);
 
-/** Makes what a link holds (skv_player_share) of the first world's moment. Reported as
+/** Makes what a link holds (skv_player_share) of this moment and what is seen of it. Reported as
  * SKV_OUTCOME_SHARE; then skv_stage_read_shared hands out the bytes, as often as wanted, until this
  * or skv_stage_compare is asked for again. */
 SKV_API void skv_stage_share(skv_stage *stage);
@@ -120,6 +134,8 @@ SKV_API bool skv_stage_next_outcome(skv_stage *stage, skv_outcome *report);
  * done up to this call is done to both, and what was done to the first since is cut off. Until
  * then, and if it fails, what there is goes on untouched. Reported as SKV_OUTCOME_COMPARE. */
 SKV_API void skv_stage_compare(skv_stage *stage, const skv_scene_options *options);
+/** By which of skv_choice_at the second world was chosen; "" if by none. Valid until it changes. */
+SKV_API const char *skv_stage_choice(const skv_stage *stage);
 /** One world again; the first goes on by itself. */
 SKV_API void skv_stage_end_compare(skv_stage *stage);
 /** How many worlds there are: 1 or 2. */
@@ -193,9 +209,11 @@ typedef struct skv_picture {
     const char *name;  /**< "dam-break"; of a file that is no scene, its own; "" before */
     const char *title; /**< "Dam break" */
     const char *description;
-    const skv_scene *scene;   /**< null if what is open is no scene */
-    uint32_t opened;          /**< changes when something else was opened */
-    int substeps;             /**< a frame */
+    const skv_scene *scene;      /**< null if what is open is no scene */
+    uint32_t opened;             /**< changes when something else was opened */
+    const char *view, *overlays; /**< how what was opened is to be shown, as skv_stage_set_look;
+                                    names that the renderer need not know; "" if it does not say */
+    int substeps;                /**< a frame */
     skv_world_def parameters; /**< of the world at this moment, for skv_world_def_get; the standard
                                  ones before the first open. Its pointers are null */
 
@@ -206,6 +224,8 @@ typedef struct skv_picture {
     bool can_undo, can_redo;
     int64_t undo_to, redo_to; /**< moments to which these lead; -1: nowhere */
     bool following;           /**< plays what a replay says, until somebody takes over */
+    bool watching;            /**< and people only watch (skv_stage_take_over) */
+    unsigned withheld;        /**< things that they did meanwhile, which were not done */
     bool as_recorded;         /**< a replay was played to its end, and every hash was the same */
     bool mismatch;            /**< it went another way than when it was recorded */
     double speed;             /**< as set */

@@ -17,6 +17,12 @@ static uint64_t checksum(const uint8_t *bytes, size_t size)
     return skv_hash_bytes(hash, bytes + HEAD, size - HEAD);
 }
 
+unsigned skv_envelope_version(const uint8_t *bytes, size_t size)
+{
+    skv_reader reader = {.bytes = bytes, .size = size, .at = sizeof magic};
+    return size < HEAD ? 0 : (unsigned)skv_get(&reader, 4);
+}
+
 void skv_envelope_put(skv_writer *w, const skv_envelope *kind, unsigned flags)
 {
     for (int i = 0; i < (int)sizeof magic; i++)
@@ -50,7 +56,7 @@ skv_result skv_envelope_open(skv_reader *r, const skv_envelope *kind, unsigned *
     unsigned version = (unsigned)skv_get(r, 4);
     *flags = (unsigned)skv_get(r, 4);
     uint64_t size = skv_get(r, 8), sum = skv_get(r, 8);
-    if (!r->failed && version != kind->version)
+    if (!r->failed && (version > kind->version || version < kind->oldest))
         return skv_fail(error, SKV_ERROR_FORMAT,
                         "%s: its version is %u, this library reads %u; use the library that wrote "
                         "it",

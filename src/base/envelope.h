@@ -11,7 +11,8 @@ typedef struct skv_envelope {
     const char *name; /* in messages: "snapshot" */
     char letter;      /* in the magic bytes, which tells kinds apart */
     unsigned version;
-    unsigned flags; /* all that this version has */
+    unsigned oldest; /* version that is read, too */
+    unsigned flags;  /* all that this version has */
 } skv_envelope;
 
 /* Writes the head; the seal belongs to it. */
@@ -21,6 +22,8 @@ void skv_envelope_seal(uint8_t *bytes, size_t size);
 
 /* Whether bytes begin as those of a kind do. */
 bool skv_envelope_is(const skv_envelope *kind, const uint8_t *bytes, size_t size);
+/* The version that they say, 0 if they are too short to say one. */
+unsigned skv_envelope_version(const uint8_t *bytes, size_t size);
 /* Reads the head of bytes that do, and sees that they are whole and as they were sealed. */
 skv_result skv_envelope_open(skv_reader *reader, const skv_envelope *kind, unsigned *flags,
                              skv_error *error);

@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/fields.h"
 #include "session/placing.h"
+#include "session/showing.h"
 
 #define COUNT(table) ((int)(sizeof(table) / sizeof *(table)))
 #define AT(table, i) ((i) >= 0 && (i) < COUNT(table) ? &(table)[i] : NULL)
@@ -323,6 +324,7 @@ void skv_control_compare(skv_stage *stage, const skv_choice *choice)
         options.particles = (int)fmax(count * choice->particles, 1);
     }
     skv_stage_compare(stage, &options);
+    skv_stage_want_choice(stage, choice->name);
 }
 
 static const char *const alike[][2] = {

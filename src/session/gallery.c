@@ -37,6 +37,7 @@ static void clear(skv_canvas *canvas)
 {
     memset(&canvas->picture, 0, sizeof canvas->picture);
     canvas->picture.name = canvas->picture.title = canvas->picture.description = "";
+    canvas->picture.view = canvas->picture.overlays = "";
     canvas->picture.speed = canvas->picture.pace = 1;
     canvas->picture.parameters = skv_default_world_def();
     skv_terrain_destroy(canvas->terrain);
@@ -138,6 +139,8 @@ static void paint_opened(skv_canvas *canvas, skv_opened *opened)
     picture->opened = opened->number;
     picture->scene = opened->scene;
     picture->name = picture->title = opened->name;
+    picture->view = opened->view;
+    picture->overlays = opened->overlays;
     if (opened->scene) {
         picture->name = skv_scene_name(opened->scene);
         picture->title = skv_scene_title(opened->scene);

@@ -25,3 +25,34 @@ void skv_mailbox_drop(skv_mailbox *box)
     unsigned taken = atomic_load_explicit(&box->taken, memory_order_relaxed);
     atomic_store(&box->taken, taken + 1);
 }
+
+bool skv_message_has_request(const skv_message *message)
+{
+    return message->kind == SKV_MESSAGE_OPEN || message->kind == SKV_MESSAGE_SAVE ||
+           message->kind == SKV_MESSAGE_EDIT || message->kind == SKV_MESSAGE_SHOW ||
+           message->kind == SKV_MESSAGE_BESIDE;
+}
+
+bool skv_message_outlives(const skv_message *message)
+{
+    switch (message->kind) {
+    case SKV_MESSAGE_OPEN:
+    case SKV_MESSAGE_SAVE: /* after what is to be opened: none was asked for before */
+    case SKV_MESSAGE_SHARE:
+    case SKV_MESSAGE_SHOW:
+    case SKV_MESSAGE_BESIDE:
+    case SKV_MESSAGE_LOOK:
+    case SKV_MESSAGE_SPEED:
+    case SKV_MESSAGE_LED:
+    case SKV_MESSAGE_PLAY:
+    case SKV_MESSAGE_GRAVITY:
+    case SKV_MESSAGE_TOOL:
+    case SKV_MESSAGE_BRUSH:
+    case SKV_MESSAGE_DYE:
+    case SKV_MESSAGE_POINTER:
+    case SKV_MESSAGE_CANCEL:
+        return true;
+    default:
+        return false;
+    }
+}

@@ -8,18 +8,21 @@
 #include "skvalp/stage.h"
 
 typedef enum skv_message_kind {
-    SKV_MESSAGE_OPEN,  /* request */
-    SKV_MESSAGE_SAVE,  /* request */
-    SKV_MESSAGE_EDIT,  /* request: a command */
-    SKV_MESSAGE_SHARE, /* number: for a second world */
-    SKV_MESSAGE_LOOK,  /* at what has changed */
+    SKV_MESSAGE_OPEN,   /* request */
+    SKV_MESSAGE_SAVE,   /* request */
+    SKV_MESSAGE_EDIT,   /* request: a command */
+    SKV_MESSAGE_SHARE,  /* number: a skv_share */
+    SKV_MESSAGE_SHOW,   /* request: a skv_showing, what the face knows of it */
+    SKV_MESSAGE_BESIDE, /* request: a replay of the second world, for what is saved next */
+    SKV_MESSAGE_LOOK,   /* at what has changed */
     SKV_MESSAGE_STEP,
     SKV_MESSAGE_SPEED, /* x */
     SKV_MESSAGE_SEEK,  /* frame */
     SKV_MESSAGE_UNDO,
     SKV_MESSAGE_REDO,
     SKV_MESSAGE_GO_BACK, /* frame */
-    SKV_MESSAGE_REPLAY,  /* number: only what was shared */
+    SKV_MESSAGE_REPLAY,  /* number: a skv_replay */
+    SKV_MESSAGE_TAKE_OVER,
     SKV_MESSAGE_LED,     /* number */
     SKV_MESSAGE_TIMED,   /* number */
     SKV_MESSAGE_PLAY,    /* play */
@@ -35,6 +38,21 @@ typedef enum skv_message_kind {
     SKV_MESSAGE_PROBE_WATCH, /* probe: number and watched */
     SKV_MESSAGE_PROBE_REMOVE /* probe: number */
 } skv_message_kind;
+
+/* For what a world's start and log are handed out. */
+typedef enum skv_share {
+    SKV_SHARE_LINK,
+    SKV_SHARE_OFFER,       /* a second world opens it */
+    SKV_SHARE_BESIDE,      /* it is the second one's, for the first's link */
+    SKV_SHARE_BESIDE_WHOLE /* for the first's file: to the end of the log */
+} skv_share;
+
+/* What is played again from the start. */
+typedef enum skv_replay {
+    SKV_REPLAY_OWN,     /* all, and people watch */
+    SKV_REPLAY_OFFERED, /* up to where it was offered; people act */
+    SKV_REPLAY_OPENED   /* what was just opened, and people watch */
+} skv_replay;
 
 /* What does not fit into a message; one block of memory that goes to the reader. */
 typedef struct skv_request {
@@ -69,6 +87,11 @@ typedef struct skv_message {
         } probe;
     };
 } skv_message;
+
+/* Whether its request is to be freed by who has read it. */
+bool skv_message_has_request(const skv_message *message);
+/* Whether it is not only for the world that is there now, which is going to be replaced. */
+bool skv_message_outlives(const skv_message *message);
 
 enum {
     SKV_MAILBOX_SIZE = 512,

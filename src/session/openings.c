@@ -62,7 +62,7 @@ static bool write_replay(const char *bytes, size_t size, void *user)
     return true;
 }
 
-static skv_result save(const skv_worker *worker, const char *path, skv_error *error)
+static skv_result save(skv_worker *worker, const char *path, skv_error *error)
 {
     if (!worker->player)
         return skv_fail(error, SKV_ERROR_VALUE, "nothing is open");
@@ -71,7 +71,9 @@ static skv_result save(const skv_worker *worker, const char *path, skv_error *er
     if (!is_format(ending(path), "skvr"))
         return skv_fail(error, SKV_ERROR_VALUE, "name it .skv, for the state, or .skvr, a replay");
     target to = {.path = path, .error = error};
-    skv_result result = skv_player_save(worker->player, write_replay, &to, error);
+    skv_result result = skv_worker_tell_shown(worker, false, error);
+    if (result == SKV_OK)
+        result = skv_player_save(worker->player, write_replay, &to, error);
     return result == SKV_OK ? to.result : result;
 }
 
@@ -93,16 +95,43 @@ static bool keep_shared(const char *bytes, size_t size, void *place)
     return true;
 }
 
-void skv_worker_share(skv_worker *worker, bool offered)
+static skv_result share_as(skv_worker *worker, skv_share share, void *place, skv_error *error)
+{
+    if (!worker->player)
+        return skv_fail(error, SKV_ERROR_VALUE, "nothing is open");
+    skv_result result = skv_worker_tell_shown(worker, share != SKV_SHARE_LINK, error);
+    if (result == SKV_OK && share == SKV_SHARE_BESIDE_WHOLE)
+        result = skv_player_share_whole(worker->player, keep_shared, place, error);
+    else if (result == SKV_OK)
+        result = skv_player_share(worker->player, keep_shared, place, error);
+    if (result == SKV_OK && share == SKV_SHARE_OFFER)
+        worker->player->shared = worker->player->now;
+    return result;
+}
+
+/* Who waits for a part of a link looks where it is to lie, and finds there why it could not be
+ * made.
+ */
+static void keep_failure(void *place, const skv_error *error)
+{
+    skv_shared *failed = skv_calloc(sizeof *failed, 1);
+    if (failed) {
+        failed->result = error->code;
+        failed->error = *error;
+    }
+    skv_free(atomic_exchange((_Atomic(skv_shared *) *)place, failed));
+}
+
+void skv_worker_share(skv_worker *worker, skv_share share)
 {
     skv_error error = {0};
-    if (!worker->player)
-        skv_fail(&error, SKV_ERROR_VALUE, "nothing is open");
-    else if (skv_player_share(worker->player, keep_shared, &worker->shared[offered], &error) ==
-                 SKV_OK &&
-             offered)
-        worker->player->shared = worker->player->now;
-    skv_worker_report(worker, offered ? SKV_OUTCOME_COMPARE : SKV_OUTCOME_SHARE, &error);
+    int kept = share < SKV_SHARE_BESIDE ? (int)share : SKV_SHARE_BESIDE;
+    skv_result result = share_as(worker, share, &worker->shared[kept], &error);
+    if (share < SKV_SHARE_BESIDE)
+        skv_worker_report(
+            worker, share == SKV_SHARE_OFFER ? SKV_OUTCOME_COMPARE : SKV_OUTCOME_SHARE, &error);
+    else if (result != SKV_OK)
+        keep_failure(&worker->shared[kept], &error);
 }
 
 /* ---- Opening --------------------------------------------------------------------------------- */
@@ -186,6 +215,7 @@ static void take_over(skv_worker *worker, skv_player *player, const skv_player_d
     worker->following = skv_player_end(player) > 0;
     if (!worker->following) /* what stands in a log without a frame */
         skv_player_seek(player, 0, NULL);
+    worker->watching = worker->following;
     worker->followed = false;
     worker->again = def->changed != NULL;
     worker->halted = false;
@@ -194,6 +224,7 @@ static void take_over(skv_worker *worker, skv_player *player, const skv_player_d
     double speed = worker->pace.speed;
     worker->pace = skv_pace_start();
     worker->pace.speed = speed;
+    skv_worker_show(worker, def->changed != NULL);
 }
 
 void skv_worker_open(skv_worker *worker, const skv_request *request)

@@ -116,6 +116,7 @@ void skv_player_destroy(skv_player *player)
     skv_terrain_destroy(player->terrain);
     skv_scene_destroy(player->scene);
     skv_free(player->recipe);
+    skv_free(player->second);
     skv_free(player);
 }
 

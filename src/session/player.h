@@ -4,6 +4,7 @@
 #define SKV_SESSION_PLAYER_H
 
 #include "session/history.h"
+#include "session/showing.h"
 
 /* What was cut off, and from where. */
 typedef struct skv_branch {
@@ -24,7 +25,10 @@ struct skv_player {
     uint8_t *recipe;      /* of its scene; null: none */
     size_t recipe_size;
     bool saved_start; /* it was read, and not made from the scene */
-    bool adrift;      /* the world is at no moment: one has to be taken up */
+    skv_showing showing;
+    uint8_t *second; /* a replay of the world beside it, to be kept with its own; null: none */
+    size_t second_size;
+    bool adrift; /* the world is at no moment: one has to be taken up */
     skv_log log;
     skv_history keys; /* the first one at the start */
     skv_position now;
@@ -62,6 +66,15 @@ int64_t skv_player_undo_frame(const skv_player *player);
 int64_t skv_player_redo_frame(const skv_player *player);
 /* Finds the marks of the log from `at` on. */
 skv_result skv_player_find_marks(skv_player *player, size_t at, skv_error *error);
+
+/* replay.c: what is kept with its replays from now on: how it is shown, and a replay of a second
+ * world, of size 0 without one. Nothing changes on failure. */
+skv_result skv_player_show(skv_player *player, const skv_showing *showing, const uint8_t *second,
+                           size_t size, skv_error *error);
+
+/* As skv_player_share, up to the log's end. */
+skv_result skv_player_share_whole(const skv_player *player, skv_write *write, void *user,
+                                  skv_error *error);
 
 /* player.c: whether nothing was stepped since the balance was changed, or at all: pressures are
  * those of what was there before. */

@@ -136,3 +136,14 @@ void skv_probes_paint(const skv_probes *probes, skv_canvas *canvas)
             samples = paint_history(probes->lab, instrument, probe, samples);
     }
 }
+
+void skv_probes_note(const skv_probes *probes, skv_showing *showing)
+{
+    showing->probe_count = 0;
+    for (int i = 0; i < probes->count; i++) {
+        const skv_instrument_def *def = skv_lab_def(probes->lab, probes->list[i].instrument);
+        if (def->kind != SKV_INSTRUMENT_STOPWATCH)
+            showing->probes[showing->probe_count++] = (skv_shown_probe){
+                def->kind, def->x0, def->y0, def->x1, def->y1, probes->list[i].watched};
+    }
+}

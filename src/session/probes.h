@@ -25,6 +25,9 @@ skv_result skv_probes_sample(skv_probes *probes, const skv_world *world, const f
 /* Does what a message of theirs says. */
 skv_result skv_probes_handle(skv_probes *probes, const skv_message *message, skv_error *error);
 
+/* How they are shown: all but those that read another one. */
+void skv_probes_note(const skv_probes *probes, skv_showing *showing);
+
 /* Paints them. */
 void skv_probes_paint(const skv_probes *probes, skv_canvas *canvas);
 

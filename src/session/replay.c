@@ -15,9 +15,13 @@
 #include "skvalp/snapshot.h"
 #include "world/crowding.h"
 
+#include <limits.h>
 #include <string.h>
 
-static const skv_envelope kind = {"replay", 'R', 2, 0};
+/* Version 2 has nothing to say but the world and its log; so what says no more is still written. */
+enum { OLDEST = 2, NEWEST = 3 };
+static const skv_envelope kind = {"replay", 'R', NEWEST, OLDEST, 0};
+static const skv_envelope old_kind = {"replay", 'R', OLDEST, OLDEST, 0};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -39,15 +43,27 @@ static void put_part(skv_writer *w, const uint8_t *bytes, size_t size)
     w->used += size;
 }
 
+static void put_showing(skv_writer *w, const skv_player *player)
+{
+    skv_writer counter = {NULL, 0};
+    skv_showing_put(&counter, &player->showing);
+    skv_put(w, counter.used, 8);
+    skv_showing_put(w, &player->showing);
+    put_part(w, player->second, player->second_size);
+}
+
 static size_t put_all(const parts *p, uint8_t *bytes)
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
-    skv_envelope_put(w, &kind, 0);
+    bool plain = skv_showing_is_plain(&p->player->showing) && p->player->second_size == 0;
+    skv_envelope_put(w, plain ? &old_kind : &kind, 0);
     skv_put_text(w, skv_version());
     skv_put(w, (uint64_t)p->end, 4);
     put_part(w, p->player->recipe, p->player->recipe_size);
     put_part(w, p->start, p->start_size);
     put_part(w, p->log, p->log_size);
+    if (!plain)
+        put_showing(w, p->player);
     if (bytes)
         skv_envelope_seal(bytes, writer.used);
     return writer.used;
@@ -152,10 +168,9 @@ static bool makes_start(const skv_player *player)
     return same;
 }
 
-skv_result skv_player_share(const skv_player *player, skv_write *write, void *user,
-                            skv_error *error)
+static skv_result share_until(const skv_player *player, skv_position until, skv_write *write,
+                              void *user, skv_error *error)
 {
-    SKV_ASSERT_OR(player && write && !player->seeking, SKV_ERROR_VALUE);
     if (!player->recipe)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "it began with a state, or with too large a picture, which no link can "
@@ -163,7 +178,20 @@ skv_result skv_player_share(const skv_player *player, skv_write *write, void *us
     if (player->saved_start && !makes_start(player))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "this version of skvalp makes another start of its scene; share the file");
-    return write_replay(player, player->now, true, write, user, error);
+    return write_replay(player, until, true, write, user, error);
+}
+
+skv_result skv_player_share(const skv_player *player, skv_write *write, void *user,
+                            skv_error *error)
+{
+    SKV_ASSERT_OR(player && write && !player->seeking, SKV_ERROR_VALUE);
+    return share_until(player, player->now, write, user, error);
+}
+
+skv_result skv_player_share_whole(const skv_player *player, skv_write *write, void *user,
+                                  skv_error *error)
+{
+    return share_until(player, (skv_position){player->end, player->log.size}, write, user, error);
 }
 
 /* ---- Reading --------------------------------------------------------------------------------- */
@@ -241,9 +269,24 @@ static skv_result take_log(skv_player *player, const uint8_t *log, size_t size, 
 /* What a file consists of, where it lies in it. */
 typedef struct contents {
     int64_t end;
-    const uint8_t *recipe, *start, *log;
-    size_t recipe_size, start_size, log_size;
+    const uint8_t *recipe, *start, *log, *second;
+    size_t recipe_size, start_size, log_size, second_size;
+    skv_showing showing;
 } contents;
+
+/* A second world's replay has none beside it. */
+static bool find_showing(skv_reader *r, contents *c)
+{
+    size_t size = 0;
+    const uint8_t *bytes = get_part(r, &size);
+    skv_reader showing = {.bytes = bytes, .size = size};
+    if (!bytes || !skv_showing_get(&showing, &c->showing) || showing.at != size)
+        return false;
+    c->second = get_part(r, &c->second_size);
+    return c->second &&
+           (c->second_size == 0 || (skv_envelope_is(&kind, c->second, c->second_size) &&
+                                    skv_envelope_version(c->second, c->second_size) == OLDEST));
+}
 
 static skv_result find_contents(skv_reader *r, contents *c, skv_error *error)
 {
@@ -258,7 +301,9 @@ static skv_result find_contents(skv_reader *r, contents *c, skv_error *error)
     c->recipe = get_part(r, &c->recipe_size);
     c->start = c->recipe ? get_part(r, &c->start_size) : NULL;
     c->log = c->start ? get_part(r, &c->log_size) : NULL;
-    return c->log && r->at == r->size
+    bool whole =
+        c->log && (skv_envelope_version(r->bytes, r->size) == OLDEST || find_showing(r, c));
+    return whole && r->at == r->size
                ? SKV_OK
                : skv_fail(error, SKV_ERROR_FORMAT, "replay: it is damaged; take another copy");
 }
@@ -268,17 +313,40 @@ static skv_result fail_start(skv_result result, const skv_error *cause, skv_erro
     return skv_fail(error, result, "replay: its start: %s", cause->text);
 }
 
+skv_result skv_player_show(skv_player *player, const skv_showing *showing, const uint8_t *second,
+                           size_t size, skv_error *error)
+{
+    uint8_t *copy = size ? skv_calloc(size, 1) : NULL;
+    if (size && !copy)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a second world");
+    if (size)
+        memcpy(copy, second, size);
+    skv_free(player->second);
+    player->showing = *showing;
+    player->second = copy;
+    player->second_size = size;
+    return SKV_OK;
+}
+
+static skv_result ask_second(const contents *c, skv_demands *demands, skv_error *error);
+
 static skv_result read_replay(skv_reader *r, const skv_player_def *def, skv_player **player,
                               skv_error *error)
 {
     contents c;
+    skv_demands unused = {0};
     skv_error cause;
     skv_result result = find_contents(r, &c, error);
+    if (result == SKV_OK) /* what is damaged there is said before anything is opened */
+        result = ask_second(&c, &unused, error);
     if (result != SKV_OK)
         return result;
     result = begin_replay(c.recipe, c.recipe_size, c.start, c.start_size, def, player, &cause);
     if (result != SKV_OK)
         return fail_start(result, &cause, error);
+    result = skv_player_show(*player, &c.showing, c.second, c.second_size, error);
+    if (result != SKV_OK)
+        return result;
     return take_log(*player, c.log, c.log_size, c.end, !def->changed, error);
 }
 
@@ -335,20 +403,46 @@ static skv_result ask_log(const contents *c, skv_demands *demands, skv_error *er
     return result;
 }
 
+/* Of one world. */
+static skv_result ask_one(const contents *c, skv_demands *demands, skv_error *error)
+{
+    skv_error cause;
+    skv_result result = SKV_OK;
+    demands->frames = c->end;
+    if (c->start_size)
+        result = skv_snapshot_ask(c->start, c->start_size, &demands->particles, &demands->crowding,
+                                  &cause);
+    else
+        result = ask_recipe(c, demands, &cause);
+    return result == SKV_OK ? ask_log(c, demands, error) : fail_start(result, &cause, error);
+}
+
+static skv_result ask_second(const contents *c, skv_demands *demands, skv_error *error)
+{
+    contents second;
+    skv_reader reader = {.bytes = c->second, .size = c->second_size};
+    if (c->second_size == 0)
+        return SKV_OK;
+    skv_result result = find_contents(&reader, &second, error);
+    return result == SKV_OK ? ask_one(&second, demands, error) : result;
+}
+
+/* Both worlds are there at once. */
 static skv_result ask_replay(skv_reader *r, skv_demands *demands, skv_error *error)
 {
     contents c;
-    skv_error cause;
+    skv_demands more = {0};
     skv_result result = find_contents(r, &c, error);
-    if (result != SKV_OK)
-        return result;
-    demands->frames = c.end;
-    if (c.start_size)
-        result = skv_snapshot_ask(c.start, c.start_size, &demands->particles, &demands->crowding,
-                                  &cause);
-    else
-        result = ask_recipe(&c, demands, &cause);
-    return result == SKV_OK ? ask_log(&c, demands, error) : fail_start(result, &cause, error);
+    if (result == SKV_OK)
+        result = ask_one(&c, demands, error);
+    if (result == SKV_OK)
+        result = ask_second(&c, &more, error);
+    demands->frames = more.frames > demands->frames ? more.frames : demands->frames;
+    demands->at_once = more.at_once > demands->at_once ? more.at_once : demands->at_once;
+    demands->crowding = more.crowding > demands->crowding ? more.crowding : demands->crowding;
+    int room = INT_MAX - demands->particles;
+    demands->particles += more.particles < room ? more.particles : room;
+    return result;
 }
 
 skv_result skv_player_ask(const void *data, size_t size, skv_demands *demands, skv_error *error)

@@ -56,6 +56,8 @@ static void paint_time(const skv_worker *worker, skv_picture *picture)
     picture->undo_to = skv_player_undo_frame(player);
     picture->redo_to = skv_player_redo_frame(player);
     picture->following = worker->following;
+    picture->watching = worker->watching;
+    picture->withheld = worker->withheld;
     picture->mismatch = skv_player_mismatch(player) >= 0;
     picture->as_recorded = worker->followed && !picture->seeking && !picture->mismatch;
     picture->substeps = skv_world_substeps_per_frame(skv_player_world(player));

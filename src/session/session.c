@@ -211,22 +211,43 @@ void skv_session_save(skv_session *session, const char *path)
     post_request(session, SKV_MESSAGE_SAVE, SKV_OUTCOME_SAVE, &request);
 }
 
-bool skv_session_share(skv_session *session, bool offer)
+bool skv_session_share(skv_session *session, skv_share share)
 {
     SKV_ASSERT_OR(session, false);
-    return skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SHARE, .number = offer});
+    return skv_session_post(session, &(skv_message){.kind = SKV_MESSAGE_SHARE, .number = share});
 }
 
 /* Taken out meanwhile, so that the worker cannot free it; there may be newer bytes by then. */
-bool skv_session_read_shared(skv_session *session, bool offer, skv_write *write, void *user)
+bool skv_session_read_shared(skv_session *session, skv_share share, skv_write *write, void *user)
 {
     SKV_ASSERT_OR(session && write, false);
-    _Atomic(skv_shared *) *place = &session->worker.shared[offer];
+    _Atomic(skv_shared *) *place = &session->worker.shared[share];
     skv_shared *shared = atomic_exchange(place, NULL), *newer = NULL;
     bool written = shared && write(shared->bytes, shared->size, user);
     if (shared && !atomic_compare_exchange_strong(place, &newer, shared))
         skv_free(shared);
     return written;
+}
+
+static bool post_bytes(skv_session *session, skv_message_kind kind, const void *bytes, size_t size)
+{
+    skv_message message = {.kind = kind};
+    skv_request request = {.name = "", .data = bytes, .size = size};
+    message.request = skv_request_copy(&request);
+    bool posted = message.request && skv_session_post(session, &message);
+    if (!posted)
+        skv_free(message.request);
+    return posted;
+}
+
+bool skv_session_show(skv_session *session, const skv_showing *showing)
+{
+    return post_bytes(session, SKV_MESSAGE_SHOW, showing, sizeof *showing);
+}
+
+bool skv_session_set_beside(skv_session *session, const void *bytes, size_t size)
+{
+    return post_bytes(session, SKV_MESSAGE_BESIDE, bytes, size);
 }
 
 bool skv_session_next_outcome(skv_session *session, skv_outcome *report)

@@ -42,9 +42,14 @@ void skv_session_save(skv_session *session, const char *path);
 void skv_session_edit(skv_session *session, const skv_command *command);
 void skv_session_set(skv_session *session, const char *path, const char *text);
 
-/* What a link holds; and the same for a second world, which is reported as SKV_OUTCOME_COMPARE. */
-bool skv_session_share(skv_session *session, bool offer);
-bool skv_session_read_shared(skv_session *session, bool offer, skv_write *write, void *user);
+/* What a link holds, reported as SKV_OUTCOME_SHARE; the same for a second world, reported as
+ * SKV_OUTCOME_COMPARE; and a part of the first's link, of which nothing is reported. */
+bool skv_session_share(skv_session *session, skv_share share);
+bool skv_session_read_shared(skv_session *session, skv_share share, skv_write *write, void *user);
+/* For the first: how it is shown; and a replay of the second, to be kept with what is saved or
+ * shared next. False if memory or room is out. */
+bool skv_session_show(skv_session *session, const skv_showing *showing);
+bool skv_session_set_beside(skv_session *session, const void *bytes, size_t size);
 
 void skv_session_advance(skv_session *session, double seconds, double drawing);
 bool skv_session_is_active(const skv_session *session);

@@ -44,6 +44,8 @@ static void drop_next(skv_stage *stage)
 {
     skv_session_destroy(stage->next);
     stage->next = NULL;
+    skv_free(stage->companion);
+    stage->companion = NULL;
 }
 
 static void end_second(skv_stage *stage)
@@ -56,12 +58,15 @@ static void end_second(skv_stage *stage)
     stage->fingers[1] = (skv_fingers){0};
     skv_session_release(stage->worlds[1], stage->shown[1]);
     skv_session_destroy(stage->worlds[1]);
+    stage->asked = false;
+    skv_stage_keep_on(stage);
 }
 
 void skv_stage_destroy(skv_stage *stage)
 {
     if (!stage)
         return;
+    skv_stage_drop_errands(stage);
     skv_stage_end_compare(stage);
     skv_session_release(stage->worlds[0], stage->shown[0]);
     skv_session_destroy(stage->worlds[0]);
@@ -71,10 +76,15 @@ void skv_stage_destroy(skv_stage *stage)
 void skv_stage_wait(skv_stage *stage)
 {
     SKV_ASSERT(stage);
-    for (int i = 0; i < stage->count; i++)
-        skv_session_wait(stage->worlds[i]);
-    if (stage->next)
-        skv_session_wait(stage->next);
+    const skv_errand *left;
+    do {
+        left = stage->errands;
+        for (int i = 0; i < stage->count; i++)
+            skv_session_wait(stage->worlds[i]);
+        if (stage->next)
+            skv_session_wait(stage->next);
+        skv_stage_keep_on(stage);
+    } while (left && (stage->asked || stage->errands != left));
 }
 
 /* ---- Opening and saving ---------------------------------------------------------------------- */
@@ -98,22 +108,17 @@ void skv_stage_replay(skv_stage *stage)
     skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_REPLAY});
 }
 
-void skv_stage_save(skv_stage *stage, const char *path)
+void skv_stage_take_over(skv_stage *stage)
 {
     SKV_ASSERT(stage);
-    skv_session_save(stage->worlds[0], path);
+    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_TAKE_OVER});
 }
 
-void skv_stage_share(skv_stage *stage)
+void skv_stage_skip(skv_stage *stage)
 {
     SKV_ASSERT(stage);
-    skv_session_share(stage->worlds[0], false);
-}
-
-bool skv_stage_read_shared(skv_stage *stage, skv_write *write, void *user)
-{
-    SKV_ASSERT_OR(stage, false);
-    return skv_session_read_shared(stage->worlds[0], false, write, user);
+    if (stage->shown[0]->watching)
+        skv_stage_seek(stage, stage->shown[0]->end);
 }
 
 /* ---- Two worlds ------------------------------------------------------------------------------ */
@@ -126,7 +131,8 @@ void skv_stage_compare(skv_stage *stage, const skv_scene_options *options)
     skv_request request = {.name = "a second world", .options = *options};
     skv_free(stage->wanted);
     stage->wanted = skv_request_copy(&request);
-    if (stage->wanted && skv_session_share(stage->worlds[0], true))
+    skv_stage_want_choice(stage, "");
+    if (stage->wanted && skv_session_share(stage->worlds[0], SKV_SHARE_OFFER))
         stage->offers++;
     else
         skv_session_fail(stage->worlds[0], SKV_OUTCOME_COMPARE, SKV_ERROR_MEMORY, "out of memory",
@@ -162,7 +168,7 @@ static bool take_offer(skv_stage *stage, skv_outcome *report)
     if (last && report->error.code == SKV_OK) {
         drop_next(stage);
         if (skv_session_create(&stage->def, &stage->next, &report->error) == SKV_OK)
-            skv_session_read_shared(stage->worlds[0], true, open_next, stage);
+            skv_session_read_shared(stage->worlds[0], SKV_SHARE_OFFER, open_next, stage);
     }
     return last && report->error.code != SKV_OK;
 }
@@ -171,7 +177,9 @@ static bool take_offer(skv_stage *stage, skv_outcome *report)
 static void join(skv_stage *stage)
 {
     skv_session *second = stage->next;
+    skv_companion *shown = stage->companion;
     stage->next = NULL;
+    stage->companion = NULL;
     end_second(stage);
     stage->worlds[1] = second;
     stage->shown[1] = skv_session_acquire(second);
@@ -181,9 +189,12 @@ static void join(skv_stage *stage)
     skv_stage_set_brush(stage, stage->brush);
     skv_stage_set_speed(stage, stage->speed);
     skv_session_post(second, &(skv_message){.kind = SKV_MESSAGE_TIMED, .number = stage->timed});
-    skv_stage_join(stage);
-    skv_stage_set_paused(stage, false);
+    skv_stage_join(stage, shown ? SKV_REPLAY_OPENED : SKV_REPLAY_OFFERED);
+    skv_stage_set_paused(stage, shown && shown->still);
     skv_stage_follow(stage, 0);
+    stage->apart = shown ? shown->apart : stage->apart;
+    skv_stage_set_choice(stage, shown ? shown->choice : stage->choice);
+    skv_free(shown);
 }
 
 /* Of what there is, and what comes of it. */
@@ -201,8 +212,10 @@ static bool take_report(skv_stage *stage, skv_outcome *report)
 bool skv_stage_next_outcome(skv_stage *stage, skv_outcome *report)
 {
     SKV_ASSERT_OR(stage && report, false);
+    skv_stage_keep_on(stage);
     if (take_report(stage, report))
         return true;
+    skv_stage_open_companion(stage);
     if (!stage->next || !skv_session_next_outcome(stage->next, report))
         return false;
     report->kind = SKV_OUTCOME_COMPARE;

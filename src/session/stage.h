@@ -6,6 +6,13 @@
 #include "session/session.h"
 #include "skvalp/fingers.h"
 
+/* What waits for a replay of the second world. */
+typedef struct skv_errand {
+    struct skv_errand *next;
+    bool shares; /* else it saves */
+    char path[];
+} skv_errand;
+
 struct skv_stage {
     skv_stage_def def;
     skv_session *worlds[2]; /* `count` of them */
@@ -26,10 +33,17 @@ struct skv_stage {
         double px, py;
     } hover;
 
+    skv_showing look;    /* how it is shown, but for what the first world knows itself */
+    skv_errand *errands; /* of two worlds, in order */
+    bool asked;          /* the second was, for the first of them */
+
     /* On the way to a second world. */
-    int offers;          /* that were asked of the first, and not reported yet */
+    int offers;                  /* that were asked of the first, and not reported yet */
+    char choice[SKV_SHOWN_NAME]; /* by which it is wanted; or "" */
     skv_request *wanted; /* options for what the last one holds; null: none is wanted any more */
     skv_session *next;   /* in which that is opened; null: none */
+    skv_companion
+        *companion; /* it was shown beside what was opened, and is this; null: it was not */
 
     /* Two worlds in step. */
     skv_pace pace;
@@ -49,11 +63,22 @@ static inline void skv_stage_ask(skv_stage *stage, const skv_message *message)
         skv_session_post(stage->worlds[i], message);
 }
 
+/* keeping.c: goes on with what is to be saved or shared of two worlds; of the first alone, once the
+ * second is gone. */
+void skv_stage_keep_on(skv_stage *stage);
+void skv_stage_drop_errands(skv_stage *stage);
+/* Takes the second world of what was opened, if there is one, and opens it. */
+void skv_stage_open_companion(skv_stage *stage);
+/* By which choice the second world was made; "" by none. */
+void skv_stage_set_choice(skv_stage *stage, const char *choice);
+
 /* acting.c: shows the same part of the other side's world. */
 void skv_stage_follow(skv_stage *stage, int side);
 
 /* time.c: two worlds go on together from now on; the first goes on alone. */
-void skv_stage_join(skv_stage *stage);
+void skv_stage_join(skv_stage *stage, skv_replay replay);
+/* Whether both have done what was asked of them, and are at one moment. */
+bool skv_stage_is_level(const skv_stage *stage);
 void skv_stage_part(skv_stage *stage);
 
 #endif

@@ -22,7 +22,7 @@ static look look_at(skv_session *world)
     return seen;
 }
 
-void skv_stage_join(skv_stage *stage)
+void skv_stage_join(skv_stage *stage, skv_replay replay)
 {
     stage->pace = skv_pace_start();
     stage->introduced = false;
@@ -30,7 +30,7 @@ void skv_stage_join(skv_stage *stage)
     for (int i = 0; i < 2; i++)
         skv_session_cancel_pointers(stage->worlds[i]);
     skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_LED, .number = true});
-    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_REPLAY, .number = true});
+    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_REPLAY, .number = replay});
 }
 
 void skv_stage_part(skv_stage *stage)
@@ -50,6 +50,12 @@ static bool have_settled(const skv_stage *stage, look seen[2])
             return false;
     }
     return true;
+}
+
+bool skv_stage_is_level(const skv_stage *stage)
+{
+    look seen[2];
+    return have_settled(stage, seen) && seen[0].moment == seen[1].moment;
 }
 
 /* Adds an instrument of the first to the second, unless that was done for both. */
@@ -132,7 +138,7 @@ static void advance_both(skv_stage *stage, double seconds, double drawing)
     for (int i = 0; i < 2; i++) {
         skv_session_advance(stage->worlds[i], seconds, drawing);
         look seen = look_at(stage->worlds[i]);
-        busy = busy || seen.seeking || skv_session_owed(stage->worlds[i]) > 1;
+        busy = busy || stage->errands || seen.seeking || skv_session_owed(stage->worlds[i]) > 1;
         rest = rest && seen.at_rest && !stage->timed;
     }
     if (paused || rest || !together)
@@ -145,12 +151,11 @@ static void advance_both(skv_stage *stage, double seconds, double drawing)
 
 static bool are_active(const skv_stage *stage)
 {
-    look seen[2];
-    bool active = !stage->introduced;
+    bool active = !stage->introduced || stage->errands;
     for (int i = 0; i < 2; i++)
         active = active || skv_session_is_active(stage->worlds[i]) ||
                  skv_session_owed(stage->worlds[i]) > 0;
-    return active || !have_settled(stage, seen) || seen[0].moment != seen[1].moment;
+    return active || !skv_stage_is_level(stage);
 }
 
 /* The one that has no such edit goes along, so that redo finds both ways cut at the same moments.

@@ -41,7 +41,7 @@ static bool give(skv_worker *worker, const skv_command *command, bool edits, skv
                               : skv_player_apply(worker->player, command, error);
     if (result != SKV_OK)
         return false;
-    worker->following = false;
+    worker->following = worker->watching = false;
     worker->changed = worker->unread = true;
     if (skv_command_changes_balance(command->kind))
         unbalance(worker);
@@ -113,6 +113,13 @@ static void change_probes(skv_worker *worker, const skv_message *message)
         skv_worker_report(worker, SKV_OUTCOME_EDIT, &error);
 }
 
+/* What people do while they watch is not done: one touch would cut off what is still to come. */
+static bool withhold(skv_worker *worker)
+{
+    worker->withheld += worker->watching;
+    return worker->watching;
+}
+
 /* What is no edit: it can be gone back behind, but not undone. */
 static void act(skv_worker *worker, const skv_command *command)
 {
@@ -177,6 +184,21 @@ static void give_hands(skv_worker *worker, const skv_hand *hands, int count)
 
 /* ---- Moments --------------------------------------------------------------------------------- */
 
+/* At the end of what is followed, the hash there given, too. */
+static void end_following(skv_worker *worker)
+{
+    worker->following = worker->watching = false;
+    worker->followed = !worker->again;
+    if (worker->stops)
+        atomic_store(&worker->paused, true);
+    worker->stops = false;
+}
+
+static bool is_at_end(const skv_worker *worker)
+{
+    return skv_player_frame(worker->player) >= skv_player_end(worker->player);
+}
+
 /* After a move in time: hands and gravity are those of the moment. */
 static void arrive(skv_worker *worker, skv_result result, const skv_error *error)
 {
@@ -190,22 +212,36 @@ static void arrive(skv_worker *worker, skv_result result, const skv_error *error
     worker->unbalanced = skv_player_unbalanced(worker->player);
     worker->forecast.known = false;
     skv_pace_rest(&worker->pace);
+    if (worker->following && !skv_player_seeking(worker->player) && is_at_end(worker))
+        end_following(worker);
 }
 
-static skv_result play_again(skv_worker *worker, bool shared, skv_error *error)
+static skv_result play_again(skv_worker *worker, skv_replay replay, skv_error *error)
 {
-    skv_result result = shared ? skv_player_cut_to_shared(worker->player, error) : SKV_OK;
+    skv_result result =
+        replay == SKV_REPLAY_OFFERED ? skv_player_cut_to_shared(worker->player, error) : SKV_OK;
     if (result == SKV_OK)
         result = skv_player_seek(worker->player, 0, error);
-    worker->following = worker->again = result == SKV_OK && skv_player_end(worker->player) > 0;
+    worker->following = result == SKV_OK && skv_player_end(worker->player) > 0;
+    worker->watching = worker->following && replay != SKV_REPLAY_OFFERED;
+    worker->again = worker->following && replay != SKV_REPLAY_OPENED;
+    worker->stops = worker->stops && replay == SKV_REPLAY_OPENED;
+    if (worker->watching)
+        skv_tools_cancel(&worker->tools);
     return result;
+}
+
+/* Whether a message leads elsewhere along the log, and cuts nothing off it. */
+static bool only_looks(const skv_message *message)
+{
+    return message->kind == SKV_MESSAGE_SEEK || message->kind == SKV_MESSAGE_REPLAY;
 }
 
 static void travel(skv_worker *worker, const skv_message *message)
 {
     skv_error error;
     skv_result result = SKV_OK;
-    if (!worker->player)
+    if (!worker->player || (!only_looks(message) && withhold(worker)))
         return;
     if (message->kind == SKV_MESSAGE_SEEK)
         result = skv_player_seek(worker->player, message->frame, &error);
@@ -216,7 +252,7 @@ static void travel(skv_worker *worker, const skv_message *message)
     else if (message->kind == SKV_MESSAGE_GO_BACK)
         result = skv_player_go_back(worker->player, message->frame, &error);
     else
-        result = play_again(worker, message->number != 0, &error);
+        result = play_again(worker, (skv_replay)message->number, &error);
     arrive(worker, result, &error);
 }
 
@@ -242,6 +278,15 @@ static bool step_frame(skv_worker *worker)
     return true;
 }
 
+/* What stands in the log after its last frame, the hash there, is given on the way. */
+static void reach_end(skv_worker *worker)
+{
+    skv_error error;
+    end_following(worker);
+    if (skv_player_seek(worker->player, skv_player_end(worker->player), &error) != SKV_OK)
+        fail_step(worker, &error);
+}
+
 /* One of the session's own: what tools hold first, and no way back to what came after. False if no
  * other may follow at once. */
 static bool play_frame(skv_worker *worker, const skv_slice *slice)
@@ -257,13 +302,9 @@ static bool play_frame(skv_worker *worker, const skv_slice *slice)
     give_hands(worker, hands, skv_tools_frame(&worker->tools, slice, hands));
     if (!step_frame(worker))
         return false;
-    if (!worker->following || skv_player_frame(worker->player) < skv_player_end(worker->player))
+    if (!worker->following || !is_at_end(worker))
         return true;
-    /* What stands in the log after its last frame, the hash there, is given on the way. */
-    worker->following = false;
-    worker->followed = !worker->again;
-    if (skv_player_seek(worker->player, skv_player_end(worker->player), &error) != SKV_OK)
-        fail_step(worker, &error);
+    reach_end(worker);
     return false;
 }
 
@@ -283,10 +324,10 @@ static void step_once(skv_worker *worker)
 {
     if (!worker->player)
         return;
-    if (skv_player_frame(worker->player) < skv_player_end(worker->player))
-        step_frame(worker);
-    else
+    if (is_at_end(worker))
         play(worker, 1, 1);
+    else if (step_frame(worker) && worker->following && is_at_end(worker))
+        reach_end(worker);
 }
 
 /* Frames that another's time grants. */
@@ -338,11 +379,19 @@ static void handle(skv_worker *worker, const skv_message *message)
         atomic_fetch_sub(&worker->savings, 1);
         break;
     case SKV_MESSAGE_EDIT:
-        do_edit(worker, message->request->data);
+        if (!withhold(worker))
+            do_edit(worker, message->request->data);
         break;
     case SKV_MESSAGE_SHARE:
-        skv_worker_share(worker, message->number != 0);
+        skv_worker_share(worker, (skv_share)message->number);
         atomic_fetch_sub(&worker->savings, 1);
+        break;
+    case SKV_MESSAGE_SHOW:
+        memcpy(&worker->look, message->request->data, sizeof worker->look);
+        break;
+    case SKV_MESSAGE_BESIDE:
+        skv_free(worker->beside);
+        worker->beside = skv_request_copy(message->request);
         break;
     case SKV_MESSAGE_LOOK:
         break;
@@ -368,14 +417,20 @@ static void handle(skv_worker *worker, const skv_message *message)
     case SKV_MESSAGE_PLAY:
         play_granted(worker, message->play.frames, message->play.factor);
         break;
-    case SKV_MESSAGE_GRAVITY:
+    case SKV_MESSAGE_TAKE_OVER:
+        worker->following = worker->watching = worker->stops = false;
+        break;
+    case SKV_MESSAGE_GRAVITY: /* a device that is held says it all the time: no word of that */
+        if (worker->watching)
+            break;
         worker->tilt_x = message->x;
         worker->tilt_y = message->y;
         worker->tilt_pending = worker->player != NULL;
         break;
     case SKV_MESSAGE_PUSH:
-        act(worker, &(skv_command){.kind = SKV_COMMAND_PUSH,
-                                   .vector = {(float)message->x, (float)message->y}});
+        if (!worker->watching)
+            act(worker, &(skv_command){.kind = SKV_COMMAND_PUSH,
+                                       .vector = {(float)message->x, (float)message->y}});
         break;
     case SKV_MESSAGE_TOOL:
         worker->tools.tool = message->number;
@@ -387,7 +442,8 @@ static void handle(skv_worker *worker, const skv_message *message)
         worker->tools.dye = message->number;
         break;
     case SKV_MESSAGE_POINTER:
-        skv_tools_event(&worker->tools, &message->pointer);
+        if (message->pointer.phase != SKV_PHASE_DOWN || !withhold(worker))
+            skv_tools_event(&worker->tools, &message->pointer);
         break;
     case SKV_MESSAGE_CANCEL:
         skv_tools_cancel(&worker->tools);
@@ -399,15 +455,9 @@ static void handle(skv_worker *worker, const skv_message *message)
     worker->changed = true;
 }
 
-static bool has_request(const skv_message *message)
-{
-    return message->kind == SKV_MESSAGE_OPEN || message->kind == SKV_MESSAGE_SAVE ||
-           message->kind == SKV_MESSAGE_EDIT;
-}
-
 static void drop(skv_worker *worker, const skv_message *message)
 {
-    if (has_request(message))
+    if (skv_message_has_request(message))
         skv_free(message->request);
     skv_mailbox_drop(&worker->mailbox);
 }
@@ -419,35 +469,12 @@ static bool has_to_wait(const skv_worker *worker, const skv_message *message)
            message->kind != SKV_MESSAGE_SEEK && message->kind != SKV_MESSAGE_OPEN;
 }
 
-/* Whether it is for a world that is at no moment, and is going to be replaced. */
-static bool is_moot(const skv_worker *worker, const skv_message *message)
-{
-    switch (message->kind) {
-    case SKV_MESSAGE_OPEN:
-    case SKV_MESSAGE_SAVE: /* after what is to be opened: none was asked for before */
-    case SKV_MESSAGE_SHARE:
-    case SKV_MESSAGE_LOOK:
-    case SKV_MESSAGE_SPEED:
-    case SKV_MESSAGE_LED:
-    case SKV_MESSAGE_PLAY:
-    case SKV_MESSAGE_GRAVITY:
-    case SKV_MESSAGE_TOOL:
-    case SKV_MESSAGE_BRUSH:
-    case SKV_MESSAGE_DYE:
-    case SKV_MESSAGE_POINTER:
-    case SKV_MESSAGE_CANCEL:
-        return false;
-    default:
-        return worker->halted;
-    }
-}
-
 static void handle_messages(skv_worker *worker)
 {
     const skv_message *message;
     while ((message = skv_mailbox_next(&worker->mailbox)) && !atomic_load(&worker->quit) &&
            !has_to_wait(worker, message)) {
-        if (!is_moot(worker, message))
+        if (!worker->halted || skv_message_outlives(message))
             handle(worker, message);
         drop(worker, message);
     }
@@ -568,8 +595,10 @@ void skv_worker_close(skv_worker *worker)
         drop(worker, message);
     skv_player_destroy(worker->player);
     skv_opened_leave(worker->opened);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < SKV_SHARES; i++)
         skv_free(atomic_load(&worker->shared[i]));
+    skv_free(atomic_load(&worker->companion));
+    skv_free(worker->beside);
     skv_probes_destroy(&worker->probes);
     skv_forecast_free(&worker->forecast);
     skv_gallery_destroy(&worker->gallery);

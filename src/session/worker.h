@@ -12,13 +12,25 @@
 #include "session/probes.h"
 #include "session/tools.h"
 
-enum { SKV_REPORTS = 16 };
+/* Reports that wait; what is handed out, each at a place of its own. */
+enum { SKV_REPORTS = 16, SKV_SHARES = 3 };
 
-/* What a link holds. */
+/* What a link holds, or a part of one. */
 typedef struct skv_shared {
+    skv_result result; /* not SKV_OK: without bytes, and why */
+    skv_error error;
     size_t size;
     char bytes[];
 } skv_shared;
+
+/* A world that was shown beside what was opened. */
+typedef struct skv_companion {
+    char choice[SKV_SHOWN_NAME];
+    bool apart;
+    bool still; /* nothing plays at first */
+    size_t size;
+    uint8_t bytes[]; /* its replay */
+} skv_companion;
 
 typedef struct skv_worker {
     skv_mailbox mailbox; /* between the threads */
@@ -35,8 +47,10 @@ typedef struct skv_worker {
     atomic_int openings;  /* asked for and not begun */
     atomic_int savings;   /* of files and links, asked for and not done */
     skv_threads *threads; /* where both wait for the counters above */
-    /* For a link, for a second world. Who takes one out owns it; null: none, or taken out. */
-    _Atomic(skv_shared *) shared[2];
+    /* For a link, for a second world, for the first's link. Who takes one out owns it; null: none,
+     * or taken out. */
+    _Atomic(skv_shared *) shared[SKV_SHARES];
+    _Atomic(skv_companion *) companion;
     skv_outcome reports[SKV_REPORTS];
     atomic_uint reported, reports_taken;
 
@@ -50,17 +64,22 @@ typedef struct skv_worker {
     skv_hand hands[SKV_MAX_HANDS];
     int hand_count;
     bool tilt_pending;
-    bool following;   /* plays what a replay says, until somebody takes over */
-    bool followed;    /* to the end */
-    bool again;       /* it was played here before: nobody recorded it */
-    bool halted;      /* a step was stopped for what is to be opened: the world is at no moment */
-    bool timed;       /* time passes though the fluid rests */
-    bool led;         /* frames are granted (led.h) */
-    bool hands_known; /* the world's are these */
-    bool begins;      /* an edit, with the next command that the world takes */
-    bool refused;     /* an edit was, since the last picture: said once */
-    bool dry;         /* taps stand at the limit of emitters, and it was told */
-    uint64_t wary;    /* hash of the last that was not opened because it asks for much; 0: none */
+    bool following;    /* plays what a replay says, until somebody takes over */
+    bool watching;     /* nobody has taken over: what people do is not done */
+    unsigned withheld; /* of that */
+    bool stops;        /* time stands still at the end of what is followed */
+    bool followed;     /* to the end */
+    bool again;        /* it was played here before: nobody recorded it */
+    bool halted;       /* a step was stopped for what is to be opened: the world is at no moment */
+    skv_showing look;  /* what the face says of it */
+    skv_request *beside; /* a replay of the second world, for what is saved next; null: none */
+    bool timed;          /* time passes though the fluid rests */
+    bool led;            /* frames are granted (led.h) */
+    bool hands_known;    /* the world's are these */
+    bool begins;         /* an edit, with the next command that the world takes */
+    bool refused;        /* an edit was, since the last picture: said once */
+    bool dry;            /* taps stand at the limit of emitters, and it was told */
+    uint64_t wary; /* hash of the last that was not opened because it asks for much; 0: none */
     skv_forecast forecast;
     bool unbalanced; /* no substep was taken since the balance was changed, and none foreseen */
     bool unread;     /* instruments, since they or the world were changed */
@@ -87,7 +106,12 @@ void skv_worker_pump(skv_worker *worker);
  * themselves. */
 void skv_worker_open(skv_worker *worker, const skv_request *request);
 void skv_worker_save(skv_worker *worker, const skv_request *request);
-void skv_worker_share(skv_worker *worker, bool offered);
+void skv_worker_share(skv_worker *worker, skv_share share);
+
+/* shown.c: tells the player how it is shown, before it is saved or shared; shows what was opened as
+ * that says. */
+skv_result skv_worker_tell_shown(skv_worker *worker, bool plain, skv_error *error);
+void skv_worker_show(skv_worker *worker, bool changed);
 
 /* scenery.c: tells the face, with the next picture. */
 void skv_worker_report(skv_worker *worker, skv_outcome_kind kind, const skv_error *error);

@@ -17,7 +17,7 @@
 enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2, WITH_LOAD = 4, WITH_WARM = 8, WITH_NAMES = 16 };
 
 static const skv_envelope kind = {
-    "snapshot", 'V', 1, WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM | WITH_NAMES};
+    "snapshot", 'V', 1, 1, WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM | WITH_NAMES};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 

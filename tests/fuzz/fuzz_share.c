@@ -1,12 +1,13 @@
 /* What a link holds, taken apart layer by layer; the first byte says where to begin: any text as a
- * link, any bytes as what a link has deflated, as a packed log, as a scene's recipe; and any bytes
- * go into a link and come out of it the same. */
+ * link, any bytes as what a link has deflated, as a packed log, as a scene's recipe, as how it is
+ * shown; and any bytes go into a link and come out of it the same. */
 #include "fuzz.h"
 
 #include "base/memory.h"
 #include "link/letters.h"
 #include "scene/recipe.h"
 #include "session/packed_log.h"
+#include "session/showing.h"
 #include "support/kept.h"
 
 #include <skvalp/link.h>
@@ -91,10 +92,37 @@ static void try_recipe(const uint8_t *data, size_t size)
     skv_free(settings);
 }
 
+static size_t write_showing(const skv_showing *showing, uint8_t **bytes)
+{
+    skv_writer counter = {NULL, 0};
+    skv_showing_put(&counter, showing);
+    *bytes = calloc(counter.used, 1);
+    skv_writer writer = {*bytes, 0};
+    skv_showing_put(&writer, showing);
+    return writer.used;
+}
+
+static void try_showing(const uint8_t *data, size_t size)
+{
+    skv_showing showing, again;
+    skv_reader reader = {.bytes = data, .size = size};
+    if (!skv_showing_get(&reader, &showing))
+        return;
+    uint8_t *first, *second;
+    size_t written = write_showing(&showing, &first);
+    skv_reader back = {.bytes = first, .size = written};
+    fuzz_expect(skv_showing_get(&back, &again) && back.at == written,
+                "what is shown is read again");
+    fuzz_expect(write_showing(&again, &second) == written && memcmp(first, second, written) == 0,
+                "what is shown stays the same");
+    free(first);
+    free(second);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static void (*const tries[])(const uint8_t *, size_t) = {try_text, try_deflated, try_round,
-                                                             try_log, try_recipe};
+                                                             try_log,  try_recipe,   try_showing};
     if (size == 0)
         return 0;
     /* An exact fit, so that a sanitizer sees a read beyond its end. */
