@@ -180,6 +180,10 @@ static void on_compared(PlayView *view, const char *error, compare *c)
         play_window_complain(c->window, error);
         return;
     }
+    const skv_choice *choice = skv_choice_named(skv_stage_choice(play_view_stage(view)));
+    c->choice = choice ? choice : skv_choice_at(0); /* a link may say another one, or none */
+    g_simple_action_set_state(action_of(c, "compare-linked"),
+                              g_variant_new_boolean(skv_stage_linked(play_view_stage(view))));
     end(c);
     c->other = g_object_new(PLAY_TYPE_VIEW, NULL);
     play_view_begin(c->other, view);

@@ -95,12 +95,34 @@ static void on_paste(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant
                                   g_object_ref(window));
 }
 
-/* Looking at what was recorded. */
+/* Watching what was recorded, and taking it over. */
 
 typedef struct watch {
     PlayWindow *window;
     bool said;
+    unsigned withheld; /* that was told of */
 } watch;
+
+static void on_take_over(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                         gpointer window)
+{
+    skv_stage_take_over(stage_of(window));
+    skv_stage_set_paused(stage_of(window), false);
+}
+
+static void on_skip(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
+                    gpointer window)
+{
+    skv_stage_skip(stage_of(window));
+}
+
+static void show_watching(watch *w, const skv_picture *picture)
+{
+    play_window_set_watching(w->window, picture->watching);
+    if (picture->withheld > w->withheld)
+        play_window_toast(w->window, _("This is a replay: take it over to play with the water"));
+    w->withheld = picture->withheld;
+}
 
 static void on_opened(G_GNUC_UNUSED PlayView *view, watch *w)
 {
@@ -110,6 +132,7 @@ static void on_opened(G_GNUC_UNUSED PlayView *view, watch *w)
 /* The window says it if not. */
 static void on_changed(PlayView *view, watch *w)
 {
+    show_watching(w, play_view_picture(view));
     if (w->said || !play_view_picture(view)->as_recorded)
         return;
     w->said = true;
@@ -121,6 +144,8 @@ void play_share_add(PlayWindow *window)
     static const GActionEntry entries[] = {
         {.name = "share", .activate = on_share},
         {.name = "paste", .activate = on_paste},
+        {.name = "take-over", .activate = on_take_over},
+        {.name = "skip", .activate = on_skip},
     };
     g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
     PlayView *view = play_window_view(window);

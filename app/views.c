@@ -16,6 +16,25 @@ static const char *name_of(skv_view view)
     return "";
 }
 
+static char *names_of(unsigned overlays)
+{
+    GString *names = g_string_new(NULL);
+    const skv_style_choice *overlay;
+    for (int i = 0; (overlay = skv_style_choice_at(SKV_STYLE_OVERLAY, i)); i++)
+        if (overlays & (unsigned)overlay->value)
+            g_string_append_printf(names, "%s%s", names->len ? "," : "", overlay->name);
+    return g_string_free(names, FALSE);
+}
+
+/* What is shared says how it was seen. */
+static void tell_look(PlayView *view)
+{
+    const skv_render_style *style = play_view_style(view);
+    char *overlays = names_of(style->overlays);
+    skv_stage_set_look(play_view_stage(view), name_of(style->view), overlays);
+    g_free(overlays);
+}
+
 static void set_view(PlayView *view, const char *name)
 {
     skv_render_style style = *play_view_style(view);
@@ -23,6 +42,7 @@ static void set_view(PlayView *view, const char *name)
         return;
     style.range = 0;
     play_view_set_style(view, &style);
+    tell_look(view);
     play_settings_set_text("view", name);
 }
 
@@ -46,17 +66,6 @@ static void on_next_view(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVar
         g_variant_new_string((next ? next : skv_style_choice_at(SKV_STYLE_VIEW, 0))->name));
 }
 
-static void remember_overlays(unsigned overlays)
-{
-    GString *names = g_string_new(NULL);
-    const skv_style_choice *overlay;
-    for (int i = 0; (overlay = skv_style_choice_at(SKV_STYLE_OVERLAY, i)); i++)
-        if (overlays & (unsigned)overlay->value)
-            g_string_append_printf(names, "%s%s", names->len ? "," : "", overlay->name);
-    play_settings_set_text("overlays", names->len ? names->str : "none");
-    g_string_free(names, TRUE);
-}
-
 static void on_overlay(GSimpleAction *action, GVariant *state, gpointer data)
 {
     PlayView *view = data;
@@ -67,7 +76,10 @@ static void on_overlay(GSimpleAction *action, GVariant *state, gpointer data)
     else
         style.overlays &= ~(unsigned)overlay->value;
     play_view_set_style(view, &style);
-    remember_overlays(style.overlays);
+    tell_look(view);
+    char *names = names_of(style.overlays);
+    play_settings_set_text("overlays", *names ? names : "none");
+    g_free(names);
     g_simple_action_set_state(action, state);
 }
 
@@ -82,6 +94,26 @@ static char *action_of(const skv_style_choice *overlay)
     return g_strdup_printf("overlay-%s", overlay->name);
 }
 
+static void set_state(GActionMap *window, const char *name, GVariant *state)
+{
+    g_simple_action_set_state(G_SIMPLE_ACTION(g_action_map_lookup_action(window, name)), state);
+}
+
+/* The menu shows what the style says. */
+static void show_states(GActionMap *window, PlayView *view)
+{
+    const skv_render_style *style = play_view_style(view);
+    const skv_style_choice *overlay;
+    set_state(window, "view", g_variant_new_string(name_of(style->view)));
+    for (int i = 0; (overlay = skv_style_choice_at(SKV_STYLE_OVERLAY, i)); i++) {
+        char *name = action_of(overlay);
+        if (!is_ours(overlay))
+            set_state(window, name,
+                      g_variant_new_boolean(style->overlays & (unsigned)overlay->value));
+        g_free(name);
+    }
+}
+
 static void add_overlays(GActionMap *window, PlayView *view)
 {
     const skv_style_choice *overlay;
@@ -89,15 +121,31 @@ static void add_overlays(GActionMap *window, PlayView *view)
         if (is_ours(overlay))
             continue;
         char *name = action_of(overlay);
-        bool shown = play_view_style(view)->overlays & (unsigned)overlay->value;
         GSimpleAction *action =
-            g_simple_action_new_stateful(name, NULL, g_variant_new_boolean(shown));
+            g_simple_action_new_stateful(name, NULL, g_variant_new_boolean(FALSE));
         g_object_set_data(G_OBJECT(action), "overlay", (gpointer)overlay);
         g_signal_connect(action, "change-state", G_CALLBACK(on_overlay), view);
         g_action_map_add_action(window, G_ACTION(action));
         g_object_unref(action);
         g_free(name);
     }
+}
+
+/* As whoever shared it saw it, for this time: what people prefer is still kept. */
+static void on_opened(PlayView *view, GActionMap *window)
+{
+    const skv_picture *picture = play_view_picture(view);
+    skv_render_style style = *play_view_style(view);
+    if (!*picture->view ||
+        skv_render_style_set(&style, SKV_STYLE_VIEW, picture->view, NULL) != SKV_OK)
+        return;
+    const char *overlays = *picture->overlays ? picture->overlays : "none";
+    skv_render_style_set(&style, SKV_STYLE_OVERLAY, overlays, NULL);
+    style.overlays &= ~(unsigned)SKV_OVERLAY_LEGEND;
+    style.range = 0;
+    play_view_set_style(view, &style);
+    tell_look(view);
+    show_states(window, view);
 }
 
 void play_views_add(GActionMap *window, PlayView *view)
@@ -119,9 +167,10 @@ void play_views_add(GActionMap *window, PlayView *view)
 
     g_object_set_data(G_OBJECT(view), "views", window);
     g_action_map_add_action_entries(window, entries, G_N_ELEMENTS(entries), view);
-    g_simple_action_set_state(G_SIMPLE_ACTION(g_action_map_lookup_action(window, "view")),
-                              g_variant_new_string(name_of(style.view)));
     add_overlays(window, view);
+    show_states(window, view);
+    tell_look(view);
+    g_signal_connect(view, "opened", G_CALLBACK(on_opened), window);
 }
 
 GMenuModel *play_views_menu(void)

@@ -25,7 +25,8 @@ struct _PlayWindow {
     AdwApplicationWindow parent;
     GtkWidget *header, *open, *views, *menu;
     AdwButtonContent *scenes_label;
-    GtkWidget *message_text, *stage, *worlds, *rail, *middle, *leave, *tray, *recording, *progress;
+    GtkWidget *message_text, *stage, *worlds, *rail, *middle, *leave, *tray, *recording, *progress,
+        *watching;
     AdwFlap *flap;
     GtkStack *pages;
     GtkBox *properties, *tools;
@@ -119,6 +120,11 @@ void play_window_add_toast(PlayWindow *window, AdwToast *toast)
     adw_toast_overlay_add_toast(window->toasts, toast);
 }
 
+void play_window_set_watching(PlayWindow *window, gboolean watching)
+{
+    gtk_widget_set_visible(window->watching, watching);
+}
+
 void play_window_set_progress(PlayWindow *window, double share)
 {
     gtk_widget_set_visible(window->recording, share >= 0);
@@ -195,7 +201,7 @@ static void on_opened(PlayWindow *window)
 {
     const skv_picture *picture = play_view_picture(window->view);
     const char *title = play_word(picture->title);
-    skv_stage_set_paused(play_view_stage(window->view), false);
+    skv_stage_set_paused(play_view_stage(window->view), picture->still);
     adw_window_title_set_subtitle(window->title, title);
     gtk_widget_set_tooltip_text(GTK_WIDGET(window->title), play_word(picture->description));
     char *name = g_strdup_printf("%s – Skvalp", title);
@@ -426,6 +432,7 @@ static void play_window_class_init(PlayWindowClass *class)
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, tray);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, recording);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, progress);
+    gtk_widget_class_bind_template_child(widget_class, PlayWindow, watching);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, flap);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, pages);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, properties);

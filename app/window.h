@@ -55,6 +55,8 @@ void play_window_hide_description(PlayWindow *window);
 void play_window_toast(PlayWindow *window, const char *text);
 void play_window_add_toast(PlayWindow *window, AdwToast *toast); /* takes it over */
 
+/* Shows that a replay plays, and what can be done then. */
+void play_window_set_watching(PlayWindow *window, gboolean watching);
 /* How far a video is, 0..1; negative: none is made. */
 void play_window_set_progress(PlayWindow *window, double share);
 

@@ -217,6 +217,8 @@ typedef struct skv_picture {
     skv_world_def parameters; /**< of the world at this moment, for skv_world_def_get; the standard
                                  ones before the first open. Its pointers are null */
 
+    bool still; /**< what was opened was shared as it stood still, and plays nothing */
+
     int64_t moment, end; /**< frames since the start, at present and at the log's end */
     bool paused;
     bool seeking; /**< on its way to a moment */

@@ -279,6 +279,10 @@ static void ask_probe(skv_stage *stage, skv_message_kind kind, uint32_t id, bool
 uint32_t skv_stage_add_probe(skv_stage *stage, const skv_instrument_def *def)
 {
     SKV_ASSERT_OR(stage && def, 0);
+    const skv_picture *picture = stage->shown[0];
+    for (int i = 0; i < picture->probe_count; i++) /* also those that were there when it was opened */
+        if (picture->probes[i].id > stage->next_probe)
+            stage->next_probe = picture->probes[i].id;
     ask_probe(stage, SKV_MESSAGE_PROBE_ADD, ++stage->next_probe, false, def);
     return stage->next_probe;
 }

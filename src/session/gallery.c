@@ -141,6 +141,7 @@ static void paint_opened(skv_canvas *canvas, skv_opened *opened)
     picture->name = picture->title = opened->name;
     picture->view = opened->view;
     picture->overlays = opened->overlays;
+    picture->still = opened->still;
     if (opened->scene) {
         picture->name = skv_scene_name(opened->scene);
         picture->title = skv_scene_title(opened->scene);

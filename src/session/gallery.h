@@ -14,6 +14,7 @@ typedef struct skv_opened {
     skv_scene *scene; /* or null, and a name of its own */
     char name[128];
     char view[SKV_SHOWN_NAME], overlays[SKV_SHOWN_NAMES];
+    bool still;
 } skv_opened;
 
 skv_opened *skv_opened_create(skv_scene *scene, const char *name, uint32_t number);

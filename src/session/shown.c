@@ -5,9 +5,6 @@
 #include "base/memory.h"
 #include "session/worker.h"
 
-/* Instruments of what was opened: a face counts its own from 1. */
-#define FIRST_SHOWN 0x40000000U
-
 skv_result skv_worker_tell_shown(skv_worker *worker, bool plain, skv_error *error)
 {
     skv_showing showing = {0};
@@ -60,7 +57,7 @@ static skv_companion *make_companion(const skv_worker *worker)
         return NULL;
     memcpy(companion->choice, player->showing.choice, sizeof companion->choice);
     companion->apart = player->showing.apart;
-    companion->still = player->showing.paused && !worker->following;
+    companion->still = worker->opened->still;
     companion->size = player->second_size;
     memcpy(companion->bytes, player->second, player->second_size);
     return companion;
@@ -71,11 +68,11 @@ void skv_worker_show(skv_worker *worker, bool changed)
     const skv_showing *shown = &worker->player->showing;
     memcpy(worker->opened->view, shown->view, sizeof shown->view);
     memcpy(worker->opened->overlays, shown->overlays, sizeof shown->overlays);
-    uint32_t first = FIRST_SHOWN + worker->opened->number * SKV_MOST_PROBES;
-    for (int i = 0; i < shown->probe_count; i++)
-        add_probe(worker, &shown->probes[i], first + (uint32_t)i);
+    for (int i = 0; i < shown->probe_count; i++) /* those of before are gone: they begin at 1 */
+        add_probe(worker, &shown->probes[i], 1 + (uint32_t)i);
     worker->stops = shown->paused && worker->following;
-    if (shown->paused && !worker->following)
+    worker->opened->still = shown->paused && !worker->following;
+    if (worker->opened->still)
         atomic_store(&worker->paused, true);
     skv_free(atomic_exchange(&worker->companion, changed ? NULL : make_companion(worker)));
 }

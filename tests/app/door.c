@@ -207,6 +207,9 @@ static void tell_stage(GString *json, PlayView *view)
     truth(json, "canUndo", now.can_undo);
     truth(json, "canRedo", now.can_redo);
     truth(json, "following", picture->following);
+    truth(json, "watching", picture->watching);
+    number(json, "withheld", picture->withheld);
+    text(json, "choice", skv_stage_choice(stage));
     truth(json, "asRecorded", picture->as_recorded);
     truth(json, "mismatch", picture->mismatch);
     number(json, "speed", picture->speed);

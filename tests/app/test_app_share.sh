@@ -12,7 +12,11 @@ command -v xclip >/dev/null || {
 start_display 800x600
 start_app pool
 
-# 1. Water is poured, and the moment copied.
+# 1. Water is poured while a probe reads and pressures are seen, and the moment copied.
+key v
+await 'style.view == "pressure"'
+key m
+await 'worlds[0].probes'
 key 3
 await 'tool == 2'
 drag 40 70 55 70
@@ -21,6 +25,8 @@ let_go
 await canUndo
 key space
 await paused
+await 'end if not active else 0'
+frames=$answer
 key ctrl+shift+c
 await 'says("The link was copied")'
 link=$(timeout 60 xclip -selection clipboard -o)
@@ -35,15 +41,35 @@ await '"no link to open" in message'
 press 'Close this message'
 await 'not message'
 
-# 3. A link pasted: it plays to its end, and says so.
+# 3. A link pasted: the view and the probe are there that were seen; a touch does nothing while it is
+# watched. Skipped to its end it says how it went, and waits, as it did when it was copied.
 printf '%s' "$link" | timeout 60 xclip -selection clipboard -i
+key minus minus
+await 'speed < 0.3'
+key v
+await 'style.view == "speed"'
 key ctrl+v
-await 'worlds[0].opened == 2 and following and not paused'
+await 'worlds[0].opened == 2 and watching and not paused and shows("Take Over")'
+await 'style.view == "pressure" and len(worlds[0].probes) == 1'
+point 40 70
+xdotool mousedown 1
+await 'withheld == 1 and says("This is a replay") and watching'
+let_go
+press 'Skip to the End'
 await 'asRecorded and worlds[0].particles > 3010 and says("it went exactly as it was recorded")'
-is 'not mismatch and not message' || fail "something is said: $answer"
+is 'not watching and paused and not mismatch and not message' || fail "something is said: $answer"
+await 'not shows("Take Over")'
+
+# 4. Opened again and taken over: what was to come is cut off, and redo brings it back.
+key ctrl+v
+await 'worlds[0].opened == 3 and watching and moment > 0'
+press 'Take Over'
+await "not watching and not paused and canRedo and end < $frames"
+key ctrl+shift+z
+await "end >= $frames and worlds[0].particles > 3010"
 quit_app
 
-# 4. As an argument, with a piece cut off: the message, and the scene that is shown otherwise.
+# 5. As an argument, with a piece cut off: the message, and the scene that is shown otherwise.
 start_app "${link:0:100}"
 await 'message and worlds[0].name == "dam-break" and moment > 0'
 quit_app

@@ -72,6 +72,7 @@ static void expect_seen(skv_stage *stage)
     expect_probe(&picture->probes[0], SKV_INSTRUMENT_RULER, 0.25);
     expect_probe(&picture->probes[1], SKV_INSTRUMENT_PRESSURE, 0.5);
     assert_int_equal(picture->probes[0].samples, 0);
+    assert_int_equal(picture->probes[0].id, 1);
     assert_true(picture->probes[1].samples > 0);
 }
 
@@ -113,6 +114,7 @@ static void share_seen(bool own_thread)
     assert_int_equal(again.size, game.size);
     assert_memory_equal(again.bytes, game.bytes, game.size);
 
+    assert_int_equal(add_probe(other, SKV_INSTRUMENT_GATE, 0.75), 3);
     kept_clear(&again);
     kept_clear(&game);
     kept_clear(&set_up);

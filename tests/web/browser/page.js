@@ -201,8 +201,12 @@ const trials = {
         await page.waitForFunction((before) => window.skvalp.state.value.moment === before + 1, moment);
     },
 
-    async 'a link opens the same game'(browser) {
-        const page = await begin(browser, small, '?scene=splash');
+    async 'a link opens the same game, as it was seen'(browser) {
+        const page = await begin(browser, small, '?scene=splash&particles=500');
+        await page.keyboard.press('v');
+        await page.keyboard.press('m');
+        await page.evaluate(() => window.skvalp.simulation.compareWith('honey'));
+        await until(page, () => window.skvalp.state.value.worlds.length === 2, 'another world');
         await until(page, () => window.skvalp.state.value.moment > 10, 'it plays');
         await page.mouse.move(200, 150);
         await page.mouse.down();
@@ -218,6 +222,41 @@ const trials = {
         const other = await browser.open(`/index.html${link.hash}`, small);
         await until(other, () => window.skvalp?.state.value?.asRecorded, 'it goes as it was sent');
         await other.getByText('exactly as it was recorded').waitFor();
+        await until(other, () => window.skvalp.state.value.worlds.length === 2, 'beside the other');
+        await until(other, () => window.skvalp.state.value.paused, 'it waits where the other did');
+        const seen = async (page) => {
+            const { worlds, style, choice, moment } = await stateOf(page);
+            const probes = worlds.map(({ probes }) => probes.map(({ kind, x0, y0 }) => [kind, x0, y0]));
+            return [style.view, probes, choice, moment, worlds.map(({ particles }) => particles)];
+        };
+        assert.deepEqual(await seen(other), await seen(page));
+        const [view, probes, choice] = await seen(other);
+        assert.deepEqual([view, probes[1].length, choice], ['pressure', 1, 'honey']);
+    },
+
+    async 'who opens a link watches until they take over'(browser) {
+        const page = await begin(browser, small, '?scene=pool&particles=500');
+        await until(page, () => window.skvalp.state.value.moment > 60, 'it plays');
+        const link = await page.evaluate(() => window.skvalp.simulation.share());
+        await page.evaluate(() => window.skvalp.simulation.setSpeed(0.1));
+        await page.evaluate((link) => (location.hash = link), link);
+        await button(page, 'Take Over').waitFor();
+        const { end } = await stateOf(page);
+        await page.mouse.move(200, 150);
+        await page.mouse.down();
+        await page.getByText('This is a replay').waitFor();
+        await page.mouse.up();
+        assert.equal((await stateOf(page)).end, end);
+        await button(page, 'Take Over').click();
+        await until(page, (end) => window.skvalp.state.value.end < end && !window.skvalp.state.value.watching,
+            'what was to come is cut off', end);
+        await button(page, 'Take Over').waitFor({ state: 'detached' });
+        await page.keyboard.press('Control+Shift+Z');
+        await until(page, (end) => window.skvalp.state.value.end >= end, 'and had again', end);
+        await page.evaluate(() => window.skvalp.simulation.replay());
+        await button(page, 'Skip to the End').click();
+        await until(page, (end) => window.skvalp.state.value.moment >= end && !window.skvalp.state.value.watching,
+            'it is over', end);
     },
 
     async 'back closes a panel, and leads from a link to what was open before'(browser) {

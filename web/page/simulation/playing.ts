@@ -201,6 +201,9 @@ export class Playing {
             canUndo: now.can_undo,
             canRedo: now.can_redo,
             following: picture.following,
+            watching: picture.watching,
+            withheld: picture.withheld,
+            choice: c.skv_stage_choice(stage)!,
             asRecorded: picture.as_recorded,
             mismatch: picture.mismatch,
             speed: picture.speed,
@@ -235,6 +238,7 @@ export class Playing {
         }
         this.style.comma = style.comma ?? this.style.comma;
         this.styleNames = { ...this.styleNames, ...style };
+        c.skv_stage_set_look(this.worlds.stage, this.styleNames.view, this.styleNames.overlays.join());
         this.worlds.stale = true;
     }
 

@@ -28,6 +28,9 @@ export interface Simulation {
     reset(): void;
     /** Back to the start, and all that was done since is played again. */
     replay(): void;
+    /** Ends watching a replay here, or goes to its end. */
+    takeOver(): void;
+    skip(): void;
     /** What is open as bytes: a state, a replay, the readings as CSV, the picture as PNG. */
     save(what: 'skv' | 'skvr' | 'csv' | 'png'): Promise<Uint8Array>;
     /** The text of a link to this moment, without its '#'; fails if it would be too long. */
@@ -178,6 +181,9 @@ export interface WorldState {
     description: string;
     /** Changes when something else was opened. */
     opened: number;
+    /** How that is to be shown; '' if it does not say. */
+    view: string;
+    overlays: string;
     /** Simulated seconds. */
     time: number;
     particles: number;
@@ -205,6 +211,11 @@ export interface State {
     canUndo: boolean;
     canRedo: boolean;
     following: boolean;
+    /** A replay plays, and people only watch; how often they did something that was not done for that. */
+    watching: boolean;
+    withheld: number;
+    /** Which of the catalogue's choices the second world is; '': none of them. */
+    choice: string;
     asRecorded: boolean;
     mismatch: boolean;
     speed: number;

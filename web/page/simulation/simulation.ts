@@ -111,6 +111,14 @@ export class Simulator implements Simulation {
         this.#ask(this.#library.c.skv_stage_replay);
     }
 
+    takeOver() {
+        this.#ask(this.#library.c.skv_stage_take_over);
+    }
+
+    skip() {
+        this.#ask(this.#library.c.skv_stage_skip);
+    }
+
     async save(what: 'skv' | 'skvr' | 'csv' | 'png') {
         const { c } = this.#library, { files, painter } = this.#surroundings;
         if (what === 'png') {

@@ -42,6 +42,8 @@ export class Reader {
             title: picture.title,
             description: picture.description,
             opened: picture.opened,
+            view: picture.view,
+            overlays: picture.overlays,
             time: frame.time,
             particles: frame.particles.count,
             substeps: picture.substeps,

@@ -4,7 +4,7 @@ import { openFile } from './actions';
 import { Header } from './Header';
 import { Messages } from './Messages';
 import { later } from './later';
-import { controls, measures, ready } from './model';
+import { controls, measures, part, ready } from './model';
 import { Panel } from './Panel';
 import { Stage } from './Stage';
 import { Tools } from './Tools';
@@ -12,6 +12,8 @@ import { Transport } from './Transport';
 import { _ } from './words';
 
 const Chips = later(() => import('./Chips'), true);
+const Watching = later(() => import('./Watching'), true);
+const watching = part((s) => s.watching, false);
 
 function onDrop(event: DragEvent): void {
     event.preventDefault();
@@ -35,6 +37,7 @@ export function App({ canvas }: { canvas: HTMLCanvasElement }) {
                 <div class="dock">
                     {measures.value && <Chips />}
                     <div class="playback">
+                        {watching.value && <Watching />}
                         <Transport />
                     </div>
                     {shown === 'all' && <Tools />}

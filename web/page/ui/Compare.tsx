@@ -1,5 +1,4 @@
 // Compare: a second world beside the first.
-import { compareWith } from './choices';
 import { catalogue, compared, part, showPanel, simulation } from './model';
 import { _, word } from './words';
 
@@ -14,7 +13,7 @@ export default function Compare() {
                         <button
                             type="button"
                             onClick={() => {
-                                compareWith(name);
+                                simulation.compareWith(name);
                                 showPanel(null);
                             }}
                         >

@@ -54,8 +54,16 @@ const requests: Record<string, (data: Record<string, unknown>) => unknown> = {
     reset: () => simulation.reset(),
     seek: ({ frame }) => simulation.seek(numberOf('frame', frame, 0, Number.MAX_SAFE_INTEGER)),
     speed: ({ speed }) => simulation.setSpeed(numberOf('speed', speed, 0.1, 2)),
-    gravity: ({ x, y }) => simulation.setGravity(numberOf('x', x), numberOf('y', y)),
-    set: ({ path, value }) => simulation.set(...parameterOf(path, value)),
+    gravity: ({ x, y }) => {
+        const wanted = [numberOf('x', x), numberOf('y', y)] as const;
+        simulation.takeOver(); // of a link that plays: whoever asks means it
+        simulation.setGravity(...wanted);
+    },
+    set: ({ path, value }) => {
+        const wanted = parameterOf(path, value);
+        simulation.takeOver();
+        simulation.set(...wanted);
+    },
     view: ({ view }) => {
         if (!showView(view))
             throw new Error(`there is no view '${String(view)}'`);

@@ -24,7 +24,15 @@ export function listenToReports(report: Report): void {
     }
 }
 
-let said = -1;
+let said = -1, shown = 0;
+
+/** What was shared is seen as it was. */
+effect(() => {
+    const { opened = 0, view, overlays = '' } = world.value ?? {};
+    if (view && shown !== opened)
+        void import('./Watching').then(({ adopt }) => adopt(view, overlays));
+    shown = opened;
+});
 
 /** Of a recorded game that was played to its end is said whether it went as it went. */
 effect(() => {
