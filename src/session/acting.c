@@ -280,7 +280,8 @@ uint32_t skv_stage_add_probe(skv_stage *stage, const skv_instrument_def *def)
 {
     SKV_ASSERT_OR(stage && def, 0);
     const skv_picture *picture = stage->shown[0];
-    for (int i = 0; i < picture->probe_count; i++) /* also those that were there when it was opened */
+    for (int i = 0; i < picture->probe_count;
+         i++) /* also those that were there when it was opened */
         if (picture->probes[i].id > stage->next_probe)
             stage->next_probe = picture->probes[i].id;
     ask_probe(stage, SKV_MESSAGE_PROBE_ADD, ++stage->next_probe, false, def);

@@ -5,6 +5,16 @@
 #include "base/memory.h"
 #include "session/worker.h"
 
+void skv_worker_hear_shown(skv_worker *worker, const skv_message *message)
+{
+    if (message->kind == SKV_MESSAGE_SHOW) {
+        memcpy(&worker->look, message->request->data, sizeof worker->look);
+        return;
+    }
+    skv_free(worker->beside);
+    worker->beside = skv_request_copy(message->request);
+}
+
 skv_result skv_worker_tell_shown(skv_worker *worker, bool plain, skv_error *error)
 {
     skv_showing showing = {0};

@@ -387,11 +387,8 @@ static void handle(skv_worker *worker, const skv_message *message)
         atomic_fetch_sub(&worker->savings, 1);
         break;
     case SKV_MESSAGE_SHOW:
-        memcpy(&worker->look, message->request->data, sizeof worker->look);
-        break;
     case SKV_MESSAGE_BESIDE:
-        skv_free(worker->beside);
-        worker->beside = skv_request_copy(message->request);
+        skv_worker_hear_shown(worker, message);
         break;
     case SKV_MESSAGE_LOOK:
         break;

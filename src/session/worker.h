@@ -108,8 +108,9 @@ void skv_worker_open(skv_worker *worker, const skv_request *request);
 void skv_worker_save(skv_worker *worker, const skv_request *request);
 void skv_worker_share(skv_worker *worker, skv_share share);
 
-/* shown.c: tells the player how it is shown, before it is saved or shared; shows what was opened as
- * that says. */
+/* shown.c: takes what the face says of how it is shown, or a second world's replay; tells the
+ * player how it is shown, before it is saved or shared; shows what was opened as that says. */
+void skv_worker_hear_shown(skv_worker *worker, const skv_message *message);
 skv_result skv_worker_tell_shown(skv_worker *worker, bool plain, skv_error *error);
 void skv_worker_show(skv_worker *worker, bool changed);
 
