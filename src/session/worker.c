@@ -231,17 +231,12 @@ static skv_result play_again(skv_worker *worker, skv_replay replay, skv_error *e
     return result;
 }
 
-/* Whether a message leads elsewhere along the log, and cuts nothing off it. */
-static bool only_looks(const skv_message *message)
-{
-    return message->kind == SKV_MESSAGE_SEEK || message->kind == SKV_MESSAGE_REPLAY;
-}
-
 static void travel(skv_worker *worker, const skv_message *message)
 {
     skv_error error;
     skv_result result = SKV_OK;
-    if (!worker->player || (!only_looks(message) && withhold(worker)))
+    bool cuts = message->kind != SKV_MESSAGE_SEEK && message->kind != SKV_MESSAGE_REPLAY;
+    if (!worker->player || (cuts && withhold(worker)))
         return;
     if (message->kind == SKV_MESSAGE_SEEK)
         result = skv_player_seek(worker->player, message->frame, &error);
