@@ -1,5 +1,5 @@
 # Writes OUTPUT, a C file that holds the scenes of SCENES (a list of JSON files separated by '|', in
-# order of presentation) as the table of builtin.h.
+# order of presentation) as the table of builtin.h, without indentation.
 #   cmake -DSCENES=a.json|b.json -DOUTPUT=builtin_table.c -P builtin.cmake
 string(REPLACE "|" ";" scenes "${SCENES}")
 set(texts "")
@@ -7,7 +7,8 @@ set(table "")
 set(number 0)
 foreach(scene IN LISTS scenes)
     file(READ "${scene}" json)
-    file(READ "${scene}" hex HEX)
+    string(REGEX REPLACE "\n +" "\n" json "${json}")
+    string(HEX "${json}" hex)
     string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
     string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "    \\1\n"
            bytes "${bytes}")

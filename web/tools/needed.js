@@ -2,14 +2,15 @@
 // whatever its sources name, for the host's side calls by name. The rest the linker leaves out.
 //   node needed.js INTERFACE OUTPUT EXPORTS SOURCE... (a module; arguments for the linker)
 //
-// Invariant: a name stands whole in a source, or, of an enumeration's values, as `SKV_BEGINNING_${`.
+// Invariant: a name stands whole in a source, or, of an enumeration's values, as `SKV_BEGINNING_${`; what
+// a line of comment names is not needed for that.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const [from, output, exports, ...sources] = process.argv.slice(2);
 const { constants, functions, records } = await import(pathToFileURL(resolve(from)).href);
-const text = sources.map((source) => readFileSync(source, 'utf8')).join('\n');
+const text = sources.map((source) => readFileSync(source, 'utf8')).join('\n').replace(/^\s*(\/\/|\/?\*).*$/gm, '');
 const words = new Set(text.match(/\w+/g));
 const beginnings = Array.from(text.matchAll(/`(SKV_\w+_)\$\{/g), ([, beginning]) => beginning);
 

@@ -3,7 +3,7 @@ import { openScene, showView } from './actions';
 import { beginAmounts } from './amounts';
 import { catalogue, complain, controls, embedded, framed, showPanel, simulation, toast } from './model';
 import { lessMotion } from './preferences';
-import { payloadOf } from './sharing';
+import { payloadOf } from './links';
 import { _, known } from './words';
 
 export function readAddress() {

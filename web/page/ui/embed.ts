@@ -5,7 +5,7 @@ import { effect } from '@preact/signals';
 import { showView } from './actions';
 import { catalogue, simulation, state } from './model';
 import { opened } from './reports';
-import { payloadOf } from './sharing';
+import { payloadOf } from './links';
 
 function isNumber(value: unknown, least: number, most: number): value is number {
     return typeof value === 'number' && value >= least && value <= most;

@@ -9,7 +9,7 @@ import {
 import { catalogue, compared, dismiss, keyboardHand, message, panel, showPanel, simulation } from './model';
 import { FRAMES, ready, togglePanel } from './model';
 import { preferences } from './preferences';
-import { openLinkText, shareLink } from './sharing';
+import { openLinkText } from './links';
 import { saveFile } from './files';
 import { toggleFullscreen } from './device';
 
@@ -37,7 +37,7 @@ export const actions: Record<string, ((argument: string) => void) | null> = {
     save: () => void saveFile('skvr'),
     screenshot: () => void saveFile('png'),
     'toggle-compare': () => (compared.value ? simulation.compare(null) : showPanel('compare')),
-    share: () => void shareLink(),
+    share: () => void import('./sharing').then(({ shareLink }) => shareLink()),
     paste: null, // the browser does it: onPaste
     dismiss: leave,
     'show-help-overlay': () => togglePanel('keys'),

@@ -58,16 +58,3 @@ export async function passOn(what: ShareData): Promise<void> {
         // Whoever closed the browser's dialog wanted nothing shared.
     }
 }
-
-/** What a link holds: after '#' of an address, or after "skvalp:". */
-export function payloadOf(text: string): string | null {
-    return /(?:#|^skvalp:)(\d+\.[\w\s-]+)$/.exec(text.trim())?.[1] ?? null;
-}
-
-export function openLinkText(text: string): void {
-    const payload = payloadOf(text);
-    if (payload)
-        simulation.openLink(payload);
-    else
-        complain(_('There is no link to open on the clipboard: copy one whole, from skvalp: or https: on.'));
-}
