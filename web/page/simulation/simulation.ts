@@ -6,7 +6,6 @@ import type { Library } from '../../src/library.js';
 import { written } from '../../src/memory.js';
 
 import { makeCatalogue } from './catalogue';
-import { csvOf, linkOf } from './files';
 import { Playing, type Surroundings } from './playing';
 import { Pointers } from './pointers';
 import type { FileFormat, PointerMessage, Settings, Side, Simulation, Style } from './protocol';
@@ -128,6 +127,7 @@ export class Simulator implements Simulation {
             return painter.png(this.#worlds.all[0], this.#playing.style);
         }
         if (what === 'csv') {
+            const { csvOf } = await import('./files');
             return csvOf(this.#library, this.#worlds);
         }
         const path = `saved.${what}`;
@@ -141,6 +141,7 @@ export class Simulator implements Simulation {
         const { c, instance } = this.#library, { stage } = this.#worlds;
         await instance.bringCodecs();
         await this.#playing.settled('share', () => c.skv_stage_share(stage));
+        const { linkOf } = await import('./files');
         return linkOf(this.#library,
             written(this.#library, (write, user) => c.skv_stage_read_shared(stage, write, user)));
     }
