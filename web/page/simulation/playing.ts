@@ -276,7 +276,7 @@ export class Playing {
             if (++this.#refusals < patience) {
                 return;
             }
-            this.#surroundings.listener.picture('refused');
+            this.#surroundings.listener.picture('lost');
             this.worlds.stale = false;
             return;
         }

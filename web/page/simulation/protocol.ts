@@ -134,8 +134,8 @@ export interface Listener {
     picture(trouble: Trouble): void;
 }
 
-/** Why there is no picture: the device is gone for a while, draws none, or refuses this one. */
-export type Trouble = null | 'lost' | 'unsupported' | 'refused';
+/** Why there is no picture: the device is gone for a while, or draws none. */
+export type Trouble = null | 'lost' | 'unsupported';
 
 export type Settings = Record<string, string>;
 

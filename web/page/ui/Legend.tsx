@@ -6,10 +6,6 @@ import { _, word } from './words';
 
 const fixed = part((s) => s.style.range > 0, false);
 
-export function isSame(a: Scale | null, b: Scale | null): boolean {
-    return a !== null && b !== null && a.label === b.label && a.low === b.low && a.high === b.high;
-}
-
 export function Legend({ scale }: { scale: Scale }) {
     const figures = [0, 0.5, 1].map((at) => (scale.low + (scale.high - scale.low) * at) / scale.size);
     const unit = scale.unit ? `, ${word(scale.unit)}` : '';

@@ -28,8 +28,6 @@ function Trouble() {
         <p class="trouble" role="alert">
             {trouble.value === 'lost'
                 ? _('The graphics processor was taken away; the picture comes back once it returns.')
-                : trouble.value === 'refused'
-                ? _('The graphics processor refuses this picture.')
                 : _('This browser has no WebGL 2, which draws the water: take a newer one, or another.')}
         </p>
     );

@@ -1,15 +1,16 @@
 // Status: what is open, over the picture's corner; and for a while what there is to see.
 import { useEffect } from 'preact/hooks';
 import { effect, signal } from '@preact/signals';
-import type { WorldState } from '../simulation/protocol';
 import { catalogue, compared, controls, measuring, part, showPanel, state } from './model';
 import { Icon } from './Icon';
-import { isSame, Legend } from './Legend';
-import { choice } from './choices';
+import { later } from './later';
+import { Legend } from './Legend';
 import { quantity } from './numbers';
 import { preferences, touch } from './preferences';
 import { wordsOfAmount } from './spoken';
 import { _, say, word } from './words';
+
+const Sides = later(() => import('./Sides'), true);
 
 const opened = part((s) => s.worlds[0].opened, 0);
 const described = signal(false);
@@ -50,30 +51,6 @@ function Measuring() {
     );
 }
 
-/** CSS pixels: how far below the picture's upper edge the status begins, and how high its first line is. */
-const ABOVE = 60;
-const LINE = 36;
-
-/** What each of two worlds is, and its legend; where both have the same, one shows. */
-function Sides({ worlds }: { worlds: WorldState[] }) {
-    return (
-        <>
-            {worlds.map(({ area, legend }, side) => (
-                <div
-                    class="side"
-                    style={{ left: `${area.x}px`, top: `${Math.max(LINE, area.y + 8 - ABOVE)}px`, width: `${area.width}px` }}
-                >
-                    <p class="pill">
-                        <span class={`letter world-${side}`}>{'AB'[side]}</span>
-                        {side === 0 ? _('As it is') : choice.value}
-                    </p>
-                    {legend && !(side === 1 && isSame(legend, worlds[0].legend)) && <Legend scale={legend} />}
-                </div>
-            ))}
-        </>
-    );
-}
-
 export function Status() {
     useEffect(() => {
         const isAny = opened.value > 0;
@@ -95,7 +72,7 @@ export function Status() {
             </p>
             <Measuring />
             {compared.value ? (
-                <Sides worlds={state.value!.worlds} />
+                <Sides />
             ) : (
                 <>
                     {world.legend && <Legend scale={world.legend} />}
