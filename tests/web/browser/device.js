@@ -350,6 +350,7 @@ const trials = {
 };
 
 await carryOut([folder], trials, [
+    'a device has one number of particles, which people choose',
     'of keys that come faster than states each counts',
     'a turned screen keeps water that is in the air',
     'who is asked for the sensor may say no',

@@ -212,6 +212,7 @@ const trials = {
 };
 
 await carryOut([folder], trials, [
+    'a page that is enlarged four times has all that others have',
     'a page in light colours is light from its first picture on',
     'an experiment says that it runs, what stands beside it waits, and its plot is in sight',
     'a set-up whose gravity is tilted says so',

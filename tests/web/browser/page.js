@@ -770,6 +770,7 @@ const trials = {
 };
 
 await carryOut([folder], trials, [
+    'numbers are read and typed as Swedish has them',
     'a browser whose language is none has plots',
     'the address says how it begins',
     'a page around it can ask for all that a player can, and nobody else',
