@@ -2,29 +2,11 @@
 import { Button, PanelButton } from './Button';
 import { embedded } from './model';
 import { canFullscreen, fullscreen, toggleFullscreen } from './device';
-import { quantity } from './numbers';
-import { recorded, toggleRecording } from './recording';
+import { later } from './later';
+import { recorded } from './recording';
 import { _ } from './words';
 
-/** That it records, and for how long by now; whoever presses it has enough. */
-function Recorded() {
-    const seconds = recorded.value;
-    if (seconds === null)
-        return null;
-    const time = quantity(seconds, 0, 's');
-    return (
-        <button
-            type="button"
-            class="button recorded"
-            aria-label={_('Stop recording')}
-            aria-description={time}
-            title={_('Stop recording')}
-            onClick={toggleRecording}
-        >
-            <span class="numeric">{time}</span>
-        </button>
-    );
-}
+const Recorded = later(() => import('./Recorded'), true);
 
 export function Header() {
     return (
@@ -38,7 +20,7 @@ export function Header() {
             >
                 <span class="label">{_('Scenes')}</span>
             </PanelButton>
-            <Recorded />
+            {recorded.value !== null && <Recorded />}
             <span class="space" />
             <PanelButton opens="measure" icon="probe" name={_('Measure')} />
             <PanelButton opens="views" icon="views" name={_('Views')} hint="V" />

@@ -4,7 +4,7 @@
 // meanwhile; encoders that are told of another size in between leave files that nobody decodes.
 import type { Signal } from '@preact/signals';
 import { download, fileName } from './files';
-import { complain, simulation, toast } from './model';
+import { complain, simulation, state, toast } from './model';
 import { _ } from './words';
 
 /** The browser's choice comes last. */
@@ -13,8 +13,10 @@ const types = ['video/mp4;codecs=avc1', 'video/webm;codecs=vp9', 'video/webm'];
 const RATE = 30, LONGEST = 1920, BITS = 8e6;
 let recorder: MediaRecorder | null = null;
 
-/** A surface like the picture now: encoders want even sizes. */
-function surfaceLike({ width, height }: HTMLCanvasElement): HTMLCanvasElement {
+/** A surface as the picture's place has it, which may have grown just now: encoders want even sizes. */
+function surfaceLike({ clientWidth, clientHeight }: HTMLCanvasElement): HTMLCanvasElement {
+    const ratio = state.value?.ratio ?? 1;
+    const [width, height] = [clientWidth * ratio, clientHeight * ratio];
     const scale = Math.min(1, LONGEST / Math.max(width, height));
     const even = (length: number) => Math.max(2, 2 * Math.round((length * scale) / 2));
     return Object.assign(document.createElement('canvas'), { width: even(width), height: even(height) });
