@@ -210,31 +210,30 @@ typedef struct skv_picture {
     const char *title; /**< "Dam break" */
     const char *description;
     const skv_scene *scene;      /**< null if what is open is no scene */
-    uint32_t opened;             /**< changes when something else was opened */
     const char *view, *overlays; /**< how what was opened is to be shown, as skv_stage_set_look;
                                     names that the renderer need not know; "" if it does not say */
+    uint32_t opened;             /**< changes when something else was opened */
     int substeps;                /**< a frame */
     skv_world_def parameters; /**< of the world at this moment, for skv_world_def_get; the standard
                                  ones before the first open. Its pointers are null */
 
-    bool still; /**< what was opened was shared as it stood still, and plays nothing */
-
-    int64_t moment, end; /**< frames since the start, at present and at the log's end */
-    bool paused;
-    bool seeking; /**< on its way to a moment */
-    bool at_rest; /**< the fluid sleeps and nobody touches it */
-    bool can_undo, can_redo;
+    int64_t moment, end;      /**< frames since the start, at present and at the log's end */
     int64_t undo_to, redo_to; /**< moments to which these lead; -1: nowhere */
-    bool following;           /**< plays what a replay says, until somebody takes over */
-    bool watching;            /**< and people only watch (skv_stage_take_over) */
-    unsigned withheld;        /**< things that they did meanwhile, which were not done */
-    bool as_recorded;         /**< a replay was played to its end, and every hash was the same */
-    bool mismatch;            /**< it went another way than when it was recorded */
-    double speed;             /**< as set */
-    double pace;    /**< simulated seconds per real second over the speed, measured: below 1 the
-                       machine cannot keep up; 1 while nothing was measured */
-    double step_ms; /**< what a frame's step takes, measured */
-    double draw_ms; /**< what drawing takes, as told */
+    bool can_undo, can_redo;
+    bool paused;
+    bool still;        /**< what was opened was shared as it stood still, and plays nothing */
+    bool seeking;      /**< on its way to a moment */
+    bool at_rest;      /**< the fluid sleeps and nobody touches it */
+    bool following;    /**< plays what a replay says, until somebody takes over */
+    bool watching;     /**< and people only watch (skv_stage_take_over) */
+    bool as_recorded;  /**< a replay was played to its end, and every hash was the same */
+    bool mismatch;     /**< it went another way than when it was recorded */
+    unsigned withheld; /**< things that people did while they watched, which were not done */
+    double speed;      /**< as set */
+    double pace;       /**< simulated seconds per real second over the speed, measured: below 1 the
+                          machine cannot keep up; 1 while nothing was measured */
+    double step_ms;    /**< what a frame's step takes, measured */
+    double draw_ms;    /**< what drawing takes, as told */
 
     double tilt_x, tilt_y; /**< gravity over the strength of the scene's own */
     int tool;

@@ -22,7 +22,8 @@ static double bounded_centre(double wanted, double world, double shown, double m
 static void place(skv_camera *camera, double centre_x, double centre_y, double zoom)
 {
     int shorter = camera->width < camera->height ? camera->width : camera->height;
-    double margin = clamp(camera->margin, 0, shorter / 8);
+    int widest = shorter / 8;
+    double margin = clamp(camera->margin, 0, widest);
     double scale_x = (camera->width - 2 * margin) / camera->world_width;
     double scale_y = (camera->height - 2 * margin) / camera->world_height;
     camera->zoom = clamp(zoom, 1, SKV_CAMERA_MAX_ZOOM);
