@@ -1,5 +1,4 @@
-/* The worker's loop: messages, then a moment that is sought, then the frames that are due, then a
- * picture.
+/* The worker's loop: messages, a moment that is sought, the frames that are due, and a picture.
  *
  * Invariants: commands reach the world through the player only, between two frames; what the face
  * asks for while a moment is sought waits until it is reached, but for another moment.
@@ -454,11 +453,16 @@ static void drop(skv_worker *worker, const skv_message *message)
     skv_mailbox_drop(&worker->mailbox);
 }
 
+static bool is_seeking(const skv_worker *worker)
+{
+    return worker->player && skv_player_seeking(worker->player);
+}
+
 /* Whether a message has to wait until the moment is reached that is sought. */
 static bool has_to_wait(const skv_worker *worker, const skv_message *message)
 {
-    return worker->player && !worker->halted && skv_player_seeking(worker->player) &&
-           message->kind != SKV_MESSAGE_SEEK && message->kind != SKV_MESSAGE_OPEN;
+    return is_seeking(worker) && !worker->halted && message->kind != SKV_MESSAGE_SEEK &&
+           message->kind != SKV_MESSAGE_OPEN;
 }
 
 static void handle_messages(skv_worker *worker)
@@ -478,7 +482,7 @@ static void handle_messages(skv_worker *worker)
 static void read_still(skv_worker *worker)
 {
     skv_error error;
-    if (!worker->player || skv_player_seeking(worker->player))
+    if (!worker->player || is_seeking(worker))
         return;
     const skv_world *world = skv_player_world(worker->player);
     if (worker->unbalanced && !atomic_load(&worker->active)) {
@@ -520,7 +524,7 @@ static void recover(skv_worker *worker)
     seek_on(worker);
 }
 
-/* A piece of work; false if there was none. */
+/* A piece of work; false if none is left: time that passes may lead to a moment that is sought. */
 static bool work(skv_worker *worker)
 {
     handle_messages(worker);
@@ -528,8 +532,7 @@ static bool work(skv_worker *worker)
         return false;
     if (worker->halted)
         recover(worker);
-    bool seeking = worker->player && skv_player_seeking(worker->player);
-    if (seeking) {
+    if (is_seeking(worker)) {
         seek_on(worker);
     } else {
         if (worker->player)
@@ -550,7 +553,7 @@ static bool work(skv_worker *worker)
         if (worker->def.wake)
             worker->def.wake(worker->def.user);
     }
-    return seeking;
+    return is_seeking(worker);
 }
 
 void skv_worker_pump(skv_worker *worker)

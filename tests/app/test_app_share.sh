@@ -22,7 +22,7 @@ await 'tool == 2'
 drag 40 70 55 70
 await 'worlds[0].particles > 3010'
 let_go
-await canUndo
+await 'canUndo and moment > 240' # long enough to be stopped on the way, slowly as it is played below
 key space
 await paused
 await 'end if not active else 0'
@@ -55,6 +55,8 @@ point 40 70
 xdotool mousedown 1
 await 'withheld == 1 and says("This is a replay") and watching'
 let_go
+key space
+await 'paused and watching'
 press 'Skip to the End'
 await 'asRecorded and worlds[0].particles > 3010 and says("it went exactly as it was recorded")'
 is 'not watching and paused and not mismatch and not message' || fail "something is said: $answer"
@@ -63,6 +65,8 @@ await 'not shows("Take Over")'
 # 4. Opened again and taken over: what was to come is cut off, and redo brings it back.
 key ctrl+v
 await 'worlds[0].opened == 3 and watching and moment > 0'
+key space
+await 'paused and watching'
 press 'Take Over'
 await "not watching and not paused and canRedo and end < $frames"
 key ctrl+shift+z
