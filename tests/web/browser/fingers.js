@@ -95,9 +95,12 @@ const trials = {
 
         await button(page, 'Size of the tool').click();
         const size = page.getByRole('slider', { name: 'Size of the tool' });
+        await size.waitFor();
         await until(page, () => document.getAnimations().length === 0, 'the sheet has risen');
         const slider = await size.boundingBox();
+        const { brush: first } = await stateOf(page);
         await drag(page, [slider.x + 12, slider.y + slider.height / 2], [0, 0]);
+        await until(page, (first) => window.skvalp.state.value.brush < first / 2, 'the size near its least', first);
         const { brush } = await stateOf(page);
         await drag(page, [slider.x + 12, slider.y + slider.height / 2], [slider.width - 24, 0]);
         await until(page, (brush) => window.skvalp.state.value.brush > 3 * brush, 'the size from its least to its largest', brush);
@@ -119,6 +122,7 @@ const trials = {
 
         // Over what does not move a finger moves nothing: it does not go back in the browser's history.
         await chooseFromMenu(page, 'About Skvalp');
+        await page.locator('.panel-about h2').waitFor();
         await until(page, () => document.getAnimations().length === 0, 'it has risen');
         const text = await page.locator('.panel-about h2').boundingBox();
         await drag(page, [28, text.y + text.height / 2], [300, 0]);
