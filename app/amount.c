@@ -52,19 +52,9 @@ static void choose(PlayWindow *window, int amount)
 static void on_bring_back(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
                           gpointer window)
 {
-    replaced *r = replaced_of(window);
-    char *bytes;
-    gsize size;
-    GError *error = NULL;
-    if (!g_file_get_contents(r->path, &bytes, &size, &error)) {
-        play_window_complain(window, error->message);
-        g_error_free(error);
-        return;
-    }
-    skv_stage_open_memory(play_view_stage(play_window_view(window)), bytes, size, "skv", r->title,
-                          NULL);
-    choose(window, r->amount);
-    g_free(bytes);
+    const replaced *r = replaced_of(window);
+    if (play_saving_open(window, r->path, r->title))
+        choose(window, r->amount);
 }
 
 /* What was done is on the disk, or stays on the screen. */
@@ -85,21 +75,28 @@ static void on_kept(PlayWindow *window, const char *path, const char *cause,
     play_saving_release(window);
 }
 
+/* In a file of its own, for other windows may be open. */
 static void keep(PlayWindow *window, const char *scene, int before)
 {
     const skv_picture *picture = play_view_picture(play_window_view(window));
-    char *folder = g_build_filename(g_get_user_state_dir(), "skvalp", NULL);
+    char *path;
+    GError *error = NULL;
+    int file = g_file_open_tmp("skvalp-XXXXXX.skv", &path, &error);
+    if (file < 0) {
+        play_window_complain(window, error->message);
+        g_error_free(error);
+        return;
+    }
+    g_close(file, NULL);
     replaced *r = g_new0(replaced, 1);
-    *r = (replaced){.path = g_build_filename(folder, "replaced.skv", NULL),
+    *r = (replaced){.path = path,
                     .scene = g_strdup(scene),
                     .title = g_strdup(*picture->title ? picture->title : picture->name),
                     .amount = before,
                     .asked = true};
-    g_mkdir_with_parents(folder, 0700);
     g_object_set_data_full(G_OBJECT(window), "replaced", r, free_replaced);
     play_saving_hold(window);
     play_saving_ask(window, r->path, on_kept, NULL);
-    g_free(folder);
 }
 
 /* Choosing. */

@@ -165,8 +165,7 @@ static void fill(GtkWidget *box)
     }
 }
 
-/* The toolkit makes a window as wide as the one below it at times only, so its size is asked here.
- */
+/* The toolkit fits a window to the one below it at times only, so its size is asked here. */
 static void on_help(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
                     gpointer parent)
 {

@@ -93,18 +93,9 @@ static void on_go_on(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant
                      gpointer window)
 {
     resume *r = resume_of(window);
-    char *bytes, *title = play_settings_text("offered-title", "");
-    gsize size;
-    GError *error = NULL;
-    if (g_file_get_contents(r->before, &bytes, &size, &error)) {
+    char *title = play_settings_text("offered-title", "");
+    if (play_saving_open(window, r->before, *title ? title : _("Where you were")))
         r->opening = true;
-        skv_stage_open_memory(play_view_stage(play_window_view(window)), bytes, size, "skv",
-                              *title ? title : _("Where you were"), NULL);
-        g_free(bytes);
-    } else {
-        play_window_complain(window, error->message);
-        g_error_free(error);
-    }
     g_free(title);
 }
 

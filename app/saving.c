@@ -66,6 +66,22 @@ const char *play_saving_write(const char *path, const void *bytes, gsize size)
     return cause == 0 ? NULL : g_strerror(cause);
 }
 
+gboolean play_saving_open(PlayWindow *window, const char *path, const char *title)
+{
+    char *bytes;
+    gsize size;
+    GError *error = NULL;
+    if (!g_file_get_contents(path, &bytes, &size, &error)) {
+        play_window_complain(window, error->message);
+        g_error_free(error);
+        return FALSE;
+    }
+    skv_stage_open_memory(play_view_stage(play_window_view(window)), bytes, size, "skv", title,
+                          NULL);
+    g_free(bytes);
+    return TRUE;
+}
+
 /* Asking the stage. */
 
 static void on_saved(G_GNUC_UNUSED PlayView *view, const char *cause, PlayWindow *window)

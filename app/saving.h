@@ -14,6 +14,9 @@ void play_saving_tell(PlayWindow *window, const char *path, const char *cause);
 /* Writes a file, which appears when it is complete. Returns null, or the cause. */
 const char *play_saving_write(const char *path, const void *bytes, gsize size);
 
+/* Opens a state that was kept in a file. False if the file cannot be read, which is said. */
+gboolean play_saving_open(PlayWindow *window, const char *path, const char *title);
+
 /* Has the stage save to a file, and calls `done` with the cause, or null, and `data`; not if the
  * window is gone by then: who wants it holds the window. */
 typedef void PlaySaved(PlayWindow *window, const char *path, const char *cause, gpointer data);
