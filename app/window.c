@@ -32,6 +32,7 @@ struct _PlayWindow {
     GtkBox *properties, *tools;
     AdwWindowTitle *title;
     AdwToastOverlay *toasts;
+    AdwToast *toast; /* that was said last, while it is to be seen */
     GtkRevealer *message;
     GtkLabel *status, *description_text;
     GtkRevealer *description;
@@ -109,9 +110,12 @@ gboolean play_window_dismiss(PlayWindow *window)
 void play_window_toast(PlayWindow *window, const char *text)
 {
     char *escaped = g_markup_escape_text(text, -1); /* toasts read markup */
-    AdwToast *toast = adw_toast_new(escaped);
-    adw_toast_set_timeout(toast, 6);
-    play_window_add_toast(window, toast);
+    if (!window->toast || !g_str_equal(adw_toast_get_title(window->toast), escaped)) {
+        AdwToast *toast = adw_toast_new(escaped);
+        adw_toast_set_timeout(toast, 6);
+        g_set_weak_pointer(&window->toast, toast);
+        play_window_add_toast(window, toast);
+    }
     g_free(escaped);
 }
 
@@ -405,6 +409,7 @@ static void dispose(GObject *object)
     g_clear_handle_id(&window->layout, g_source_remove);
     g_clear_handle_id(&window->description_end, g_source_remove);
     g_clear_pointer(&window->spoken, g_free);
+    g_clear_weak_pointer(&window->toast);
     G_OBJECT_CLASS(play_window_parent_class)->dispose(object);
 }
 

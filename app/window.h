@@ -52,6 +52,7 @@ gboolean play_window_dismiss(PlayWindow *window);
 /* What is said of the scene when it is opened is gone before its time. */
 void play_window_hide_description(PlayWindow *window);
 
+/* Says something for some seconds; not twice while it still stands there. */
 void play_window_toast(PlayWindow *window, const char *text);
 void play_window_add_toast(PlayWindow *window, AdwToast *toast); /* takes it over */
 
