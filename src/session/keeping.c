@@ -5,7 +5,6 @@
  * frame is granted, so that both end at one moment.
  */
 #include <string.h>
-#include <strings.h>
 
 #include "base/assert.h"
 #include "base/memory.h"
@@ -44,12 +43,6 @@ const char *skv_stage_choice(const skv_stage *stage)
 }
 
 /* ---- Saving and sharing ---------------------------------------------------------------------- */
-
-static bool is_replay(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ".skvr") == 0;
-}
 
 /* Asks the first world for it. */
 static void ask_first(skv_stage *stage, const skv_errand *errand)
@@ -106,8 +99,7 @@ static bool take_beside(skv_stage *stage)
     return true;
 }
 
-/* Of two worlds at one moment. False if there is nothing to do before something else has happened.
- */
+/* Of two worlds at one moment. False if nothing can be done before something else has happened. */
 static bool go_on(skv_stage *stage)
 {
     const skv_errand *errand = stage->errands;
@@ -123,7 +115,8 @@ static bool go_on(skv_stage *stage)
 void skv_stage_keep_on(skv_stage *stage)
 {
     while (stage->errands) {
-        if (stage->count == 2 && (stage->errands->shares || is_replay(stage->errands->path))) {
+        if (stage->count == 2 &&
+            (stage->errands->shares || skv_names_replay(stage->errands->path))) {
             if (!go_on(stage))
                 return;
         } else {

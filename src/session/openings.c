@@ -34,6 +34,11 @@ static bool is_format(const char *format, const char *name)
     return strcasecmp(format, name) == 0;
 }
 
+bool skv_names_replay(const char *path)
+{
+    return is_format(ending(path), "skvr");
+}
+
 static skv_result write_state(const skv_world *world, const char *path, skv_error *error)
 {
     size_t size = skv_world_snapshot_size(world, true);
@@ -68,7 +73,7 @@ static skv_result save(skv_worker *worker, const char *path, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE, "nothing is open");
     if (is_format(ending(path), "skv"))
         return write_state(skv_player_world(worker->player), path, error);
-    if (!is_format(ending(path), "skvr"))
+    if (!skv_names_replay(path))
         return skv_fail(error, SKV_ERROR_VALUE, "name it .skv, for the state, or .skvr, a replay");
     target to = {.path = path, .error = error};
     skv_result result = skv_worker_tell_shown(worker, false, error);

@@ -107,6 +107,8 @@ void skv_worker_pump(skv_worker *worker);
 void skv_worker_open(skv_worker *worker, const skv_request *request);
 void skv_worker_save(skv_worker *worker, const skv_request *request);
 void skv_worker_share(skv_worker *worker, skv_share share);
+/* Whether a file of this name is to hold a replay. */
+bool skv_names_replay(const char *path);
 
 /* shown.c: takes what the face says of how it is shown, or a second world's replay; tells the
  * player how it is shown, before it is saved or shared; shows what was opened as that says. */
