@@ -183,8 +183,7 @@ static void look_for_air(const regions *b)
     }
 }
 
-/* ---- Regions ----------------------------------------------------------------------------------
- */
+/* ---- Regions --------------------------------------------------------------------------------- */
 
 static void note_air(region *whole, const cell *c, int side)
 {

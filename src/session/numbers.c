@@ -101,8 +101,7 @@ skv_digits skv_number_short(double value, int digits, const skv_numerals *numera
     return write(value, decimals, true, numerals);
 }
 
-/* ---- Units ------------------------------------------------------------------------------------
- */
+/* ---- Units ----------------------------------------------------------------------------------- */
 
 static const struct {
     const char *si;

@@ -399,8 +399,7 @@ void skv_session_release(skv_session *session, const skv_picture *picture)
     skv_gallery_release(&session->worker.gallery, picture);
 }
 
-/* ---- Edits ------------------------------------------------------------------------------------
- */
+/* ---- Edits ----------------------------------------------------------------------------------- */
 
 void skv_session_edit(skv_session *session, const skv_command *command)
 {
@@ -424,8 +423,7 @@ void skv_session_set(skv_session *session, const char *path, const char *text)
     }
 }
 
-/* ---- Pointers ---------------------------------------------------------------------------------
- */
+/* ---- Pointers -------------------------------------------------------------------------------- */
 
 static int find_down(const skv_session *session, const skv_pointer_event *event)
 {
@@ -483,8 +481,7 @@ void skv_session_keyboard(skv_session *session, int right, int up, bool down)
         skv_session_pointer(session, &event);
 }
 
-/* ---- Led by the time of two --------------------------------------------------------------------
- */
+/* ---- Led by the time of two ------------------------------------------------------------------ */
 
 void skv_session_grant(skv_session *session, int frames, double factor)
 {

@@ -176,8 +176,7 @@ static void redo_both(skv_stage *stage)
         skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_REDO});
 }
 
-/* ---- One world or two
- * ------------------------------------------------------------------------------------ */
+/* ---- One world or two ------------------------------------------------------------------------ */
 
 void skv_stage_advance(skv_stage *stage, double seconds, double drawing)
 {

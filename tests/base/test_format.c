@@ -119,8 +119,7 @@ static void an_unknown_directive_is_copied(void **unused)
     }
 }
 
-/* ---- Reading ----------------------------------------------------------------------------------
- */
+/* ---- Reading --------------------------------------------------------------------------------- */
 
 static void numbers_are_read_exactly(void **unused)
 {
@@ -216,8 +215,7 @@ static void the_locale_does_not_matter(void **unused)
     reset_locale();
 }
 
-/* ---- Names ------------------------------------------------------------------------------------
- */
+/* ---- Names ----------------------------------------------------------------------------------- */
 
 static void the_nearest_name_is_found(void **unused)
 {

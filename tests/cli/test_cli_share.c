@@ -17,8 +17,7 @@
 #include "program.h"
 #include "support/fixture.h"
 
-/* ---- A person ----------------------------------------------------------------------------------
- */
+/* ---- A person -------------------------------------------------------------------------------- */
 
 /* A stage that works within its calls, on a pool of 1.6 m shown with 1000 pixels a metre. */
 typedef struct game {
@@ -102,8 +101,7 @@ static void play_ten_seconds(game *g)
     pass(g, 2);
 }
 
-/* ---- Links -------------------------------------------------------------------------------------
- */
+/* ---- Links ----------------------------------------------------------------------------------- */
 
 typedef struct text {
     char bytes[SKV_LONGEST_LINK + 1];

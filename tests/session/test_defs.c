@@ -17,8 +17,7 @@
 #include "skvalp/player.h"
 #include "skvalp/stage.h"
 
-/* ---- What is written --------------------------------------------------------------------------
- */
+/* ---- What is written ------------------------------------------------------------------------- */
 
 static void init_fluid(void *def, size_t size)
 {
@@ -111,8 +110,7 @@ static void init_gives_what_the_default_is(void **unused)
     assert_int_equal(misuses, 0);
 }
 
-/* ---- Programs that know less ------------------------------------------------------------------
- */
+/* ---- Programs that know less ----------------------------------------------------------------- */
 
 /* A def as a program has it that knows of its members up to one; freed by the caller. */
 #define OLDER(type, init, member) older(init, offsetof(type, member) + sizeof(((type *)0)->member))
@@ -202,8 +200,7 @@ static void an_older_program_measures_and_plays(void **unused)
     free(def);
 }
 
-/* ---- Programs that have forgotten -------------------------------------------------------------
- */
+/* ---- Programs that have forgotten ------------------------------------------------------------ */
 
 static void who_initialised_nothing_is_told(void **unused)
 {

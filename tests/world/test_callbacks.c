@@ -125,8 +125,7 @@ static void read_all(const skv_world *world)
     assert_true(skv_world_snapshot_size(world, true) > 0);
 }
 
-/* ---- A logger ---------------------------------------------------------------------------------
- */
+/* ---- A logger -------------------------------------------------------------------------------- */
 
 typedef struct meddler {
     skv_world *world;
@@ -168,8 +167,7 @@ static void a_logger_reads_at_most(void **unused)
     assert_true(hash[0] == hash[1]);
 }
 
-/* ---- skv_inside -------------------------------------------------------------------------------
- */
+/* ---- skv_inside ------------------------------------------------------------------------------ */
 
 static bool meddle_when_asked(float x, float y, void *user)
 {
@@ -242,8 +240,7 @@ static void a_count_keeps_its_terrain(void **unused)
     skv_world_destroy(world);
 }
 
-/* ---- Before a substep -------------------------------------------------------------------------
- */
+/* ---- Before a substep ------------------------------------------------------------------------ */
 
 static void change_and_go_on(skv_world *world, float dt, void *user)
 {
@@ -272,8 +269,7 @@ static void before_a_substep_the_world_may_change_but_not_go_on(void **unused)
     }
 }
 
-/* ---- A host's threads -------------------------------------------------------------------------
- */
+/* ---- A host's threads ------------------------------------------------------------------------ */
 
 static void meddle_with_tasks(void *user, int count, void (*member)(void *team), void *team)
 {
@@ -310,8 +306,7 @@ static void lent_threads_change_nothing(void **unused)
     skv_world_destroy(world);
 }
 
-/* ---- The default assert handler ---------------------------------------------------------------
- */
+/* ---- The default assert handler -------------------------------------------------------------- */
 
 /* What a child says that makes a mistake, and that it aborts. */
 static void catch_last_words(void (*mistake)(void), char *text, size_t room)

@@ -239,8 +239,7 @@ static void ranges_are_checked_by_the_world(void **unused)
     assert_string_equal(error.text, "solver: 7 is not known; allowed is fast or reference");
 }
 
-/* ---- A world that runs ------------------------------------------------------------------------
- */
+/* ---- A world that runs ----------------------------------------------------------------------- */
 
 static void step(skv_world *world, int frames)
 {
