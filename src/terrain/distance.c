@@ -38,9 +38,6 @@ enum {
 };
 _Static_assert(BELOW < LARGE, "a word holds all cells within reach to one side");
 
-/* Pixels that segments are kept beyond need, for rounding. */
-#define SLACK 0.01f
-
 /* A row of cells, from the left. */
 typedef struct bits {
     uint64_t word[WORDS];
@@ -345,7 +342,7 @@ static int keep_near(transform *t, int count, float x, float y, float half)
 {
     const segments *g = &t->gathered;
     float least = sqrtf(measure(t, count, x, y));
-    float limit = skv_minf(least + half, REACH) + half + SLACK, square = limit * limit;
+    float limit = skv_minf(least + half, REACH) + half + SKV_PIXEL_SLACK, square = limit * limit;
     int kept = 0;
     for (int i = 0; i < count; i++) {
         if (g->square[i] > square)
@@ -416,7 +413,7 @@ static void fill_middle(transform *t, bool any, int x0, int y0)
     const float half = 1.41422f * MIDDLE / 2;
     int x = x0 - t->x0 + MIDDLE / 2, y = y0 - t->y0 + MIDDLE / 2;
     float least = sqrtf(search(t, x, y));
-    float limit = skv_minf(least + half, REACH) + half + SLACK;
+    float limit = skv_minf(least + half, REACH) + half + SKV_PIXEL_SLACK;
     look l = {t, 0, 0, limit * limit, 0, least <= NEAR ? FEW : INT32_MAX};
     look_around(&l, t->open, x, y);
     if (l.count < l.most) {

@@ -15,6 +15,9 @@
 /* Two pixels to sample in, one more for the normals' kernel. */
 #define SKV_TERRAIN_RIM 3
 
+/* Pixels by which distances are taken to be off, for rounding: 0.0005 at 8192 pixels. */
+#define SKV_PIXEL_SLACK 0.01f
+
 struct skv_terrain {
     atomic_int owners;
     int width, height; /* the picture, pixels */

@@ -58,9 +58,6 @@ static bool find_middle(const skv_terrain *terrain, int x, int y, double longest
     return false;
 }
 
-/* Pixels; a coordinate of 8192 pixels is rounded by 0.0005. */
-#define SLACK 0.01f
-
 /* What is known of a cell. */
 enum {
     MIDDLE = 1,    /* a thin wall's middle lies in it ... */
@@ -165,7 +162,7 @@ static void find_solid(const search *s)
             thin->found[cell_at(thin, x, y)] = room <= 0 ? SOLID : 0;
             /* Along a row distances fall by at most the way. */
             if (gx > air_to)
-                air_to = gx + room * terrain->per_metre - SLACK;
+                air_to = gx + room * terrain->per_metre - SKV_PIXEL_SLACK;
         }
     }
 }

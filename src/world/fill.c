@@ -8,6 +8,7 @@
 #include "base/defs.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "terrain/terrain.h"
 #include "world/add.h"
 #include "world/area.h"
 #include "world/dye.h"
@@ -22,8 +23,6 @@ enum { FILL_COOKIE = 0x4649 };
 /* And of aligned lattices this far from other particles: where fills follow each other frame by
  * frame, closer ones would add up to a pressure that throws the fluid apart. */
 #define BRUSH_SPACING 0.95f
-/* Pixels; a coordinate of 8192 pixels is rounded by 0.0005. */
-#define SLACK 0.01f
 /* Shift of each particle, in spacings: a perfect lattice would stand like a crystal. */
 #define JITTER 0.02f
 
@@ -107,13 +106,13 @@ static bool grow(walk *w)
 }
 
 /* Whether a wall is too near to a place. A look at the distance tells how far the row is free, for
- * along it distances fall by at most the way; SLACK is for rounding. */
+ * along it distances fall by at most the way. */
 static bool is_blocked(walk *w, float x, float y)
 {
     if (x <= w->clear_to)
         return false;
     float room = skv_terrain_distance(w->terrain, x, y) - WALL_GAP * w->spacing;
-    w->clear_to = x + room - SLACK * skv_terrain_pixel_size(w->terrain);
+    w->clear_to = x + room - SKV_PIXEL_SLACK * skv_terrain_pixel_size(w->terrain);
     return room < 0;
 }
 
