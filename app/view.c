@@ -20,10 +20,11 @@ struct _PlayView {
     skv_renderer *renderer;
     skv_render_style style;
     skv_camera camera;
-    guint tick; /* 0: nothing moves, or the main loop has its turn */
-    guint idle; /* the source that tells that the loop was idle; 0: none waits */
-    int ticks;  /* since then */
-    gint woken; /* the stage has news, and the main loop knows */
+    guint tick;       /* 0: nothing moves, or the main loop has its turn */
+    guint idle;       /* the source that tells that the loop was idle; 0: none waits */
+    int ticks;        /* since then */
+    unsigned offered; /* by the newest pictures */
+    gint woken;       /* the stage has news, and the main loop knows */
     gint64 last_tick;
     double drawing; /* s, that the last picture took */
 
@@ -119,14 +120,25 @@ static void show(PlayView *view)
         changed(view);
 }
 
-/* Takes the newest pictures, of both sides. */
+/* What can be undone and redone. */
+static unsigned offers(const skv_stage *stage)
+{
+    skv_stage_state now = skv_stage_now(stage);
+    return (unsigned)now.can_undo | (unsigned)now.can_redo << 1;
+}
+
+/* Takes the newest pictures, of both sides. What they offer is told at once, for a key that is
+ * pressed before that does nothing. */
 static void look(PlayView *view)
 {
-    unsigned sides = skv_stage_look(view->stage);
+    unsigned sides = skv_stage_look(view->stage), offered = view->offered;
     if (sides & 1)
         show(view);
     if (sides & 2 && view->twin)
         show(view->twin);
+    view->offered = offers(view->stage);
+    if (view->offered != offered)
+        both_changed(view);
 }
 
 static void measure_frame_rate(PlayView *view, gint64 now)

@@ -23,6 +23,12 @@ key ctrl+z
 await 'worlds[0].particles == 3000 and canRedo and water(0, 55, 100, 100) == 0'
 key ctrl+shift+z
 await 'worlds[0].particles > 3010 and not canRedo'
+for _ in {1..12}; do # keys are taken as soon as there is something to do for them
+    key ctrl+z
+    await canRedo
+    key ctrl+shift+z
+    await 'not canRedo'
+done
 key shift+Left
 await 'paused and moment < end and worlds[0].particles == 3000'
 key shift+Right
