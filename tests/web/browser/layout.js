@@ -33,12 +33,18 @@ const cutOff = (page) => page.evaluate(() => {
     }).map((part) => part.ariaLabel ?? part.textContent);
 });
 
-/** How wide the bar is, now that this is said beside it. */
-const barBeside = (page, going, moment) => page.evaluate(([going, moment]) => {
+/** How wide the bar is while this is said beside it, and nothing that the simulation has told meanwhile. */
+const barBeside = (page, going, moment) => page.evaluate(async ([going, moment]) => {
     const { state } = window.skvalp;
-    state.value = { ...state.value, going, moment };
-    return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() =>
-        resolve(document.querySelector('.bar').getBoundingClientRect().width))));
+    const drawn = () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    for (;;) {
+        state.value = { ...state.value, going, moment };
+        await drawn();
+        const { width } = document.querySelector('.bar').getBoundingClientRect();
+        if (state.value.going === going) {
+            return width;
+        }
+    }
 }, [going, moment]);
 
 const trials = {
