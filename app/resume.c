@@ -1,14 +1,12 @@
-/* Going on: what somebody did is written every half minute, and when the window closes, to the
- * user's folder for states; what the last window wrote is offered, and never opened unasked.
- * Invariant: a window writes to a file of its own name, so what it offers lasts as long as it does;
- * what is damaged is said, and set aside.
+/* Going on: what somebody did is written every half minute, and when the window closes; what
+ * windows have left behind is offered, the newest first, and never opened unasked. Invariant: a
+ * window writes to a file that no other writes to (kept.c), and who goes on where another stopped
+ * leaves behind what this window had; what is damaged is said, and set aside.
  */
 #include "resume.h"
 
-#include <glib/gstdio.h>
-
+#include "kept.h"
 #include "saving.h"
-#include "settings.h"
 #include "words.h"
 
 #define PERIOD     30             /* s */
@@ -18,10 +16,10 @@
 
 typedef struct resume {
     PlayWindow *window;
-    char *folder, *now, *before; /* what this window writes; what the last one has written */
+    PlayKept *kept;
     guint timer;
     guint64 written; /* number of the picture that was kept last */
-    bool opening;    /* what was kept */
+    int opening;     /* place of what is being opened; 0: none */
     bool told;       /* that it cannot be written */
 } resume;
 
@@ -58,11 +56,10 @@ static void on_kept(PlayWindow *window, const char *path, const char *cause, gpo
 static void keep(resume *r, gboolean closes)
 {
     r->written = picture_of(r)->number;
-    play_settings_set_text("kept-title", picture_of(r)->title);
-    g_mkdir_with_parents(r->folder, 0700);
+    play_kept_name(r->kept, picture_of(r)->title);
     if (closes)
         play_saving_hold(r->window);
-    play_saving_ask(r->window, r->now, on_kept, GINT_TO_POINTER(closes));
+    play_saving_ask(r->window, play_kept_path(r->kept), on_kept, GINT_TO_POINTER(closes));
 }
 
 static gboolean on_time(gpointer data)
@@ -83,27 +80,35 @@ static gboolean on_close(PlayWindow *window)
 
 /* Going on. */
 
-static void set_enabled(const resume *r, bool enabled)
+static void update(const resume *r)
 {
     GAction *action = g_action_map_lookup_action(G_ACTION_MAP(r->window), "go-on");
-    g_simple_action_set_enabled(G_SIMPLE_ACTION(action), enabled);
+    g_simple_action_set_enabled(G_SIMPLE_ACTION(action), play_kept_left(r->kept) != 0);
 }
 
+/* What the window has is written before, to the place that it had so far. */
 static void on_go_on(G_GNUC_UNUSED GSimpleAction *action, G_GNUC_UNUSED GVariant *none,
                      gpointer window)
 {
     resume *r = resume_of(window);
-    char *title = play_settings_text("offered-title", "");
-    if (play_saving_open(window, r->before, *title ? title : _("Where you were")))
-        r->opening = true;
+    int place = play_kept_left(r->kept);
+    if (r->opening || place == 0 || !play_kept_hold(r->kept, place))
+        return;
+    if (is_worth_it(r))
+        keep(r, FALSE);
+    char *title = play_kept_title_at(r->kept, place), *path = play_kept_path_at(r->kept, place);
+    if (play_saving_open(window, path, *title ? title : _("Where you were")))
+        r->opening = place;
     g_free(title);
+    g_free(path);
 }
 
 static void on_opened(G_GNUC_UNUSED PlayView *view, resume *r)
 {
     if (r->opening)
-        set_enabled(r, false);
-    r->opening = false;
+        play_kept_move(r->kept, r->opening);
+    r->opening = 0;
+    update(r);
 }
 
 /* After the window has said what is wrong with it: what becomes of it matters more. */
@@ -111,20 +116,19 @@ static void on_failed(G_GNUC_UNUSED PlayView *view, G_GNUC_UNUSED const char *er
 {
     if (!r->opening)
         return;
-    char *aside = g_build_filename(r->folder, "damaged.skv", NULL);
-    r->opening = false;
-    g_rename(r->before, aside);
+    char *aside = play_kept_set_aside(r->kept, r->opening);
+    r->opening = 0;
     char *text =
         g_strdup_printf(_("What was kept from last time is damaged; it is now %s."), aside);
     play_window_complain(r->window, text);
-    set_enabled(r, false);
+    update(r);
     g_free(text);
     g_free(aside);
 }
 
-static void offer(const resume *r)
+static void offer(const resume *r, int place)
 {
-    char *title = play_settings_text("offered-title", "");
+    char *title = play_kept_title_at(r->kept, place);
     char *text = *title ? g_strdup_printf(_("Kept: %s"), play_word(title))
                         : g_strdup(_("Your last world was kept"));
     char *escaped = g_markup_escape_text(text, -1);
@@ -137,24 +141,11 @@ static void offer(const resume *r)
     g_free(title);
 }
 
-/* What the last window has written becomes what is offered. */
-static bool take_over(const resume *r)
-{
-    if (g_rename(r->now, r->before) == 0) {
-        char *title = play_settings_text("kept-title", "");
-        play_settings_set_text("offered-title", title);
-        g_free(title);
-    }
-    return g_file_test(r->before, G_FILE_TEST_IS_REGULAR);
-}
-
 static void free_resume(gpointer data)
 {
     resume *r = data;
     g_source_remove(r->timer);
-    g_free(r->folder);
-    g_free(r->now);
-    g_free(r->before);
+    play_kept_free(r->kept);
     g_free(r);
 }
 
@@ -164,17 +155,15 @@ void play_resume_add(PlayWindow *window, gboolean offers)
     PlayView *view = play_window_view(window);
     resume *r = g_new0(resume, 1);
     r->window = window;
-    r->folder = g_build_filename(g_get_user_state_dir(), "skvalp", NULL);
-    r->now = g_build_filename(r->folder, "kept.skv", NULL);
-    r->before = g_build_filename(r->folder, "offered.skv", NULL);
+    r->kept = play_kept_new();
     r->timer = g_timeout_add_seconds(PERIOD, on_time, r);
     g_object_set_data_full(G_OBJECT(window), "resume", r, free_resume);
     g_action_map_add_action_entries(G_ACTION_MAP(window), &entry, 1, window);
     g_signal_connect(view, "opened", G_CALLBACK(on_opened), r);
     g_signal_connect(view, "failed", G_CALLBACK(on_failed), r);
     g_signal_connect(window, "close-request", G_CALLBACK(on_close), NULL);
-    bool there = take_over(r);
-    set_enabled(r, there);
-    if (there && offers)
-        offer(r);
+    int place = play_kept_left(r->kept);
+    update(r);
+    if (place != 0 && offers)
+        offer(r, place);
 }

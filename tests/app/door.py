@@ -188,9 +188,11 @@ def wait(door, pid, seconds, expression):
 
 
 def main():
-    door = Door(sys.argv[1])
+    door, asked = Door(sys.argv[1]), ""
     for line in sys.stdin:
         pid, seconds, expression = line.rstrip("\n").split(" ", 2)
+        if pid != asked:  # another app, whose door has replaced the last one's
+            door.file, asked = None, pid
         print(wait(door, int(pid), float(seconds), expression), flush=True)
 
 

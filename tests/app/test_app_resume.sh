@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Going on where one was: what was done is kept when the window closes, and now and then before; the
-# next start offers it and opens it only if asked; what is damaged is said and set aside. Arguments:
-# build folder, source folder.
+# Going on where one was: what was done is kept when the window closes, and now and then before, by each
+# window for itself; the next starts offer it and open it only if asked; what is damaged is said and set
+# aside. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_app_resume.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
 start_display 800x600
 window_size 640 560
-kept=$work/.local/state/skvalp
+kept=$work/.local/state/skvalp/kept
 offered='shows("Go On There")'
 
 pour() {
@@ -29,13 +29,13 @@ pour() {
 start_app
 await 'moment > 5'
 quit_app
-[[ ! -e $kept ]] || fail "what nobody did was kept"
+[[ ! -e $kept-1.skv ]] || fail "what nobody did was kept"
 start_app
 await 'moment > 5'
 is "not $offered" || fail "something is offered before anything was kept"
 pour
 quit_app
-[[ -s $kept/kept.skv ]] || fail "the window closed without keeping the world"
+[[ -s $kept-1.skv ]] || fail "the window closed without keeping the world"
 
 # 2. It is offered, and not forced on anybody; asked for, it is what it was.
 start_app
@@ -55,18 +55,56 @@ await 'menus() == 1'
 press 'Go On Where You Were'
 await "worlds[0].opened == 2 and worlds[0].particles == $poured"
 await 'menus() == 0 and find("view").focus'
-rm -f "$kept/kept.skv"
+first=$app
 pour
-await "exists('$kept/kept.skv')"
-kill -KILL "$app"
-wait "$app" 2>/dev/null || true
+there=$poured
+
+# 4. Two windows keep a world each, as they go on; the windows after them go on in one each.
+touch "$work/begun"
+rm "$SKVALP_DOOR"
+start_app pool
+pour
+await "exists('$kept-2.skv')"
+repeat test "$kept-1.skv" -nt "$work/begun" || fail "the first window keeps nothing more"
+kill -KILL "$first" "$app"
+wait "$first" "$app" 2>/dev/null || true
+start_app
+await "$offered and says('Kept: Pool')"
+press 'Go On There'
+await "worlds[0].opened == 2 and worlds[0].particles == $poured and worlds[0].title == 'Pool'"
+first=$app
+rm "$SKVALP_DOOR"
+start_app
+await "$offered and says('Kept: Dam break')"
+press 'Go On There'
+await "worlds[0].opened == 2 and worlds[0].particles == $there and worlds[0].title == 'Dam break'"
+key F10
+await 'menus() == 1 and not shows("Go On Where You Were")'
+kill -KILL "$first"
+wait "$first" 2>/dev/null || true
+key Escape
+await 'menus() == 0'
+quit_app
+
+# 5. A damaged file. What else is kept is still to be had.
+printf 'no state' >"$kept-1.skv"
 start_app
 await "$offered"
-
-# 4. A damaged file.
-printf 'no state' >"$kept/offered.skv"
 press 'Go On There'
 await "'damaged.skv' in message and worlds[0].name == 'dam-break' and moment > 5"
-[[ -e $kept/damaged.skv && ! -e $kept/offered.skv ]] || fail "what is damaged was not set aside"
+[[ -e $(dirname "$kept")/damaged.skv && ! -e $kept-1.skv ]] || fail "what is damaged was not set aside"
+key F10
+await 'menus() == 1'
+press 'Go On Where You Were'
+await "worlds[0].opened == 2 and worlds[0].particles == $poured"
 quit_app
-echo "resume: kept, offered, gone on with, set aside"
+
+# 6. Eight are kept, the newest.
+for one in {3..12}; do
+    touch -d "$one days ago" "$kept-$one.skv"
+done
+start_app
+await 'moment > 5'
+quit_app
+[[ -e $kept-2.skv && -e $kept-9.skv && ! -e $kept-10.skv ]] || fail "not the eight newest: $(ls "$kept"*)"
+echo "resume: kept, offered, gone on with, set aside, tidied"
