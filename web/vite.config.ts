@@ -9,7 +9,6 @@ import { alias, page } from './tools/modules.js';
 import { offline } from './tools/offline.js';
 import { preload } from './tools/preload.js';
 import { alias as inFile, single } from './tools/single.js';
-import { plots } from './tools/uplot.js';
 import { words } from './tools/words.js';
 import { workers } from './tools/workers.js';
 
@@ -50,7 +49,7 @@ export default defineConfig(({ mode }) => {
             outDir: '../dist', target: 'es2022', modulePreload: false, minify: 'terser',
             terserOptions: { ecma: 2020, module: true, compress: { passes: 3 } }, ...build,
         },
-        plugins: [...plugins, plots(), words(here('../po'), here('page'))],
+        plugins: [...plugins, words(here('../po'), here('page'))],
         worker: { format: 'es' },
         test: { testTimeout: longest, hookTimeout: longest },
         oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },

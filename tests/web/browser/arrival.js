@@ -54,5 +54,5 @@ export async function measure(page) {
     await page.locator('.panel .list button').first().click();
     await page.getByRole('heading', { name: '1. Question' }).waitFor();
     await page.locator('.panel').getByRole('button', { name: 'Measure', exact: true }).click();
-    await page.locator('.plot canvas').first().waitFor();
+    await page.locator('.plot [role=img]').first().waitFor();
 }

@@ -132,7 +132,7 @@ const trials = {
         });
         await page.evaluate(() => window.skvalp.simulation.compare(null));
         await chip.click();
-        await page.locator('.plot canvas').waitFor();
+        await page.locator('.plot [role=img]').waitFor();
         await button(page, 'Remove').click();
         await chip.waitFor({ state: 'detached' });
         await page.locator('dialog').waitFor({ state: 'detached' });
@@ -183,7 +183,7 @@ const trials = {
         const page = await begin(browser, { ...desk, before: noLanguage });
         await page.keyboard.press('m');
         await page.locator('.chip').click();
-        await page.locator('.plot canvas').waitFor();
+        await page.locator('.plot [role=img]').waitFor();
     },
 
     async 'time goes back'(browser) {
@@ -757,7 +757,7 @@ const trials = {
             found.push(...await faults(page, 'size'));
             await close(page);
             await page.locator('.chip').click();
-            await page.locator('.plot canvas').waitFor();
+            await page.locator('.plot [role=img]').waitFor();
             found.push(...await faults(page, 'a probe'));
             await button(page, 'Scenes and experiments').click();
             await page.locator('.panel .list button').first().click();

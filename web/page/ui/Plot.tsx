@@ -1,18 +1,13 @@
-// Plot: curves over time or another quantity, by uPlot. Invariant: what theory says is dashed; what was
-// measured is a line or points, told apart without colours, too.
-import { useEffect, useRef } from 'preact/hooks';
-import uPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
+// Plot: curves over time or another quantity. Invariant: what theory says is dashed; what was measured is a
+// line or points, told apart without colours, too.
+import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Curve } from '../simulation/protocol';
+import { axesOf, wayOf } from './axes';
 import { short } from './numbers';
-import { tableOf } from './table';
-import { language } from './words';
 
-/** As in the app: told apart by people who see colours differently, too (Okabe and Ito). */
-const colours = ['#56b4e9', '#e69f00', '#00b98a', '#f0e442', '#cc79a7', '#d55e00'];
-/** The same for a light ground. */
-const deeper = ['#0072b2', '#a86400', '#00795a', '#7a7000', '#a04a7c', '#b04a00'];
-const HEIGHT = 240;
+const HEIGHT = 216, LEFT = 56, RIGHT = 16, TOP = 12, BOTTOM = 24;
+/** In the page's style. */
+const COLOURS = 6;
 
 interface PlotProps {
     xLabel: string;
@@ -21,63 +16,64 @@ interface PlotProps {
     name: string;
 }
 
-function property(name: string): string {
-    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+function Way({ curve, at, way }: { curve: Curve; at: number; way: string }) {
+    return <path class={curve.style} style={{ stroke: `var(--curve${at % COLOURS})` }} d={way} />;
 }
 
-function seriesOf(curve: Curve, index: number): uPlot.Series {
-    const light = document.documentElement.dataset.palette === 'light';
-    const stroke = (light ? deeper : colours)[index % colours.length];
+/** What a label belongs to. */
+function Key({ curve, at }: { curve: Curve; at: number }) {
     const dots = curve.style === 'dots' || curve.style === 'rings';
-    return {
-        label: curve.label,
-        stroke,
-        width: dots ? 0 : 2,
-        dash: curve.style === 'theory' ? [8, 6] : undefined,
-        points: { show: dots, size: 7, width: 2, fill: curve.style === 'rings' ? 'transparent' : stroke },
-        paths: dots ? () => null : undefined,
-    };
+    const way = wayOf({ ...curve, x: Float64Array.of(dots ? 16 : 2, 30), y: Float64Array.of(6, dots ? NaN : 6) },
+        { ticks: [], place: Number }, { ticks: [], place: Number });
+    return (
+        <li>
+            <svg width="32" height="12">
+                <Way curve={curve} at={at} way={way} />
+            </svg>
+            {curve.label}
+        </li>
+    );
 }
 
-function optionsOf({ xLabel, yLabel, curves }: PlotProps, width: number): uPlot.Options {
-    const axis = {
-        stroke: property('--text'),
-        grid: { stroke: property('--line'), width: 1 },
-        ticks: { stroke: property('--line') },
-        font: '14px system-ui',
-        labelFont: '14px system-ui',
-        labelSize: 24,
-        values: (_plot: uPlot, values: number[]) => values.map((value) => short(value, 6)),
-    };
-    return {
-        width,
-        height: HEIGHT,
-        scales: { x: { time: false } },
-        legend: { live: false },
-        cursor: { drag: { x: false, y: false } },
-        axes: [
-            { ...axis, label: xLabel },
-            { ...axis, label: yLabel, size: 64 },
-        ],
-        series: [{ label: xLabel }, ...curves.map(seriesOf)],
-    };
-}
-
-export function Plot(props: PlotProps) {
+export function Plot({ xLabel, yLabel, curves, name }: PlotProps) {
     const holder = useRef<HTMLDivElement>(null);
-    const plot = useRef<uPlot | null>(null);
-    const shape = [props.xLabel, props.yLabel, ...props.curves.map((c) => c.label + c.style), language.value].join();
+    const [width, setWidth] = useState(320);
     useEffect(() => {
         const element = holder.current!;
-        const made = new uPlot(optionsOf(props, element.clientWidth), tableOf(props.curves), element);
-        const observer = new ResizeObserver(() => made.setSize({ width: element.clientWidth, height: HEIGHT }));
+        const observer = new ResizeObserver(() => setWidth(element.clientWidth));
         observer.observe(element);
-        plot.current = made;
-        return () => {
-            observer.disconnect();
-            made.destroy();
-        };
-    }, [shape]);
-    useEffect(() => plot.current?.setData(tableOf(props.curves)), [props.curves]);
-    return <div ref={holder} class="plot" role="img" aria-label={props.name} />;
+        return () => observer.disconnect();
+    }, []);
+    const right = width - RIGHT, bottom = HEIGHT - BOTTOM;
+    const { across, up } = axesOf(curves, LEFT, right, TOP, bottom);
+    return (
+        <div ref={holder} class="plot">
+            <p>{yLabel}</p>
+            <svg role="img" aria-label={name} width={width} height={HEIGHT}>
+                {across.ticks.map((tick) => (
+                    <g key={`x${tick}`}>
+                        <path class="grid" d={`M${across.place(tick)} ${TOP}V${bottom}`} />
+                        <text x={across.place(tick)} y={HEIGHT - 6} text-anchor="middle">{short(tick, 6)}</text>
+                    </g>
+                ))}
+                {up.ticks.map((tick) => (
+                    <g key={`y${tick}`}>
+                        <path class="grid" d={`M${LEFT} ${up.place(tick)}H${right}`} />
+                        <text x={LEFT - 8} y={up.place(tick) + 5} text-anchor="end">{short(tick, 6)}</text>
+                    </g>
+                ))}
+                {curves.map((curve, i) => (
+                    <Way curve={curve} at={i} way={wayOf(curve, across, up)} />
+                ))}
+            </svg>
+            <p class="below">{xLabel}</p>
+            {curves.length > 1 && (
+                <ul>
+                    {curves.map((curve, i) => (
+                        <Key curve={curve} at={i} />
+                    ))}
+                </ul>
+            )}
+        </div>
+    );
 }
