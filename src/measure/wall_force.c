@@ -95,10 +95,8 @@ static skv_result copy_fluid(skv_force_meter *m, skv_solver_particles *particles
         m->id[k] = from.id[i];
         m->clearance[k++] = 0;
     }
-    m->revision += m->revision + 1 ? 1 : 2;
     *particles = (skv_solver_particles){
         .count = count,
-        .revision = m->revision,
         .x = m->x,
         .y = m->y,
         .vx = m->vx,

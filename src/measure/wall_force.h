@@ -20,7 +20,6 @@ typedef struct skv_force_meter {
     uint32_t *id;
     int capacity;
     void *block;
-    uint32_t revision; /* of the copy, see solver.h */
 } skv_force_meter;
 
 /* Takes the world's next substep on a copy of the fluid near the box and adds up what the walls in

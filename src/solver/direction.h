@@ -5,6 +5,9 @@
 #include <math.h>
 #include <stdint.h>
 
+/* Below this share of h two particles coincide and their direction is made up. */
+#define SKV_COINCIDENT 1e-6f
+
 /* A direction for coincident particles, hashed from their numbers: antisymmetric, so the pair's
  * momentum is kept, and the same on every machine (erratum of Algorithm 6, r = 0). */
 static inline void skv_fallback_direction(uint32_t a, uint32_t b, float *ux, float *uy)

@@ -1,12 +1,12 @@
 /* A solver: what carries a fluid through substeps.
  *
- * There are two, of one model: reference/ is the list of passes, one after the other, for reading
- * and for measuring against; rows/ is the production solver. A solver takes arrays, a boundary and
- * constants, and never knows a world. All of them come in SI units and in the world's axes; each
- * solver converts to its own.
+ * There are two, of one model: reference/ is the list of passes, one after the other, in double
+ * precision, for reading and for measuring against; rows/ is the production solver. A solver takes
+ * arrays, a boundary and constants, and never knows a world. All of them come in SI units and in
+ * the world's axes; each solver converts to its own.
  *
- * Invariant: the state of the fluid lies in the caller's arrays, and in what a solver says that it
- * remembers. Whatever else it keeps from call to call is memory.
+ * Invariant: the state of the fluid lies in the caller's arrays. Whatever a solver keeps from call
+ * to call is memory.
  */
 #ifndef SKV_SOLVER_SOLVER_H
 #define SKV_SOLVER_SOLVER_H
@@ -36,7 +36,6 @@ typedef enum skv_part { SKV_ABSENT, SKV_HELD, SKV_MOVES } skv_part;
 /* The particles, in the caller's arrays: SI units. */
 typedef struct skv_solver_particles {
     int count;
-    uint32_t revision; /* another one when particles have come, gone or changed places; not 0 */
     float *x, *y;
     float *vx, *vy;
     float *clearance; /* lower bound of the distance to the nearest wall */
@@ -66,7 +65,7 @@ typedef struct skv_solver_step {
     int substeps;
     bool ungauged;          /* nobody wants the pressures: they need not be written */
     skv_pool *pool;         /* null: the calling thread */
-    skv_reaction *reaction; /* adds to it; only with `reacts`. Null: not wanted */
+    skv_reaction *reaction; /* the reference adds to it. Null: not wanted */
 } skv_solver_step;
 
 /* Bytes that a solver holds. */
@@ -79,12 +78,11 @@ typedef struct skv_solver_memory {
 
 typedef struct skv_solver skv_solver;
 
-enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_FORCES = 48, SKV_SOLVER_MOST_MEMORIES = 2 };
+enum { SKV_SOLVER_MOST_PASSES = 16, SKV_SOLVER_MOST_FORCES = 48 };
 
 /* A kind of solver. */
 typedef struct skv_solver_type {
     bool holds;        /* knows `part` */
-    bool reacts;       /* knows `reaction` */
     int most_substeps; /* that it can take after one `reserve` */
     int pass_count;
     const char *pass_names[SKV_SOLVER_MOST_PASSES];
@@ -99,15 +97,6 @@ typedef struct skv_solver_type {
     /* Wall seconds of each pass since the last call with `reset`. */
     void (*profile)(skv_solver *solver, bool reset, double *seconds);
     skv_solver_memory (*memory)(const skv_solver *solver);
-    /* What the next step depends on beside the particles: writes the arrays, with an element per
-     * particle, to `memories` and returns their number; 0: on nothing. Null: never on anything. */
-    int (*recall)(const skv_solver *solver, uint32_t revision,
-                  const float *memories[SKV_SOLVER_MOST_MEMORIES]);
-    /* Makes room for `count` particles' memories, and writes where they have to go; they count from
-     * `remember` on, for particles of that revision. On failure nothing has changed. */
-    skv_result (*make_memories)(skv_solver *solver, int count,
-                                float *memories[SKV_SOLVER_MOST_MEMORIES], skv_error *error);
-    void (*remember)(skv_solver *solver, uint32_t revision);
 } skv_solver_type;
 
 /* What every solver begins with. */

@@ -4,8 +4,8 @@
  */
 #include "base/assert.h"
 #include "model/lattice.h"
+#include "solver/direction.h"
 #include "solver/reference/neighbours.h"
-#include "solver/reference/pair.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -25,12 +25,12 @@ static skv_result list_neighbours(const skv_world *world, skv_neighbours *lists,
         result = skv_neighbours_reserve(lists, s->count, error);
     if (result != SKV_OK)
         return result;
-    skv_neighbours_build(lists, s->x, s->y, s->count, world->h, NULL);
+    skv_neighbours_build(lists, s->x, s->y, s->count, world->h);
     if (lists->wanted <= lists->list_capacity)
         return SKV_OK;
     result = skv_neighbours_reserve(lists, s->count, error);
     if (result == SKV_OK)
-        skv_neighbours_build(lists, s->x, s->y, s->count, world->h, NULL);
+        skv_neighbours_build(lists, s->x, s->y, s->count, world->h);
     return result;
 }
 
@@ -48,15 +48,21 @@ static surroundings look_around(const skv_world *world, const skv_neighbours *li
     const skv_state *s = &world->state;
     for (int k = lists->start[i]; k < lists->start[i + 1]; k++) {
         int j = lists->list[k];
-        skv_pair pair;
-        if (!skv_pair_apart(constants, s->x[j] - s->x[i], s->y[j] - s->y[i], s->id[i], s->id[j],
-                            &pair))
+        float dx = s->x[j] - s->x[i], dy = s->y[j] - s->y[i], square = dx * dx + dy * dy;
+        if (!(square < constants->h_squared))
             continue;
+        float r = sqrtf(square), ux, uy;
+        if (r > SKV_COINCIDENT * constants->h) {
+            ux = dx * (1 / r);
+            uy = dy * (1 / r);
+        } else {
+            skv_fallback_direction(s->id[i], s->id[j], &ux, &uy);
+        }
         around.neighbours += 1;
-        double q = (double)pair.q, force = skv_kernel_force(kernel, q);
+        double q = (double)(1 - r * constants->inv_h), force = skv_kernel_force(kernel, q);
         around.density += skv_kernel_density(kernel, q);
-        gx += force * (double)pair.ux;
-        gy += force * (double)pair.uy;
+        gx += force * (double)ux;
+        gy += force * (double)uy;
     }
     skv_wall_sample wall;
     skv_boundary_sample(&world->boundary, s->x[i], s->y[i], &wall);

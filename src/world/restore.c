@@ -68,21 +68,13 @@ static void take_sleep(skv_world *world, const skv_snapshot *s)
 
 static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *error)
 {
-    const skv_solver_type *solver = world->solver->type;
-    float *memories[SKV_SOLVER_MOST_MEMORIES];
-    skv_result result = SKV_OK;
-    if (s->memories)
-        result = solver->make_memories(world->solver, s->count, memories, error);
-    if (result == SKV_OK)
-        result = skv_world_reserve(world, s->count, error);
+    skv_result result = skv_world_reserve(world, s->count, error);
     if (result != SKV_OK)
         return result;
-    skv_snapshot_particles(s, &world->state, memories);
+    skv_snapshot_particles(s, &world->state);
     take_facts(world, s);
     take_sleep(world, s);
     skv_world_revise(world);
-    if (s->memories)
-        solver->remember(world->solver, world->revision);
     return SKV_OK;
 }
 

@@ -105,19 +105,13 @@ static void put_uint8_t(skv_writer *w, uint8_t value)
 static void put_particles(skv_writer *w, const skv_world *world)
 {
     const skv_state *s = &world->state;
-    const skv_solver *solver = world->solver;
-    const float *memories[SKV_SOLVER_MOST_MEMORIES];
-    int count = solver->type->recall ? solver->type->recall(solver, world->revision, memories) : 0;
     skv_put(w, (uint64_t)s->count, 4);
-    skv_put(w, (uint64_t)count, 4);
+    skv_put(w, 0, 4); /* that many arrays a solver had, once */
 #define PUT(type, name, saved)                                                                     \
     for (int i = 0; (saved) != SKV_SAVED_NOWHERE && i < s->count; i++)                             \
         put_##type(w, s->name[i]);
     SKV_STATE_ARRAYS(PUT)
 #undef PUT
-    for (int m = 0; m < count; m++)
-        for (int i = 0; i < s->count; i++)
-            skv_put_float(w, memories[m][i]);
 }
 
 static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *bytes)
@@ -323,10 +317,10 @@ static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_befo
            (s->def.sleep || *one->unrest != SKV_CALM);
 }
 
-/* Bytes of a particle. */
-static size_t particle_size(const skv_snapshot *s)
+/* Bytes of a particle, behind which the reference solver once had two arrays of its own. */
+static size_t particle_size(const skv_snapshot *s, size_t arrays)
 {
-    size_t size = (size_t)s->memories * sizeof(float);
+    size_t size = arrays * sizeof(float);
 #define ADD(type, name, saved) size += (s->holds & (saved)) ? sizeof(type) : 0;
     SKV_STATE_ARRAYS(ADD)
 #undef ADD
@@ -354,13 +348,10 @@ static bool check_particles(const skv_snapshot *s)
             return false;
         id_before = *one.id;
     }
-    bool sane = true;
-    for (int64_t i = 0; i < (int64_t)s->memories * s->count; i++)
-        sane = skv_within((double)skv_get_float(&r), -100, 100) && sane;
-    return sane;
+    return true;
 }
 
-void skv_snapshot_particles(const skv_snapshot *s, skv_state *state, float **memories)
+void skv_snapshot_particles(const skv_snapshot *s, skv_state *state)
 {
     skv_reader r = s->particles;
 #define READ(type, name, saved)                                                                    \
@@ -368,25 +359,21 @@ void skv_snapshot_particles(const skv_snapshot *s, skv_state *state, float **mem
         state->name[i] = (s->holds & (saved)) ? get_##type(&r) : 0;
     SKV_STATE_ARRAYS(READ)
 #undef READ
-    for (int m = 0; m < s->memories; m++)
-        for (int i = 0; i < s->count; i++)
-            memories[m][i] = skv_get_float(&r);
     state->count = s->count;
 }
 
 static skv_result read_particles(skv_reader *r, skv_snapshot *s, skv_error *error)
 {
-    uint64_t count = skv_get(r, 4), memories = skv_get(r, 4);
+    uint64_t count = skv_get(r, 4), arrays = skv_get(r, 4);
     if (count > SKV_MAX_PARTICLES)
         return skv_fail(error, SKV_ERROR_LIMIT, "snapshot: it has more than %d particles",
                         SKV_MAX_PARTICLES);
-    bool remembers = s->def.solver == SKV_SOLVER_REFERENCE;
-    if (r->failed || memories > (remembers ? SKV_SOLVER_MOST_MEMORIES : 0) || memories == 1)
+    bool had = s->def.solver == SKV_SOLVER_REFERENCE;
+    if (r->failed || (arrays != 0 && !(had && arrays == 2)))
         return refuse(error, "it is damaged; take another copy");
     s->count = (int)count;
-    s->memories = (int)memories;
     s->particles = *r;
-    if (r->size - r->at != count * particle_size(s))
+    if (r->size - r->at != count * particle_size(s, arrays))
         return refuse(error, "its length is not that of its particles");
     if (!check_particles(s))
         return skv_fail(error, SKV_ERROR_VALUE,

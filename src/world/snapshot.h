@@ -24,8 +24,7 @@ typedef struct skv_snapshot {
     skv_terrain_def terrain; /* without coverage, which begins at `picture` */
     skv_reader picture;
 
-    int count;    /* particles */
-    int memories; /* of the solver, floats a particle */
+    int count; /* particles */
     skv_reader particles;
 } skv_snapshot;
 
@@ -36,7 +35,7 @@ skv_result skv_snapshot_read(const void *data, size_t size, skv_snapshot *snapsh
 /* Writes the picture, width * height bytes; false if it is not that long. */
 bool skv_snapshot_picture(const skv_snapshot *snapshot, uint8_t *coverage);
 
-/* Writes the particles into a state with room for them, and the solver's memories. */
-void skv_snapshot_particles(const skv_snapshot *snapshot, skv_state *state, float **memories);
+/* Writes the particles into a state with room for them. */
+void skv_snapshot_particles(const skv_snapshot *snapshot, skv_state *state);
 
 #endif

@@ -27,7 +27,6 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
     const skv_state *s = &world->state;
     return (skv_solver_step){
         .particles = {.count = s->count,
-                      .revision = world->revision,
                       .x = s->x,
                       .y = s->y,
                       .vx = s->vx,

@@ -47,7 +47,7 @@ struct skv_world {
 
     skv_state state;
     uint32_t next_id;
-    uint32_t revision;    /* of solver.h: it must not tell how much room there is */
+    uint32_t revision;    /* another one when particles have come, gone or changed places */
     uint32_t array_moves; /* how often the particles' arrays went to other memory */
     skv_tiling tiling;
     skv_sleep sleep;

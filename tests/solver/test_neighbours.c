@@ -1,5 +1,4 @@
-/* Neighbour lists against a search over all pairs; their order; what happens outside the grid. */
-#include "base/pool.h"
+/* Neighbour lists against a search over all pairs; what happens outside the grid. */
 #include "solver/reference/neighbours.h"
 
 #include <math.h>
@@ -25,12 +24,12 @@ static void scatter(float from, float to)
     }
 }
 
-static void build(skv_neighbours *lists, float h, skv_pool *pool)
+static void build(skv_neighbours *lists, float h)
 {
     assert_int_equal(skv_neighbours_create(lists, 0, 0, 1, 1, h, NULL, NULL), SKV_OK);
     for (int round = 0; round < 2; round++) {
         assert_int_equal(skv_neighbours_reserve(lists, N, NULL), SKV_OK);
-        skv_neighbours_build(lists, xs, ys, N, h, pool);
+        skv_neighbours_build(lists, xs, ys, N, h);
     }
 }
 
@@ -59,27 +58,11 @@ static void lists_hold_exactly_the_pairs_within_h(void **unused)
         for (int outside = 0; outside < 2; outside++) {
             scatter(outside ? -0.05f : 0, outside ? 1.05f : 1);
             skv_neighbours lists;
-            build(&lists, radii[r], NULL);
+            build(&lists, radii[r]);
             check_against_all_pairs(&lists, radii[r]);
             skv_neighbours_destroy(&lists);
         }
     }
-}
-
-static void threads_do_not_change_the_order(void **unused)
-{
-    (void)unused;
-    scatter(0, 1);
-    skv_neighbours alone, shared;
-    skv_pool *pool;
-    assert_int_equal(skv_pool_create(3, &pool, NULL), SKV_OK);
-    build(&alone, 0.1f, NULL);
-    build(&shared, 0.1f, pool);
-    assert_memory_equal(alone.start, shared.start, (N + 1) * sizeof(int));
-    assert_memory_equal(alone.list, shared.list, (size_t)alone.start[N] * sizeof(int));
-    skv_neighbours_destroy(&alone);
-    skv_neighbours_destroy(&shared);
-    skv_pool_destroy(pool);
 }
 
 /* More pairs than there is room for: the lists are cut, nothing is written past them, and the next
@@ -91,11 +74,11 @@ static void a_list_that_does_not_fit_is_cut(void **unused)
     skv_neighbours lists;
     assert_int_equal(skv_neighbours_create(&lists, 0, 0, 1, 1, 0.1f, NULL, NULL), SKV_OK);
     assert_int_equal(skv_neighbours_reserve(&lists, N, NULL), SKV_OK);
-    skv_neighbours_build(&lists, xs, ys, N, 0.1f, NULL);
+    skv_neighbours_build(&lists, xs, ys, N, 0.1f);
     assert_true(lists.start[N] <= lists.list_capacity);
     assert_true(lists.wanted == N * (N - 1));
     assert_int_equal(skv_neighbours_reserve(&lists, N, NULL), SKV_OK);
-    skv_neighbours_build(&lists, xs, ys, N, 0.1f, NULL);
+    skv_neighbours_build(&lists, xs, ys, N, 0.1f);
     check_against_all_pairs(&lists, 0.1f);
     skv_neighbours_destroy(&lists);
 }
@@ -108,7 +91,7 @@ static void not_a_number_is_survived(void **unused)
     ys[5] = INFINITY;
     xs[7] = -INFINITY;
     skv_neighbours lists;
-    build(&lists, 0.1f, NULL);
+    build(&lists, 0.1f);
     assert_int_equal(lists.start[4] - lists.start[3], 0);
     skv_neighbours_destroy(&lists);
 }
@@ -117,7 +100,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lists_hold_exactly_the_pairs_within_h),
-        cmocka_unit_test(threads_do_not_change_the_order),
         cmocka_unit_test(a_list_that_does_not_fit_is_cut),
         cmocka_unit_test(not_a_number_is_survived),
     };

@@ -76,15 +76,13 @@ static void lend(void *user, int count, void (*member)(void *team), void *team)
 static void a_hosts_threads_give_the_same_hash(void **unused)
 {
     (void)unused;
-    for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
-        int calls = 0;
-        skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, (skv_solver_kind)solver, 1,
-                                        spacing_of((skv_solver_kind)solver), SKV_MAX_THREADS);
-        def.tasks = (skv_task_system){4, lend, &calls};
-        uint64_t once = stirred_hash(SKV_LAW_CALIBRATED, (skv_solver_kind)solver, 1);
-        assert_int_equal(stirred_hash_of(&def), once);
-        assert_true(calls >= FRAMES);
-    }
+    int calls = 0;
+    skv_world_def def =
+        fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 1, 0.014f, SKV_MAX_THREADS);
+    def.tasks = (skv_task_system){4, lend, &calls};
+    uint64_t once = stirred_hash(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 1);
+    assert_int_equal(stirred_hash_of(&def), once);
+    assert_true(calls >= FRAMES);
 }
 
 /* Every instruction set that this machine has gives the same bits. */

@@ -375,6 +375,30 @@ static void a_part_of_a_snapshot_is_refused(void **unused)
     skv_world_destroy(world);
 }
 
+/* The reference solver once had two arrays of its own at the end: they are passed over. */
+static void arrays_of_an_old_reference_are_passed_over(void **unused)
+{
+    (void)unused;
+    for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
+        skv_world *world = make_small((skv_solver_kind)solver);
+        size_t count = (size_t)skv_world_particle_count(world);
+        blob now = save(world, true), old = {calloc(now.size + 12 * count, 1), 0};
+        for (unsigned arrays = 0; arrays < 4; arrays++) {
+            old.size = now.size + arrays * count * 4;
+            memcpy(old.bytes, now.bytes, now.size);
+            old.bytes[now.size - 38 * count - 4] = (uint8_t)arrays;
+            skv_writer w = {old.bytes, 16};
+            skv_put(&w, old.size, 8);
+            sign(old);
+            bool refused = try_bytes(world, old, now);
+            assert_int_equal(refused, arrays != 0 && (arrays != 2 || solver == SKV_SOLVER_FAST));
+        }
+        free(old.bytes);
+        free(now.bytes);
+        skv_world_destroy(world);
+    }
+}
+
 static void expect_refused(const skv_world *from, skv_world *into, const char *named)
 {
     blob b = save(from, false);
@@ -510,6 +534,7 @@ int main(void)
         cmocka_unit_test(loading_and_copying_take_what_creating_takes),
         cmocka_unit_test(every_byte_may_be_wrong),
         cmocka_unit_test(a_part_of_a_snapshot_is_refused),
+        cmocka_unit_test(arrays_of_an_old_reference_are_passed_over),
         cmocka_unit_test(another_kind_of_world_is_refused),
         cmocka_unit_test(emitters_and_drains_that_no_world_has_are_refused),
         cmocka_unit_test(speeds_have_an_end),

@@ -104,18 +104,10 @@ static void sort_into_cells(skv_neighbours *n, const float *x, const float *y, i
     n->cell_start[cells] = count;
 }
 
-typedef struct build {
-    skv_neighbours *n;
-    const float *x, *y;
-    float h_squared;
-} build;
-
-/* Walks the candidates of particle i in the three rows of three cells around it; stores those
- * within the radius if `out` is given. Returns their number. */
-static int gather(const build *b, int i, int *out)
+/* Walks the candidates of particle i in the three rows of three cells around it, and writes those
+ * within the radius to its list, as long as it finds room. Returns their number. */
+static int gather(skv_neighbours *n, const float *x, const float *y, float h_squared, int i)
 {
-    const skv_neighbours *n = b->n;
-    const float *restrict x = b->x, *restrict y = b->y;
     /* Asked each time: walls that are drawn come and go. */
     const skv_boundary *thin =
         n->boundary && skv_boundary_has_thin(n->boundary) ? n->boundary : NULL;
@@ -129,51 +121,30 @@ static int gather(const build *b, int i, int *out)
         for (int k = begin; k < end; k++) {
             int j = n->sorted[k];
             float dx = x[j] - x[i], dy = y[j] - y[i];
-            if (!(dx * dx + dy * dy < b->h_squared) || j == i)
+            if (!(dx * dx + dy * dy < h_squared) || j == i)
                 continue;
             if (thin && skv_boundary_occluded(thin, x[i], y[i], 0, x[j], y[j], 0))
                 continue;
-            if (out)
-                out[found] = j;
+            if (found < n->list_capacity - n->start[i])
+                n->list[n->start[i] + found] = j;
             found++;
         }
     }
     return found;
 }
 
-static void count_pass(int begin, int end, void *context)
-{
-    const build *b = context;
-    for (int i = begin; i < end; i++)
-        b->n->start[i + 1] = gather(b, i, NULL);
-}
-
-static void fill_pass(int begin, int end, void *context)
-{
-    const build *b = context;
-    for (int i = begin; i < end; i++) {
-        /* An empty range may stem from a cut list: nothing may be written then. */
-        if (b->n->start[i + 1] > b->n->start[i])
-            gather(b, i, b->n->list + b->n->start[i]);
-    }
-}
-
-void skv_neighbours_build(skv_neighbours *n, const float *x, const float *y, int count, float h,
-                          skv_pool *pool)
+void skv_neighbours_build(skv_neighbours *n, const float *x, const float *y, int count, float h)
 {
     if (count == 0)
         return;
-    build b = {n, x, y, h * h};
     sort_into_cells(n, x, y, count);
-    skv_pool_run(pool, count, count_pass, &b);
     n->start[0] = 0;
     int64_t wanted = 0;
     for (int i = 0; i < count; i++) {
-        int length = n->start[i + 1];
+        int length = gather(n, x, y, h * h, i);
         wanted += length;
-        bool fits = (int64_t)n->start[i] + length <= n->list_capacity;
+        bool fits = length <= n->list_capacity - n->start[i];
         n->start[i + 1] = n->start[i] + (fits ? length : 0);
     }
     n->wanted = wanted < INT32_MAX / 2 ? (int)wanted : INT32_MAX / 2;
-    skv_pool_run(pool, count, fill_pass, &b);
 }

@@ -7,7 +7,6 @@
 #ifndef SKV_SOLVER_REFERENCE_NEIGHBOURS_H
 #define SKV_SOLVER_REFERENCE_NEIGHBOURS_H
 
-#include "base/pool.h"
 #include "skvalp/base.h"
 #include "terrain/boundary.h"
 
@@ -38,6 +37,6 @@ skv_result skv_neighbours_reserve(skv_neighbours *neighbours, int count, skv_err
 /* Builds the lists of pairs with r < h. A list that does not fit, which takes a fluid squeezed to
  * two thirds of its volume within one substep, is cut; the next reserve makes room. */
 void skv_neighbours_build(skv_neighbours *neighbours, const float *x, const float *y, int count,
-                          float h, skv_pool *pool);
+                          float h);
 
 #endif

@@ -1,78 +1,83 @@
-/* One pair of particles as the gather passes see it. */
+/* One pair of particles as the passes see it: neighbours of each other, and each other's images. */
 #ifndef SKV_SOLVER_REFERENCE_PAIR_H
 #define SKV_SOLVER_REFERENCE_PAIR_H
 
-#include "model/constants.h"
 #include "solver/direction.h"
-#include "solver/reference/pass_data.h"
+#include "solver/reference/reference.h"
 #include "solver/wall_image.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 /* From particle i to particle j: the unit vector and q = 1 - r/h. */
 typedef struct skv_pair {
-    float ux, uy, q;
+    double ux, uy, q;
 } skv_pair;
 
-/* Below this share of h two particles coincide and their direction is made up. */
-#define SKV_COINCIDENT 1e-6f
-
-/* Fills the pair of two particles (dx, dy) apart; returns false if that is beyond the radius. */
-static inline bool skv_pair_apart(const skv_constants *c, float dx, float dy, uint32_t id_i,
-                                  uint32_t id_j, skv_pair *pair)
+/* A particle's list: its partners are those of the places from the first to before the end. */
+static inline int skv_first_partner(const skv_reference *f, int i)
 {
-    float r_squared = dx * dx + dy * dy;
-    if (!(r_squared < c->h_squared))
-        return false;
-    float r = sqrtf(r_squared);
-    pair->q = 1 - r * c->inv_h;
-    if (r > SKV_COINCIDENT * c->h) {
-        float inverse = 1 / r;
-        pair->ux = dx * inverse;
-        pair->uy = dy * inverse;
-    } else {
-        skv_fallback_direction(id_i, id_j, &pair->ux, &pair->uy);
-    }
-    return true;
+    return f->neighbours.start[i];
 }
 
-/* Fills `pair` and returns true if j is still within the radius of i: lists are older than the
- * positions (erratum of Algorithm 5). Pairs are taken a little behind these. */
-static inline bool skv_pair_of(const skv_pass_data *s, const skv_constants *c, int i, int j,
-                               skv_pair *pair)
+static inline int skv_end_of_partners(const skv_reference *f, int i)
 {
-    float dx = s->x[j] - s->x[i] - (s->behind_x[j] - s->behind_x[i]);
-    float dy = s->y[j] - s->y[i] - (s->behind_y[j] - s->behind_y[i]);
-    return skv_pair_apart(c, dx, dy, s->id[i], s->id[j], pair);
+    return f->neighbours.start[i + 1];
+}
+
+static inline int skv_partner(const skv_reference *f, int place)
+{
+    return f->neighbours.list[place];
+}
+
+/* Fills `pair` and returns true if j is within the radius of i: lists are older than the positions
+ * and reach farther (erratum of Algorithm 5). Pairs are taken a little behind these. */
+static inline bool skv_pair_of(const skv_reference *f, int i, int j, skv_pair *pair)
+{
+    const double h = (double)f->constants->h;
+    double dx = f->x[j] - f->x[i] - (f->behind_x[j] - f->behind_x[i]);
+    double dy = f->y[j] - f->y[i] - (f->behind_y[j] - f->behind_y[i]);
+    double r = sqrt(dx * dx + dy * dy);
+    if (!(r < h))
+        return false;
+    if (r > (double)SKV_COINCIDENT * h) {
+        *pair = (skv_pair){dx / r, dy / r, 1 - r / h};
+        return true;
+    }
+    float ux, uy;
+    skv_fallback_direction(f->id[i], f->id[j], &ux, &uy);
+    *pair = (skv_pair){(double)ux, (double)uy, 1 - r / h};
+    return true;
 }
 
 /* How much more the density of a pair is where its particles are than where it is taken, to first
  * order, per q^2: that of the pair itself or of its images, whose distances to the square change
  * alike. */
-static inline float skv_density_ahead(const skv_pass_data *s, const skv_constants *c, int i, int j,
-                                      const skv_pair *pair)
+static inline double skv_density_ahead(const skv_reference *f, int i, int j, const skv_pair *pair)
 {
-    float apart =
-        (s->behind_x[j] - s->behind_x[i]) * pair->ux + (s->behind_y[j] - s->behind_y[i]) * pair->uy;
-    return -SKV_SMOOTH_GAIN * (1 - pair->q) * (apart * c->inv_h);
+    double apart =
+        (f->behind_x[j] - f->behind_x[i]) * pair->ux + (f->behind_y[j] - f->behind_y[i]) * pair->uy;
+    return -SKV_SMOOTH_GAIN * (1 - pair->q) * apart / (double)f->constants->h;
+}
+
+/* Whether a particle has an image behind a wall. */
+static inline bool skv_has_image(const skv_reference *f, int i)
+{
+    return f->constants->images && f->image[i] < 1;
 }
 
 /* q of the image of j as seen from i, whose pair has q: wall_image.h; 0 if there is none. */
-static inline float skv_image_of(const skv_pass_data *s, const skv_constants *c, int i, int j,
-                                 float q)
+static inline double skv_image_of(const skv_reference *f, int i, int j, double q)
 {
-    if (!c->images || !(s->image[i] < 1) || !(s->image[j] < 1))
+    if (!skv_has_image(f, i) || !skv_has_image(f, j))
         return 0;
-    float way = sqrtf((1 - q) * (1 - q) + 4 * s->image[i] * s->image[j]);
-    return way < 1 ? 1 - (way > SKV_LEAST_IMAGE ? way : SKV_LEAST_IMAGE) : 0;
+    double way = sqrt((1 - q) * (1 - q) + 4 * f->image[i] * f->image[j]);
+    return way < 1 ? 1 - skv_max(way, (double)SKV_LEAST_IMAGE) : 0;
 }
 
 /* The same of its own image. */
-static inline float skv_own_image_of(const skv_pass_data *s, const skv_constants *c, int i)
+static inline double skv_own_image_of(const skv_reference *f, int i)
 {
-    float q = c->images ? 1 - 2 * s->image[i] : 0;
-    return q > 0 ? q : 0;
+    return skv_has_image(f, i) ? skv_max(1 - 2 * f->image[i], 0) : 0;
 }
 
 #endif

@@ -1,226 +1,251 @@
-/* Double density relaxation as gather passes (Algorithm 6 with errata 6 and 6+9), and the
- * calibrated law's surface tension.
+/* Double density relaxation (Algorithm 6 with errata 6 and 6+9), and the calibrated law's surface
+ * tension.
  *
- * Invariant: pass A (density) reads positions, pass B (displacement) reads positions and the P and
- * N of both partners; neither writes what it reads of others. A pair's two displacements are the
- * same expression with the unit vector reversed, so they are exactly opposite.
+ * Invariant: the density reads positions, the displacement reads positions and the P and N of both
+ * partners; neither writes what it reads of others. A pair's two displacements are the same
+ * expression with the unit vector reversed, so they are opposite.
  */
 #include "solver/reference/pair.h"
-#include "solver/reference/passes.h"
-#include "solver/wall_image.h"
-#include "solver/wall_push.h"
+#include "solver/reference/reference.h"
 
 #include <math.h>
-#include <stddef.h>
 
-void skv_pass_density(const skv_substep *sub, int begin, int end)
+/* Sums over a particle's surroundings. */
+typedef struct surroundings {
+    double density, near_density;
+    double gx, gy; /* sum of F r^ */
+} surroundings;
+
+static surroundings look_around(const skv_reference *f, int i)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    const skv_neighbours *n = sub->neighbours;
-    for (int i = begin; i < end; i++) {
-        float density = 0, near_density = 0, gx = 0, gy = 0;
-        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
-            skv_pair pair;
-            if (!skv_pair_of(s, c, i, n->list[k], &pair))
-                continue;
-            float force = skv_kernel_forcef(c->kernel, pair.q);
-            float image = skv_image_of(s, c, i, n->list[k], pair.q);
-            float ahead = skv_density_ahead(s, c, i, n->list[k], &pair);
-            density +=
-                skv_kernel_densityf(c->kernel, pair.q) + skv_kernel_densityf(c->kernel, image);
-            density += (pair.q * pair.q + image * image) * ahead;
-            near_density += pair.q * pair.q * pair.q + image * image * image;
-            gx += force * pair.ux;
-            gy += force * pair.uy;
-        }
-        float own = skv_own_image_of(s, c, i);
-        s->density[i] = density + (s->wall_density[i] + skv_kernel_densityf(c->kernel, own));
-        s->near_density[i] = near_density + (s->wall_near[i] + own * own * own);
-        if (sub->first && !c->clavet) {
-            float flat = c->image_gradient * skv_flat_slope(s->image[i]);
-            gx -= s->f1x[i] + flat * s->facing_x[i];
-            gy -= s->f1y[i] + flat * s->facing_y[i];
-            float size = sqrtf(gx * gx + gy * gy);
-            float share = size > c->tension_from ? (size - c->tension_from) / size : 0;
-            /* Only loose fluid has a surface that matters: what was pressed fades. */
-            float pressed = c->dt * c->dt * s->warm_lambda[i] / c->tension_until;
-            share *= pressed < 1 ? 1 - pressed : 0;
-            s->gradient_x[i] = share * gx;
-            s->gradient_y[i] = share * gy;
-        }
+    const skv_kernel kernel = f->constants->kernel;
+    surroundings sums = {0};
+    for (int k = skv_first_partner(f, i); k < skv_end_of_partners(f, i); k++) {
+        int j = skv_partner(f, k);
+        skv_pair pair;
+        if (!skv_pair_of(f, i, j, &pair))
+            continue;
+        double q = pair.q, image = skv_image_of(f, i, j, q);
+        double force = skv_kernel_force(kernel, q), ahead = skv_density_ahead(f, i, j, &pair);
+        sums.density += skv_kernel_density(kernel, q) + skv_kernel_density(kernel, image) +
+                        (q * q + image * image) * ahead;
+        sums.near_density += q * q * q + image * image * image;
+        sums.gx += force * pair.ux;
+        sums.gy += force * pair.uy;
+    }
+    return sums;
+}
+
+/* Keeps of the gradient, for the tension, what exceeds the unevenness of the bulk. Only loose fluid
+ * has a surface that matters: what was pressed in the last substep fades. */
+static void keep_gradient(skv_reference *f, int i, double gx, double gy)
+{
+    const skv_constants *c = f->constants;
+    double flat = (double)c->image_gradient * (double)skv_flat_slope((float)f->image[i]);
+    gx -= f->f1x[i] + flat * f->facing_x[i];
+    gy -= f->f1y[i] + flat * f->facing_y[i];
+    double size = sqrt(gx * gx + gy * gy), bulk = (double)c->tension_from;
+    double share = size > bulk ? (size - bulk) / size : 0;
+    share *= skv_max(1 - f->warm_lambda[i] / (double)c->tension_until, 0);
+    f->gradient_x[i] = share * gx;
+    f->gradient_y[i] = share * gy;
+}
+
+void skv_pass_density(skv_reference *f)
+{
+    const skv_constants *c = f->constants;
+    for (int i = 0; i < f->count; i++) {
+        surroundings sums = look_around(f, i);
+        double own = skv_own_image_of(f, i);
+        f->density[i] = sums.density + f->wall_density[i] + skv_kernel_density(c->kernel, own);
+        f->near_density[i] = sums.near_density + f->wall_near[i] + own * own * own;
+        if (f->first && !c->clavet)
+            keep_gradient(f, i, sums.gx, sums.gy);
     }
 }
 
-void skv_pass_pressure_calibrated(const skv_substep *sub, int begin, int end)
+/* The pressure term's P, which is remembered. The warm start: where the density is too high anyway,
+ * a share of the last substep's push comes first. What is left to find is less, and so is the
+ * density that finds it. */
+static double press(skv_reference *f, int i, double response)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    float square = c->dt * c->dt;
-    for (int i = begin; i < end; i++) {
-        float density = s->density[i];
-        float excess = density - c->rest_density;
-        float crowded = s->near_density[i] - c->near_share * density;
-        float missing = c->cohesion_below - density;
-        /* Few neighbours do not draw together: no number of them could make up the density. */
-        float held = (density - c->cohesion_from) * c->cohesion_slope;
-        held = held < 0 ? 0 : held < 1 ? held : 1;
-        float pull = c->cohesion_scale * (held * (missing > 0 ? missing : 0));
-        float near_lambda = c->near_lambda_scale * (crowded > 0 ? crowded : 0);
-        /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly
-         * answers. */
-        float response = c->response_slope * density;
-        if (!(response > c->response_floor))
-            response = c->response_floor;
-        float lambda = c->lambda_scale * (excess > 0 ? excess : 0) / response;
-        /* The warm start: where the density is too high anyway, a share of the last substep's push
-         * comes first. What is left to find is less, and so is the density that finds it. */
-        float before = s->warm_lambda[i];
-        if (sub->first) {
-            float last = square * before, most = c->warm_most * lambda;
-            last = last < c->warm_limit ? last : c->warm_limit;
-            float start = c->warm_start * last;
-            lambda += start < most ? start : most;
-            before = 0;
-        }
-        s->warm_lambda[i] = before + lambda / square;
-        s->lambda[i] = lambda - (pull + SKV_NEAR_WEIGHT * c->near_share * near_lambda) / response;
-        s->near_lambda[i] = near_lambda / response;
+    const skv_constants *c = f->constants;
+    double excess = skv_max(f->density[i] - (double)c->rest_density, 0);
+    double lambda = (double)c->lambda_scale * excess / response, before = f->warm_lambda[i];
+    if (f->first) {
+        double start = (double)c->warm_start * skv_min(before, (double)c->warm_limit);
+        lambda += skv_min(start, (double)c->warm_most * lambda);
+        before = 0;
+    }
+    f->warm_lambda[i] = before + lambda;
+    return lambda;
+}
+
+/* A relaxation step of the constraint that the density is at most that at rest; cohesion, and near
+ * pressure, which both vanish in the lattice at rest. */
+static void find_calibrated(skv_reference *f, int i)
+{
+    const skv_constants *c = f->constants;
+    double density = f->density[i], share = (double)c->near_share;
+    double missing = skv_max((double)c->cohesion_below - density, 0);
+    /* Few neighbours do not draw together: no number of them could make up the density. */
+    double held = (density - (double)c->cohesion_from) * (double)c->cohesion_slope;
+    held = skv_min(skv_max(held, 0), 1);
+    double pull = (double)c->cohesion_scale * held * missing;
+    double crowd = (double)c->near_lambda_scale * skv_max(f->near_density[i] - share * density, 0);
+    /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly answers.
+     */
+    double response = skv_max((double)c->response_slope * density, (double)c->response_floor);
+    double pressed = press(f, i, response);
+    f->lambda[i] = pressed - (pull + SKV_NEAR_WEIGHT * share * crowd) / response;
+    f->near_lambda[i] = crowd / response;
+}
+
+/* The thesis' law, made symmetric. Its limiter: a Jacobi iteration overshoots where many strong
+ * pairs meet. Scaling P and N of one particle keeps pairs opposite; capping N alone was tried and
+ * failed. */
+static void find_clavet(skv_reference *f, int i)
+{
+    const skv_constants *c = f->constants;
+    double lambda = (double)c->lambda_scale * (f->density[i] - (double)c->rest_density);
+    double near_lambda = (double)c->near_lambda_scale * f->near_density[i];
+    double strength = f->density[i] * near_lambda, limit = (double)c->lambda_limit;
+    double scale = strength > limit ? limit / strength : 1;
+    f->lambda[i] = scale * lambda;
+    f->near_lambda[i] = scale * near_lambda;
+}
+
+void skv_pass_pressure(skv_reference *f)
+{
+    for (int i = 0; i < f->count; i++) {
+        if (f->constants->clavet)
+            find_clavet(f, i);
+        else
+            find_calibrated(f, i);
     }
 }
 
-void skv_pass_pressure_clavet(const skv_substep *sub, int begin, int end)
+/* Adds a virial, the sum of distance times displacement in units of h times m, to the gauge. */
+static void gauge(skv_reference *f, int i, double virial)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    for (int i = begin; i < end; i++) {
-        float lambda = c->lambda_scale * (s->density[i] - c->rest_density);
-        float near_lambda = c->near_lambda_scale * s->near_density[i];
-        /* The limiter: a Jacobi iteration overshoots where many strong pairs meet. Scaling P and N
-         * of one particle keeps pairs antisymmetric; capping N alone was tried and failed. */
-        float strength = s->density[i] * near_lambda;
-        float scale = strength > c->lambda_limit ? c->lambda_limit / strength : 1;
-        s->lambda[i] = scale * lambda;
-        s->near_lambda[i] = scale * near_lambda;
-    }
+    const skv_constants *c = f->constants;
+    f->pressure[i] += (double)c->pressure_scale * (double)c->h * virial;
 }
 
-/* The velocity that external forces give in a substep to fluid that rests where a particle is. */
-static void find_fall(const skv_substep *sub, int i, float *gx, float *gy)
+/* Takes from a wall's push, where it is a pull, what would hold a particle up against the direction
+ * in which external forces would have it fall, or drops would hang from ceilings for ever; but for
+ * the share `adhesion` of it. (nx, ny) points out of the wall. Leaving out all of the pull heats
+ * the fluid where its surface meets a wall, since it has no energy then. */
+static void let_fall(const skv_reference *f, int i, double nx, double ny, double adhesion,
+                     double *push_x, double *push_y)
 {
-    const skv_pass_data *s = &sub->data;
-    float vx = 0, vy = 0;
-    skv_apply_external_forces(sub->forces, sub->force_count, s->x[i], s->y[i], &vx, &vy);
-    *gx = sub->constants->dt * sub->gravity_x + vx;
-    *gy = sub->constants->dt * sub->gravity_y + vy;
+    const double dt = (double)f->constants->dt;
+    double gx = 0, gy = 0; /* what fluid gains that rests where pairs are taken */
+    skv_apply_forces(f, f->x[i] - f->behind_x[i], f->y[i] - f->behind_y[i], &gx, &gy);
+    gx += dt * f->gravity_x;
+    gy += dt * f->gravity_y;
+    double down = *push_x * gx + *push_y * gy, square = gx * gx + gy * gy;
+    if (!(*push_x * nx + *push_y * ny < 0 && down < 0))
+        return;
+    *push_x -= (1 - adhesion) * down / square * gx;
+    *push_y -= (1 - adhesion) * down / square * gy;
 }
 
-/* The walls' part of a displacement, and the gauge pressure. */
-static void add_solid(const skv_substep *sub, int i, float virial)
+/* The solid's part, P F1 + N F2: a wall pushes with the particle's own pressure, once; twice, as if
+ * it were a mirrored fluid, heats the fluid. Where P is negative it pulls. */
+static void add_solid(skv_reference *f, int i, double virial)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    float wall_x, wall_y, gx, gy;
-    find_fall(sub, i, &gx, &gy);
-    skv_wall_push(s->lambda[i], s->near_lambda[i], s->f1x[i], s->f1y[i], s->f2x[i], s->f2y[i], gx,
-                  gy, c->loose_lambda, &wall_x, &wall_y);
-    s->dx[i] += wall_x;
-    s->dy[i] += wall_y;
-    skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
+    const skv_constants *c = f->constants;
+    double lambda = f->lambda[i], near_lambda = f->near_lambda[i];
+    double push_x = lambda * f->f1x[i] + near_lambda * f->f2x[i];
+    double push_y = lambda * f->f1y[i] + near_lambda * f->f2y[i];
+    if (lambda < (double)c->loose_lambda)
+        let_fall(f, i, f->f1x[i], f->f1y[i], 0, &push_x, &push_y);
+    f->dx[i] += push_x;
+    f->dy[i] += push_y;
+    skv_book_reaction(f, i, push_x, push_y);
     /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
-    virial += c->wall_virial * s->lambda[i] * s->wall_density[i] +
-              2.0f / SKV_NEAR_GAIN * s->near_lambda[i] * s->wall_near[i];
-    s->pressure[i] += c->pressure_scale * c->h * virial;
+    virial += (double)c->wall_virial * lambda * f->wall_density[i] +
+              2.0 / SKV_NEAR_GAIN * near_lambda * f->wall_near[i];
+    gauge(f, i, virial);
 }
 
-/* The same for a particle with images. `out` is what those of its partners push it away from the
+/* The same for a particle with an image. `out` is what those of its partners push it away from the
  * wall. */
-static void add_imaged(const skv_substep *sub, int i, float out)
+static void add_imaged(skv_reference *f, int i, double out)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    float lambda = s->lambda[i], near_lambda = s->near_lambda[i], own = skv_own_image_of(s, c, i);
-    out += 2 * (lambda * skv_kernel_forcef(c->kernel, own) + near_lambda * (own * own));
-    float wall_x = lambda * s->f1x[i] + near_lambda * s->f2x[i] + out * s->facing_x[i];
-    float wall_y = lambda * s->f1y[i] + near_lambda * s->f2y[i] + out * s->facing_y[i];
-    float gx, gy;
-    find_fall(sub, i, &gx, &gy);
-    skv_wall_let_fall(gx, gy, s->facing_x[i], s->facing_y[i], c->adhesion, &wall_x, &wall_y);
-    s->dx[i] += wall_x;
-    s->dy[i] += wall_y;
-    skv_book_reaction(sub, i, (double)wall_x, (double)wall_y);
+    const skv_constants *c = f->constants;
+    double lambda = f->lambda[i], near_lambda = f->near_lambda[i], own = skv_own_image_of(f, i);
+    out += 2 * (lambda * skv_kernel_force(c->kernel, own) + near_lambda * own * own);
+    double push_x = lambda * f->f1x[i] + near_lambda * f->f2x[i] + out * f->facing_x[i];
+    double push_y = lambda * f->f1y[i] + near_lambda * f->f2y[i] + out * f->facing_y[i];
+    let_fall(f, i, f->facing_x[i], f->facing_y[i], (double)c->adhesion, &push_x, &push_y);
+    f->dx[i] += push_x;
+    f->dy[i] += push_y;
+    skv_book_reaction(f, i, push_x, push_y);
     /* Fluid and images are one body, so it is that of the bulk, and goes with how dense the last
      * iteration finds it, its own W included. */
-    float virial = c->image_virial * lambda + c->image_near_virial * near_lambda;
-    s->pressure[i] += c->pressure_scale * c->h * virial;
-    if (sub->last) {
-        float rest = c->rest_density, most = SKV_DENSEST * rest;
-        float density = s->density[i] < most ? s->density[i] : most;
-        s->pressure[i] *= density > rest ? (density + 1) / (rest + 1) : 1;
-    }
+    gauge(f, i, (double)c->image_virial * lambda + (double)c->image_near_virial * near_lambda);
+    double rest = (double)c->rest_density, density = f->density[i];
+    density = skv_max(skv_min(density, (double)SKV_DENSEST * rest), rest);
+    if (f->last)
+        f->pressure[i] *= (density + 1) / (rest + 1);
 }
 
-void skv_pass_displacement(const skv_substep *sub, int begin, int end)
+void skv_pass_displacement(skv_reference *f)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    const skv_neighbours *n = sub->neighbours;
-    for (int i = begin; i < end; i++) {
-        float sum_x = 0, sum_y = 0, virial = 0, out = 0;
-        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
-            int j = n->list[k];
+    const skv_kernel kernel = f->constants->kernel;
+    for (int i = 0; i < f->count; i++) {
+        double virial = 0, out = 0;
+        f->dx[i] = f->dy[i] = 0;
+        for (int k = skv_first_partner(f, i); k < skv_end_of_partners(f, i); k++) {
+            int j = skv_partner(f, k);
             skv_pair pair;
-            if (!skv_pair_of(s, c, i, j, &pair))
+            if (!skv_pair_of(f, i, j, &pair))
                 continue;
-            float lambda = s->lambda[i] + s->lambda[j],
-                  near_lambda = s->near_lambda[i] + s->near_lambda[j];
-            float size =
-                lambda * skv_kernel_forcef(c->kernel, pair.q) + near_lambda * (pair.q * pair.q);
-            virial += (1 - pair.q) * size;
-            float image = skv_image_of(s, c, i, j, pair.q);
+            double q = pair.q, image = skv_image_of(f, i, j, q);
+            double lambda = f->lambda[i] + f->lambda[j];
+            double near_lambda = f->near_lambda[i] + f->near_lambda[j];
+            double size = lambda * skv_kernel_force(kernel, q) + near_lambda * q * q;
+            virial += (1 - q) * size;
             if (image > 0) {
                 /* For each h of way to the image. */
-                float each =
-                    lambda * (image * image) + near_lambda * (image * (image / (1 - image)));
-                size += (1 - pair.q) * each;
-                out += 2 * s->image[j] * each;
+                double each = lambda * image * image + near_lambda * image * image / (1 - image);
+                size += (1 - q) * each;
+                out += 2 * f->image[j] * each;
             }
-            sum_x -= size * pair.ux;
-            sum_y -= size * pair.uy;
+            f->dx[i] -= size * pair.ux;
+            f->dy[i] -= size * pair.uy;
         }
-        s->dx[i] = sum_x;
-        s->dy[i] = sum_y;
-        if (s->image[i] < 1)
-            add_imaged(sub, i, out);
+        if (skv_has_image(f, i))
+            add_imaged(f, i, out);
         else
-            add_solid(sub, i, virial);
+            add_solid(f, i, virial);
     }
 }
 
-void skv_pass_tension(const skv_substep *sub, int begin, int end)
+void skv_pass_tension(skv_reference *f)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    const skv_neighbours *n = sub->neighbours;
-    for (int i = begin; i < end; i++) {
-        float sum_x = 0, sum_y = 0, virial = 0;
-        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
-            int j = n->list[k];
+    const double scale = (double)f->constants->tension_scale;
+    for (int i = 0; i < f->count; i++) {
+        double sum_x = 0, sum_y = 0, virial = 0;
+        for (int k = skv_first_partner(f, i); k < skv_end_of_partners(f, i); k++) {
+            int j = skv_partner(f, k);
             skv_pair pair;
-            if (!skv_pair_of(s, c, i, j, &pair))
+            if (!skv_pair_of(f, i, j, &pair))
                 continue;
             /* The slope of F r^ = (r/h) q^2 r^: q^2 across the pair, q^2 - 2q r/h along it. */
-            float ex = s->gradient_x[i] - s->gradient_x[j];
-            float ey = s->gradient_y[i] - s->gradient_y[j];
-            float q_squared = pair.q * pair.q, r = 1 - pair.q;
-            float along = ex * pair.ux + ey * pair.uy, turned = 2 * pair.q * r * along;
+            double ex = f->gradient_x[i] - f->gradient_x[j];
+            double ey = f->gradient_y[i] - f->gradient_y[j];
+            double q_squared = pair.q * pair.q, r = 1 - pair.q;
+            double along = ex * pair.ux + ey * pair.uy, turned = 2 * pair.q * r * along;
             sum_x += q_squared * ex - turned * pair.ux;
             sum_y += q_squared * ey - turned * pair.uy;
             virial += r * (turned - q_squared * along);
         }
-        s->dx[i] += c->tension_scale * sum_x;
-        s->dy[i] += c->tension_scale * sum_y;
-        if (s->image[i] >= 1)
-            s->pressure[i] += c->pressure_scale * c->h * c->tension_scale * virial;
+        f->dx[i] += scale * sum_x;
+        f->dy[i] += scale * sum_y;
+        if (!skv_has_image(f, i))
+            gauge(f, i, scale * virial);
     }
 }

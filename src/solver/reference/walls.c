@@ -1,18 +1,19 @@
-/* Meeting walls: moves as far as they allow, what the solid adds to the sums, and contact with them
- * (Algorithm 7 with errata 7): friction along the wall, then a push out of the contact distance.
- * Invariant: a particle out of contact gets no displacement by it. */
-#include "solver/reference/passes.h"
+/* Meeting walls: what they add to the sums, what they hold of the slip along them, contact
+ * (Algorithm 7 with errata 7), and moves as far as they allow. The boundary itself is sampled in
+ * single precision, for both solvers (terrain/boundary.h).
+ * Invariant: a particle out of contact is not moved by it. */
+#include "solver/reference/reference.h"
 #include "solver/wall_image.h"
 
 #include <math.h>
 
-static void book_in_box(const skv_substep *sub, int i, double dx, double dy)
+static void book_in_box(const skv_reference *f, int i, double dx, double dy)
 {
-    skv_reaction *r = sub->reaction;
-    const skv_pass_data *s = &sub->data;
+    skv_reaction *r = f->reaction;
     float nx, ny;
-    double d = (double)skv_terrain_normal(sub->boundary->terrain, s->x[i], s->y[i], &nx, &ny);
-    double x = (double)s->x[i] - d * (double)nx, y = (double)s->y[i] - d * (double)ny;
+    double d =
+        (double)skv_terrain_normal(f->boundary->terrain, (float)f->x[i], (float)f->y[i], &nx, &ny);
+    double x = f->x[i] - d * (double)nx, y = f->y[i] - d * (double)ny;
     if (x < r->x0 || x > r->x1 || y < r->y0 || y > r->y1)
         return;
     r->dx += dx;
@@ -20,159 +21,143 @@ static void book_in_box(const skv_substep *sub, int i, double dx, double dy)
     r->moment += (x - (r->x0 + r->x1) / 2) * dy - (y - (r->y0 + r->y1) / 2) * dx;
 }
 
-void skv_book_reaction(const skv_substep *sub, int i, double dx, double dy)
+void skv_book_reaction(skv_reference *f, int i, double dx, double dy)
 {
     if (dx == 0 && dy == 0)
         return;
-    const skv_pass_data *s = &sub->data;
-    double per_h = (double)sub->constants->inv_h;
-    double x = per_h * (double)s->x[i], y = per_h * (double)s->y[i];
-    skv_impulse_sum given = {0};
-    skv_impulse_add(&given, per_h * dx, per_h * dy, per_h * (x * dy - y * dx));
-    atomic_fetch_add_explicit(&sub->given->x, given.x, memory_order_relaxed);
-    atomic_fetch_add_explicit(&sub->given->y, given.y, memory_order_relaxed);
-    atomic_fetch_add_explicit(&sub->given->moment, given.moment, memory_order_relaxed);
-    if (sub->reaction)
-        book_in_box(sub, i, dx, dy);
+    f->given.x += dx;
+    f->given.y += dy;
+    f->given.moment += f->x[i] * dy - f->y[i] * dx;
+    if (f->reaction)
+        book_in_box(f, i, dx, dy);
 }
 
-/* Moves particle i by its dx, dy as far as the walls allow; returns the share it could move, and
- * writes what it has moved along a wall instead. `clearance` is a lower bound of the distance to
- * the nearest wall: only moves that exceed it look at the terrain, which in a pool are one in ten.
- */
-static float move_particle(const skv_substep *sub, int i, float *along_x, float *along_y)
+static void sample_solid(skv_reference *f, int i)
 {
-    const skv_pass_data *s = &sub->data;
-    float dx = s->dx[i], dy = s->dy[i];
-    *along_x = *along_y = 0;
-    /* The distance is bilinear: along a diagonal it can fall by the square root of two. */
-    s->clearance[i] -= 1.4143f * sqrtf(dx * dx + dy * dy);
-    if (s->clearance[i] > sub->boundary->margin) {
-        s->x[i] += dx;
-        s->y[i] += dy;
-        return 1;
-    }
-    float x = s->x[i], y = s->y[i];
-    float made = skv_boundary_slide(sub->boundary, sub->constants->images, &x, &y, dx, dy, along_x,
-                                    along_y, &s->clearance[i]);
-    skv_book_reaction(sub, i, (double)((made - 1) * dx + *along_x),
-                      (double)((made - 1) * dy + *along_y));
-    s->x[i] = x;
-    s->y[i] = y;
-    return made;
-}
-
-void skv_pass_advance(const skv_substep *sub, int begin, int end)
-{
-    const skv_pass_data *s = &sub->data;
-    for (int i = begin; i < end; i++) {
-        float along_x, along_y, lost = move_particle(sub, i, &along_x, &along_y) - 1;
-        s->wx[i] = lost * s->dx[i] + along_x;
-        s->wy[i] = lost * s->dy[i] + along_y;
-    }
-}
-
-static void sample_solid(const skv_substep *sub, int i)
-{
-    const skv_pass_data *s = &sub->data;
     skv_wall_sample wall;
-    skv_boundary_sample(sub->boundary, s->x[i], s->y[i], &wall);
-    s->wall_density[i] = wall.r;
-    s->wall_near[i] = wall.rn;
-    s->f1x[i] = wall.f1x;
-    s->f1y[i] = wall.f1y;
-    s->f2x[i] = wall.f2x;
-    s->f2y[i] = wall.f2y;
-    s->image[i] = SKV_FAR;
-    s->facing_x[i] = s->facing_y[i] = 0;
+    float distance = skv_boundary_sample(f->boundary, (float)f->x[i], (float)f->y[i], &wall);
+    if (!(distance < f->constants->h))
+        wall = (skv_wall_sample){0}; /* what is left there is how the map rounds */
+    f->wall_density[i] = (double)wall.r;
+    f->wall_near[i] = (double)wall.rn;
+    f->f1x[i] = (double)wall.f1x;
+    f->f1y[i] = (double)wall.f1y;
+    f->f2x[i] = (double)wall.f2x;
+    f->f2y[i] = (double)wall.f2y;
+    f->image[i] = (double)SKV_FAR;
+    f->facing_x[i] = f->facing_y[i] = 0;
 }
 
 /* What images leave to the solid is a crowd. */
-static void sample_image(const skv_substep *sub, int i)
+static void sample_image(skv_reference *f, int i)
 {
-    const skv_pass_data *s = &sub->data;
-    const float share = sub->constants->residual_share;
+    const double share = (double)f->constants->residual_share;
     skv_image_sample wall;
-    float distance = skv_boundary_sample_image(sub->boundary, s->x[i], s->y[i], &wall);
-    bool near = distance < sub->constants->h && wall.distance < 1;
-    s->image[i] = near ? wall.distance : SKV_FAR;
-    s->facing_x[i] = near ? wall.nx : 0;
-    s->facing_y[i] = near ? wall.ny : 0;
-    s->wall_density[i] = near ? wall.r : 0;
-    s->wall_near[i] = share * s->wall_density[i];
-    s->f1x[i] = near ? wall.f1x : 0;
-    s->f1y[i] = near ? wall.f1y : 0;
-    s->f2x[i] = SKV_NEAR_WEIGHT * share * s->f1x[i];
-    s->f2y[i] = SKV_NEAR_WEIGHT * share * s->f1y[i];
+    float distance = skv_boundary_sample_image(f->boundary, (float)f->x[i], (float)f->y[i], &wall);
+    if (!(distance < f->constants->h && wall.distance < 1))
+        wall = (skv_image_sample){.distance = SKV_FAR};
+    f->image[i] = (double)wall.distance;
+    f->facing_x[i] = (double)wall.nx;
+    f->facing_y[i] = (double)wall.ny;
+    f->wall_density[i] = (double)wall.r;
+    f->wall_near[i] = share * (double)wall.r;
+    f->f1x[i] = (double)wall.f1x;
+    f->f1y[i] = (double)wall.f1y;
+    f->f2x[i] = SKV_NEAR_WEIGHT * share * (double)wall.f1x;
+    f->f2y[i] = SKV_NEAR_WEIGHT * share * (double)wall.f1y;
 }
 
-void skv_pass_walls(const skv_substep *sub, int begin, int end)
+void skv_pass_walls(skv_reference *f)
 {
-    for (int i = begin; i < end; i++) {
-        if (sub->constants->images)
-            sample_image(sub, i);
+    for (int i = 0; i < f->count; i++) {
+        if (f->constants->images)
+            sample_image(f, i);
         else
-            sample_solid(sub, i);
+            sample_solid(f, i);
     }
 }
 
-void skv_pass_correct(const skv_substep *sub, int begin, int end)
+void skv_pass_slip(skv_reference *f)
 {
-    const skv_pass_data *s = &sub->data;
-    for (int i = begin; i < end; i++) {
-        float along_x, along_y, made = move_particle(sub, i, &along_x, &along_y);
-        s->wx[i] += made * s->dx[i] + along_x;
-        s->wy[i] += made * s->dy[i] + along_y;
-    }
-}
-
-void skv_pass_slip(const skv_substep *sub, int begin, int end)
-{
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    for (int i = begin; i < end; i++) {
-        float nx = s->facing_x[i], ny = s->facing_y[i], size = sqrtf(nx * nx + ny * ny);
+    const skv_constants *c = f->constants;
+    for (int i = 0; i < f->count; i++) {
+        double nx = f->facing_x[i], ny = f->facing_y[i], size = sqrt(nx * nx + ny * ny);
         if (!(size > 0))
             continue;
-        float tx = -ny / size, ty = nx / size;
-        /* The particle's displacement in this substep so far, along the wall. */
-        float moved_x = s->wx[i] + s->dx[i] + c->dt * s->vx[i];
-        float moved_y = s->wy[i] + s->dy[i] + c->dt * s->vy[i];
-        float taken = skv_slip_taken(c->slip_friction, c->wall_drag, s->image[i]);
-        float held = taken * (moved_x * tx + moved_y * ty);
-        s->dx[i] -= held * tx;
-        s->dy[i] -= held * ty;
-        skv_book_reaction(sub, i, (double)(-held * tx), (double)(-held * ty));
+        double tx = -ny / size, ty = nx / size;
+        double slip = (f->moved_x[i] + f->dx[i]) * tx + (f->moved_y[i] + f->dy[i]) * ty;
+        double held =
+            slip * (double)skv_slip_taken(c->slip_friction, c->wall_drag, (float)f->image[i]);
+        f->dx[i] -= held * tx;
+        f->dy[i] -= held * ty;
+        skv_book_reaction(f, i, -held * tx, -held * ty);
     }
 }
 
-void skv_pass_find_contacts(const skv_substep *sub, int begin, int end)
+/* The way of a particle that may meet a wall, on along it or not; what the wall makes of it is
+ * booked. */
+static void meet_wall(skv_reference *f, int i, bool on)
 {
-    const skv_pass_data *s = &sub->data;
-    float reach = sub->boundary->contact_distance;
-    for (int i = begin; i < end; i++) {
-        s->depth[i] = 0;
-        if (s->clearance[i] < reach)
-            s->depth[i] = skv_boundary_contact(sub->boundary, s->x[i], s->y[i], &s->normal_x[i],
-                                               &s->normal_y[i], &s->clearance[i]);
-    }
+    float x = (float)f->x[i], y = (float)f->y[i], along_x, along_y, distance;
+    double made = (double)skv_boundary_slide(f->boundary, on, &x, &y, (float)f->dx[i],
+                                             (float)f->dy[i], &along_x, &along_y, &distance);
+    double lost_x = (made - 1) * f->dx[i] + (double)along_x;
+    double lost_y = (made - 1) * f->dy[i] + (double)along_y;
+    skv_book_reaction(f, i, lost_x, lost_y);
+    f->dx[i] += lost_x;
+    f->dy[i] += lost_y;
+    f->clearance[i] = (double)distance;
 }
 
-void skv_pass_contact(const skv_substep *sub, int begin, int end)
+/* Carries out a particle's dx, dy. `clearance` is a lower bound of the distance to the nearest
+ * wall: only moves that exceed it look at the terrain. */
+static void move_one(skv_reference *f, int i, bool on)
 {
-    const skv_pass_data *s = &sub->data;
-    const skv_constants *c = sub->constants;
-    for (int i = begin; i < end; i++) {
-        s->dx[i] = 0;
-        s->dy[i] = 0;
-        if (!(s->depth[i] > 0))
+    double way = sqrt(f->dx[i] * f->dx[i] + f->dy[i] * f->dy[i]);
+    /* The distance is bilinear: along a diagonal it can fall by the square root of two. */
+    f->clearance[i] -= 1.4143 * way;
+    if (!(f->clearance[i] > (double)f->boundary->margin))
+        meet_wall(f, i, on);
+    f->x[i] += f->dx[i];
+    f->y[i] += f->dy[i];
+    f->moved_x[i] += f->dx[i];
+    f->moved_y[i] += f->dy[i];
+}
+
+void skv_pass_move(skv_reference *f)
+{
+    for (int i = 0; i < f->count; i++)
+        move_one(f, i, f->constants->images);
+}
+
+/* How far a particle is inside the contact distance, and which way is out; 0: it is not. */
+static double find_contact(skv_reference *f, int i, double *nx, double *ny)
+{
+    if (!(f->clearance[i] < (double)f->boundary->contact_distance))
+        return 0;
+    float normal_x, normal_y, distance;
+    float depth = skv_boundary_contact(f->boundary, (float)f->x[i], (float)f->y[i], &normal_x,
+                                       &normal_y, &distance);
+    f->clearance[i] = (double)distance;
+    *nx = (double)normal_x;
+    *ny = (double)normal_y;
+    return (double)depth;
+}
+
+void skv_pass_contact(skv_reference *f)
+{
+    const double friction = (double)f->constants->friction;
+    const double softness = (double)f->constants->softness;
+    for (int i = 0; i < f->count; i++) {
+        double nx = 0, ny = 0, depth = find_contact(f, i, &nx, &ny);
+        if (!(depth > 0))
             continue;
-        float tx = -s->normal_y[i], ty = s->normal_x[i];
-        /* The particle's displacement in this substep so far, along the wall. */
-        float slide = (s->wx[i] + c->dt * s->vx[i]) * tx + (s->wy[i] + c->dt * s->vy[i]) * ty;
-        float rub = c->friction * slide, push = c->softness * s->depth[i];
-        s->dx[i] = push * s->normal_x[i] - rub * tx;
-        s->dy[i] = push * s->normal_y[i] - rub * ty;
-        skv_book_reaction(sub, i, (double)s->dx[i], (double)s->dy[i]);
+        double tx = -ny, ty = nx;
+        double rub = friction * (f->moved_x[i] * tx + f->moved_y[i] * ty);
+        double push = softness * depth;
+        f->dx[i] = push * nx - rub * tx;
+        f->dy[i] = push * ny - rub * ty;
+        skv_book_reaction(f, i, f->dx[i], f->dy[i]);
+        move_one(f, i, false);
     }
 }

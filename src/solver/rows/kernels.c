@@ -6,7 +6,7 @@
  * Here are the passes over single particles; those over pairs are in pair_passes.h.
  */
 #include "solver/rows/pair_passes.h"
-#include "solver/wall_push.h"
+#include "solver/rows/wall_push.h"
 
 #include <limits.h>
 

@@ -1,10 +1,10 @@
-/* How a wall pushes a particle in the relaxation; the same in both solvers. */
-#ifndef SKV_SOLVER_WALL_PUSH_H
-#define SKV_SOLVER_WALL_PUSH_H
+/* How a wall pushes a particle in the relaxation. */
+#ifndef SKV_ROWS_WALL_PUSH_H
+#define SKV_ROWS_WALL_PUSH_H
 
 #include <stdbool.h>
 
-/* Below this square gravity counts as none, in the units of either solver. */
+/* Below this square gravity counts as none, h a substep squared. */
 #define SKV_NO_GRAVITY_SQUARED 1e-30f
 
 /* Takes from a wall's pull what would hold a particle up against (gx, gy), the direction in which
