@@ -9,10 +9,9 @@
 #include "saving.h"
 #include "words.h"
 
-#define PERIOD     30             /* s */
-#define PLAYED     ((gint64)1800) /* frames after which there is something to lose, whoever did it */
-#define PATIENCE   250            /* ms that a frame may take for one more file when all closes */
-#define OFFER_TIME 20             /* s */
+#define PERIOD     30  /* s */
+#define PATIENCE   250 /* ms that a frame may take for one more file when all closes */
+#define OFFER_TIME 20  /* s */
 
 typedef struct resume {
     PlayWindow *window;
@@ -38,9 +37,8 @@ static const skv_picture *picture_of(const resume *r)
 /* Whether there is anything that would be missed, and was not written yet. */
 static bool is_worth_it(const resume *r)
 {
-    const skv_picture *picture = picture_of(r);
-    return picture->opened != 0 && picture->number != r->written &&
-           (picture->can_undo || picture->end >= PLAYED);
+    return picture_of(r)->number != r->written &&
+           skv_control_would_be_missed(play_view_stage(play_window_view(r->window)));
 }
 
 static void on_kept(PlayWindow *window, const char *path, const char *cause, gpointer closes)

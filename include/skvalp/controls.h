@@ -39,6 +39,10 @@ SKV_API void skv_control_shift_speed(skv_stage *stage, int direction);
 SKV_API void skv_control_seek(skv_stage *stage, int64_t frame);
 SKV_API void skv_control_go(skv_stage *stage, int64_t frames);
 
+/** Whether somebody would miss what is open, so that a front end keeps it unasked: something was
+ * done, or played for half a minute, and they do not only watch. */
+SKV_API bool skv_control_would_be_missed(const skv_stage *stage);
+
 /** How a stage goes, to be said. */
 typedef struct skv_going {
     const char *words; /**< "paused"; in "%s× of real time" `times` is wanted */

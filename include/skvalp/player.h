@@ -187,9 +187,14 @@ SKV_API size_t skv_player_history(const skv_player *player);
 SKV_API skv_result skv_player_save(const skv_player *player, skv_write *write, void *user,
                                    skv_error *error);
 
-/** The same for a link (skvalp/link.h): without the state it began with, which is made again from
- * the scene, and up to this moment, whose hash comes last. Fails with SKV_ERROR_VALUE if there is
- * no scene to make it from: it began with a snapshot, or with a picture of more than 1 MiB. */
+/** Writes this moment as a replay file that begins and ends here: its scene, the state, and no log.
+ * Fails as skv_player_save does. */
+SKV_API skv_result skv_player_save_moment(const skv_player *player, skv_write *write, void *user,
+                                          skv_error *error);
+
+/** Writes a replay for a link (skvalp/link.h): without the state it began with, which is made again
+ * from the scene, and up to this moment, whose hash comes last. Fails with SKV_ERROR_VALUE if there
+ * is no scene to make it from: it began with a snapshot, or with a picture of more than 1 MiB. */
 SKV_API skv_result skv_player_share(const skv_player *player, skv_write *write, void *user,
                                     skv_error *error);
 

@@ -103,6 +103,10 @@ SKV_API void skv_stage_set_look(skv_stage *stage, const char *view, const char *
  * failed is the cause alone, "No space left on device", for who asks knows the file. */
 SKV_API void skv_stage_save(skv_stage *stage, const char *path);
 
+/** Writes this moment of all worlds, and what is seen of them, as a replay that begins and ends
+ * here (skv_player_save_moment): who opens it goes on from here. Reported as skv_stage_save is. */
+SKV_API void skv_stage_save_moment(skv_stage *stage, const char *path);
+
 /** Makes what a link holds (skv_player_share) of this moment and what is seen of it. Reported as
  * SKV_OUTCOME_SHARE; then skv_stage_read_shared hands out the bytes, as often as wanted, until this
  * or skv_stage_compare is asked for again. */

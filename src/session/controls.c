@@ -24,6 +24,9 @@ static const skv_limits limits = {
     .first_scene = "dam-break",
 };
 
+/* s: nobody minds beginning anew what is not older. */
+enum { WATCHED = 30 };
+
 const skv_limits *skv_control_limits(void)
 {
     return &limits;
@@ -51,6 +54,14 @@ void skv_control_shift_speed(skv_stage *stage, int direction)
     at -= (direction > 0) - (direction < 0);
     at = at < 0 ? 0 : at < COUNT(speeds) ? at : COUNT(speeds) - 1;
     skv_stage_set_speed(stage, speeds[at].number);
+}
+
+bool skv_control_would_be_missed(const skv_stage *stage)
+{
+    SKV_ASSERT_OR(stage, false);
+    const skv_picture *picture = skv_stage_picture(stage, 0);
+    return picture->opened != 0 && !picture->watching &&
+           (picture->can_undo || picture->end >= WATCHED * limits.frames_a_second);
 }
 
 void skv_control_seek(skv_stage *stage, int64_t frame)

@@ -52,7 +52,7 @@ static void ask_first(skv_stage *stage, const skv_errand *errand)
     if (errand->shares)
         skv_session_share(stage->worlds[0], SKV_SHARE_LINK);
     else
-        skv_session_save(stage->worlds[0], errand->path);
+        skv_session_save(stage->worlds[0], errand->path, errand->moment);
 }
 
 static void drop_errand(skv_stage *stage)
@@ -108,15 +108,18 @@ static bool go_on(skv_stage *stage)
     if (!skv_stage_is_level(stage))
         return false;
     stage->asked = true;
-    skv_session_share(stage->worlds[1], errand->shares ? SKV_SHARE_BESIDE : SKV_SHARE_BESIDE_WHOLE);
+    skv_session_share(stage->worlds[1], errand->shares   ? SKV_SHARE_BESIDE
+                                        : errand->moment ? SKV_SHARE_BESIDE_MOMENT
+                                                         : SKV_SHARE_BESIDE_WHOLE);
     return true;
 }
 
 void skv_stage_keep_on(skv_stage *stage)
 {
     while (stage->errands) {
+        const skv_errand *errand = stage->errands;
         if (stage->count == 2 &&
-            (stage->errands->shares || skv_names_replay(stage->errands->path))) {
+            (errand->shares || errand->moment || skv_names_replay(errand->path))) {
             if (!go_on(stage))
                 return;
         } else {
@@ -126,7 +129,7 @@ void skv_stage_keep_on(skv_stage *stage)
     }
 }
 
-static void add_errand(skv_stage *stage, bool shares, const char *path)
+static void add_errand(skv_stage *stage, bool shares, bool moment, const char *path)
 {
     skv_errand *errand = skv_calloc(1, sizeof *errand + strlen(path) + 1), **last = &stage->errands;
     if (!errand) {
@@ -135,6 +138,7 @@ static void add_errand(skv_stage *stage, bool shares, const char *path)
         return;
     }
     errand->shares = shares;
+    errand->moment = moment;
     memcpy(errand->path, path, strlen(path) + 1);
     while (*last)
         last = &(*last)->next;
@@ -145,13 +149,19 @@ static void add_errand(skv_stage *stage, bool shares, const char *path)
 void skv_stage_save(skv_stage *stage, const char *path)
 {
     SKV_ASSERT(stage && path);
-    add_errand(stage, false, path);
+    add_errand(stage, false, false, path);
+}
+
+void skv_stage_save_moment(skv_stage *stage, const char *path)
+{
+    SKV_ASSERT(stage && path);
+    add_errand(stage, false, true, path);
 }
 
 void skv_stage_share(skv_stage *stage)
 {
     SKV_ASSERT(stage);
-    add_errand(stage, true, "");
+    add_errand(stage, true, false, "");
 }
 
 bool skv_stage_read_shared(skv_stage *stage, skv_write *write, void *user)

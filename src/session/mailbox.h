@@ -42,9 +42,10 @@ typedef enum skv_message_kind {
 /* For what a world's start and log are handed out. */
 typedef enum skv_share {
     SKV_SHARE_LINK,
-    SKV_SHARE_OFFER,       /* a second world opens it */
-    SKV_SHARE_BESIDE,      /* it is the second one's, for the first's link */
-    SKV_SHARE_BESIDE_WHOLE /* for the first's file: to the end of the log */
+    SKV_SHARE_OFFER,        /* a second world opens it */
+    SKV_SHARE_BESIDE,       /* it is the second one's, for the first's link */
+    SKV_SHARE_BESIDE_WHOLE, /* for the first's file: to the end of the log */
+    SKV_SHARE_BESIDE_MOMENT /* for the first's moment */
 } skv_share;
 
 /* What is played again from the start. */

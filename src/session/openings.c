@@ -67,25 +67,26 @@ static bool write_replay(const char *bytes, size_t size, void *user)
     return true;
 }
 
-static skv_result save(skv_worker *worker, const char *path, skv_error *error)
+static skv_result save(skv_worker *worker, const char *path, bool moment, skv_error *error)
 {
     if (!worker->player)
         return skv_fail(error, SKV_ERROR_VALUE, "nothing is open");
-    if (is_format(ending(path), "skv"))
+    if (!moment && is_format(ending(path), "skv"))
         return write_state(skv_player_world(worker->player), path, error);
-    if (!skv_names_replay(path))
+    if (!moment && !skv_names_replay(path))
         return skv_fail(error, SKV_ERROR_VALUE, "name it .skv, for the state, or .skvr, a replay");
     target to = {.path = path, .error = error};
     skv_result result = skv_worker_tell_shown(worker, false, error);
     if (result == SKV_OK)
-        result = skv_player_save(worker->player, write_replay, &to, error);
+        result = (moment ? skv_player_save_moment : skv_player_save)(worker->player, write_replay,
+                                                                     &to, error);
     return result == SKV_OK ? to.result : result;
 }
 
 void skv_worker_save(skv_worker *worker, const skv_request *request)
 {
     skv_error error = {0};
-    save(worker, request->name, &error);
+    save(worker, request->name, request->text != NULL, &error);
     skv_worker_report(worker, SKV_OUTCOME_SAVE, &error);
 }
 
@@ -107,6 +108,8 @@ static skv_result share_as(skv_worker *worker, skv_share share, void *place, skv
     skv_result result = skv_worker_tell_shown(worker, share != SKV_SHARE_LINK, error);
     if (result == SKV_OK && share == SKV_SHARE_BESIDE_WHOLE)
         result = skv_player_share_whole(worker->player, keep_shared, place, error);
+    else if (result == SKV_OK && share == SKV_SHARE_BESIDE_MOMENT)
+        result = skv_player_save_moment(worker->player, keep_shared, place, error);
     else if (result == SKV_OK)
         result = skv_player_share(worker->player, keep_shared, place, error);
     if (result == SKV_OK && share == SKV_SHARE_OFFER)

@@ -152,6 +152,29 @@ skv_result skv_player_save(const skv_player *player, skv_write *write, void *use
     return write_replay(player, end, false, write, user, error);
 }
 
+static skv_result pack_none(parts *p, const skv_world *start, skv_error *error)
+{
+    const skv_log none = {0};
+    skv_steps steps = skv_steps_of(start);
+    p->log = skv_log_pack(&none, &steps, &p->log_size);
+    return p->log ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a replay");
+}
+
+skv_result skv_player_save_moment(const skv_player *player, skv_write *write, void *user,
+                                  skv_error *error)
+{
+    SKV_ASSERT_OR(player && write, SKV_ERROR_VALUE);
+    parts p = {.player = player};
+    skv_result result = save_start(&p, player->world, error);
+    if (result == SKV_OK)
+        result = pack_none(&p, player->world, error);
+    if (result == SKV_OK)
+        result = write_all(&p, write, user, error);
+    skv_free(p.start);
+    skv_free(p.log);
+    return result;
+}
+
 /* Whether this library makes the start of a saved replay from its scene. */
 static bool makes_start(const skv_player *player)
 {
@@ -177,7 +200,8 @@ static skv_result share_until(const skv_player *player, skv_position until, skv_
                         "hold; save it as a file");
     if (player->saved_start && !makes_start(player))
         return skv_fail(error, SKV_ERROR_VALUE,
-                        "this version of skvalp makes another start of its scene; share the file");
+                        "it does not begin as its scene does in this version of skvalp; share it "
+                        "as a file");
     return write_replay(player, until, true, write, user, error);
 }
 

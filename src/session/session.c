@@ -204,10 +204,10 @@ void skv_session_open_memory(skv_session *session, const void *data, size_t size
     post_request(session, SKV_MESSAGE_OPEN, SKV_OUTCOME_OPEN, &request);
 }
 
-void skv_session_save(skv_session *session, const char *path)
+void skv_session_save(skv_session *session, const char *path, bool moment)
 {
     SKV_ASSERT(session && path);
-    skv_request request = {.name = path};
+    skv_request request = {.name = path, .text = moment ? "moment" : NULL};
     post_request(session, SKV_MESSAGE_SAVE, SKV_OUTCOME_SAVE, &request);
 }
 

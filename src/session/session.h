@@ -38,7 +38,7 @@ void skv_session_open(skv_session *session, const char *name_or_path,
 void skv_session_open_memory(skv_session *session, const void *data, size_t size,
                              const char *format, const char *label,
                              const skv_scene_options *options);
-void skv_session_save(skv_session *session, const char *path);
+void skv_session_save(skv_session *session, const char *path, bool moment);
 void skv_session_edit(skv_session *session, const skv_command *command);
 void skv_session_set(skv_session *session, const char *path, const char *text);
 

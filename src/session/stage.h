@@ -9,7 +9,7 @@
 /* What waits for a replay of the second world. */
 typedef struct skv_errand {
     struct skv_errand *next;
-    bool shares; /* else it saves */
+    bool shares, moment; /* else it saves all from the start */
     char path[];
 } skv_errand;
 

@@ -277,6 +277,26 @@ static kept save(const skv_player *player)
     return saved;
 }
 
+/* It begins where the other one was, with its scene, and without what led there. */
+static void test_a_moment_is_kept(void **state)
+{
+    (void)state;
+    uint64_t hashes[FRAMES + 1];
+    kept saved = {0};
+    skv_player *player = open_player(0);
+    play(player, 0, FRAMES, hashes);
+    seek(player, FRAMES / 2);
+    assert_int_equal(skv_player_save_moment(player, refuse, NULL, NULL), SKV_ERROR_FILE);
+    assert_int_equal(skv_player_save_moment(player, kept_add, &saved, NULL), SKV_OK);
+    skv_player_destroy(player);
+    assert_int_equal(skv_player_load(saved.bytes, saved.size, NULL, &player, NULL), SKV_OK);
+    assert_string_equal(skv_scene_name(skv_player_scene(player)), "pool");
+    assert_true(skv_player_frame(player) == 0 && skv_player_end(player) == 0);
+    assert_int_equal(hash(player), hashes[FRAMES / 2]);
+    kept_clear(&saved);
+    skv_player_destroy(player);
+}
+
 static void test_a_replay_goes_the_same_way(void **state)
 {
     (void)state;
@@ -563,6 +583,7 @@ int main(void)
         cmocka_unit_test(test_undo_and_redo),
         cmocka_unit_test(test_what_is_refused_is_not_logged),
         cmocka_unit_test(test_history_keeps_its_limit),
+        cmocka_unit_test(test_a_moment_is_kept),
         cmocka_unit_test(test_a_replay_goes_the_same_way),
         cmocka_unit_test(test_what_is_shared_goes_the_same_way),
         cmocka_unit_test(test_packing_loses_nothing),

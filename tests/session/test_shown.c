@@ -215,6 +215,64 @@ static void test_pair(void **state)
     share_pair(true);
 }
 
+/* A moment is opened as it was, and goes on from there: nothing that was done before it is in it.
+ */
+static void keep_moment(bool own_thread)
+{
+    char folder[] = "/tmp/skvalp-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/kept.skvr", folder);
+    skv_stage *stage = stage_open_pool(200, own_thread);
+    assert_false(skv_control_would_be_missed(stage));
+    skv_stage_destroy(stage);
+    stage = make_pair(own_thread);
+    assert_false(skv_control_would_be_missed(stage)); /* what was done was done in the other one */
+    stage_draw_wall(stage, 0, 400);
+    stage_look(stage, 0);
+    assert_true(skv_control_would_be_missed(stage));
+    skv_stage_save_moment(stage, path);
+    expect_done(stage, SKV_OUTCOME_SAVE);
+
+    skv_stage *other = stage_make(own_thread, stage_still);
+    skv_stage_open(other, path, NULL);
+    expect_done(other, SKV_OUTCOME_OPEN);
+    assert_int_equal(stage_compared(other).error.code, SKV_OK);
+    assert_true(skv_stage_sides(other) == 2 && !skv_stage_linked(other));
+    for (int side = 0; side < 2; side++)
+        assert_int_equal(stage_hash(other, side), stage_hash(stage, side));
+    const skv_picture *picture = stage_look(other, 0);
+    assert_true(picture->paused && !picture->watching && !picture->can_undo);
+    assert_int_equal(picture->end, 0);
+    assert_string_equal(picture->title, skv_stage_picture(stage, 0)->title);
+    expect_seen(other);
+    assert_false(skv_control_would_be_missed(other));
+    skv_stage_end_compare(other);
+    skv_stage_set_paused(other, false);
+    while (stage_look(other, 0)->end < 1800) {
+        assert_false(skv_control_would_be_missed(other));
+        skv_stage_push(other, 0, 0.5, 0); /* or it would come to rest */
+        stage_pass(other, 1.0 / 60);
+    }
+    assert_true(skv_control_would_be_missed(other));
+
+    skv_outcome outcome;
+    skv_stage_share(other);
+    skv_stage_wait(other);
+    assert_true(skv_stage_next_outcome(other, &outcome));
+    assert_non_null(strstr(outcome.error.text, "it does not begin as its scene does"));
+    unlink(path);
+    rmdir(folder);
+    skv_stage_destroy(other);
+    skv_stage_destroy(stage);
+}
+
+static void test_moment(void **state)
+{
+    (void)state;
+    keep_moment(false);
+    keep_moment(true);
+}
+
 /* What plays is asked for its link, too: both worlds end at one moment. */
 static void test_pair_that_plays(void **state)
 {
@@ -407,6 +465,7 @@ int main(void)
         cmocka_unit_test(test_seen),
         cmocka_unit_test(test_pair),
         cmocka_unit_test(test_pair_that_plays),
+        cmocka_unit_test(test_moment),
         cmocka_unit_test(test_watching),
         cmocka_unit_test(test_hostile),
         cmocka_unit_test(test_old_links),

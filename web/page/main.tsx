@@ -11,7 +11,7 @@ import { App } from './ui/App';
 import { keepAwake } from './ui/device';
 import { followHistory } from './ui/history';
 import { attachKeys } from './ui/keys';
-import { begin, complain, framed, part, simulation, state, trouble } from './ui/model';
+import { begin, complain, controls, framed, part, simulation, state, trouble } from './ui/model';
 import { preferences } from './ui/preferences';
 import { listenToReports } from './ui/reports';
 import { language, preferred, speak } from './ui/words';
@@ -52,6 +52,8 @@ async function start(): Promise<void> {
         address.open();
         if (framed)
             void import('./ui/embed').then(({ serveEmbedding }) => serveEmbedding());
+        else if (controls.value === 'all')
+            void import('./ui/keeping').then(({ beginKeeping }) => beginKeeping(!location.hash));
     }));
 }
 

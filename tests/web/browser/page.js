@@ -186,6 +186,63 @@ const trials = {
         await page.locator('.plot [role=img]').waitFor();
     },
 
+    async 'what was done goes on after the page was left, and what is damaged is refused in words'(browser) {
+        const page = await begin(browser, small, '?scene=pool&particles=500');
+        const inStore = (mode, text) => page.evaluate(([mode, text]) => new Promise((resolve) => {
+            const opening = indexedDB.open('skvalp');
+            opening.onsuccess = () => {
+                const transaction = opening.result.transaction('kept', mode), store = transaction.objectStore('kept');
+                const asked = text === null ? store.get('kept') : store.put({ title: '', bytes: new TextEncoder().encode(text) }, 'kept');
+                transaction.oncomplete = () => {
+                    opening.result.close();
+                    resolve(asked.result?.title ?? asked.result ?? '');
+                };
+            };
+        }), [mode, text]);
+        await page.keyboard.press('m');
+        await page.locator('.chip').waitFor();
+        await page.keyboard.press('2');
+        await page.mouse.move(150, 150);
+        await page.mouse.down();
+        await page.mouse.move(250, 160, { steps: 4 });
+        await page.mouse.up();
+        await until(page, () => window.skvalp.state.value.canUndo, 'a wall');
+        await page.keyboard.press(' ');
+        await until(page, () => window.skvalp.state.value.paused, 'it waits');
+        const { time } = (await stateOf(page)).worlds[0];
+        await page.evaluate(() => window.dispatchEvent(new Event('pagehide')));
+        while (await inStore('readonly', null) !== 'Pool') {
+            await page.waitForTimeout(50);
+        }
+
+        await page.goto(page.url().replace(/\?.*/, ''));
+        await water(page);
+        await page.getByText('Kept: Pool').waitFor();
+        await button(page, 'Go On There').click();
+        await until(page, () => window.skvalp.state.value.worlds[0].name === 'pool', 'it goes on');
+        const { worlds: [world], paused, moment } = await stateOf(page);
+        assert.deepEqual([world.time, world.probes.length, paused, moment], [time, 1, true, 0]);
+        await button(page, 'Go On There').waitFor({ state: 'detached' });
+
+        // Whoever closed the message finds it in the menu; it may be anything by then.
+        await inStore('readwrite', 'no world');
+        await page.reload();
+        await water(page);
+        await page.getByText('Your last world was kept').waitFor();
+        await button(page, 'Close this message').click();
+        await chooseFromMenu(page, 'Go On Where You Were');
+        await page.getByText('What was kept from last time is damaged; it is gone.').waitFor();
+        assert.equal(await page.getByRole('alert').count(), 0);
+        assert.equal((await stateOf(page)).worlds[0].name, 'dam-break');
+        while (await inStore('readonly', null) !== '') {
+            await page.waitForTimeout(50);
+        }
+        await page.reload();
+        await water(page);
+        await button(page, 'Main menu').click();
+        assert.equal(await button(page, 'Go On Where You Were').count(), 0);
+    },
+
     async 'time goes back'(browser) {
         const page = await begin(browser, small);
         await until(page, () => window.skvalp.state.value.moment > 35, 'time passes');

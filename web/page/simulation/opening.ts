@@ -10,7 +10,7 @@ import type { FileFormat, Settings } from './protocol';
 /** What can be opened: by name, or as the bytes of a file. */
 type Source =
     | { name: string }
-    | { bytes: Uint8Array; format: FileFormat; label: string };
+    | { bytes: Uint8Array; format: FileFormat; label: string; cautious: boolean };
 interface Wanted {
     source: Source;
     settings: Settings;
@@ -36,8 +36,9 @@ export class Opening {
         this.#open({ source: { name }, settings: { ...own, ...settings } });
     }
 
-    bytes(bytes: Uint8Array, format: FileFormat, label: string, settings: Settings = {}) {
-        this.#open({ source: { bytes, format, label }, settings });
+    /** @param cautious asks once more about what takes long: it may be anybody's */
+    bytes(bytes: Uint8Array, format: FileFormat, label: string, settings: Settings = {}, cautious = true) {
+        this.#open({ source: { bytes, format, label, cautious }, settings });
     }
 
     /** Throws what is wrong with a link. */
@@ -72,8 +73,8 @@ export class Opening {
                 c.skv_stage_open(this.#stage, source.name, options);
                 return;
             }
-            const { bytes, format, label } = source;
-            options.cautious = true;
+            const { bytes, format, label, cautious } = source;
+            options.cautious = cautious;
             withBytes(this.#library, bytes, (data) =>
                 c.skv_stage_open_memory(this.#stage, data, bytes.length, format, label, options));
         });

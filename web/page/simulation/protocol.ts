@@ -23,6 +23,8 @@ export interface Simulation {
     openBytes(bytes: Uint8Array, format: FileFormat, label: string, settings?: Settings): void;
     /** What a link holds (docs/share.md): the text after its '#'. */
     openLink(text: string): void;
+    /** What keep() gave. */
+    openKept(bytes: Uint8Array, label: string): void;
     /** The set-up of an experiment, to play with. */
     openExperiment(index: number): void;
     reset(): void;
@@ -33,6 +35,8 @@ export interface Simulation {
     skip(): void;
     /** What is open as bytes: a state, a replay, the readings as CSV, the picture as PNG. */
     save(what: 'skv' | 'skvr' | 'csv' | 'png'): Promise<Uint8Array>;
+    /** This moment, to go on from; null if nobody would miss it, or nothing has changed since it was asked for. */
+    keep(): Promise<Uint8Array | null>;
     /** The text of a link to this moment, without its '#'; fails if it would be too long. */
     share(): Promise<string>;
 

@@ -33,6 +33,8 @@ export class Simulator implements Simulation {
     #tilt;
     /** How often something was opened. */
     #opened = 0;
+    /** The pictures that were kept last. */
+    #kept = '';
 
     constructor(surroundings: Surroundings) {
         this.#library = surroundings.library;
@@ -66,6 +68,10 @@ export class Simulator implements Simulation {
 
     openBytes(bytes: Uint8Array, format: FileFormat, label: string, settings?: Settings) {
         this.#openPacked(() => this.#playing.opening.bytes(bytes, format, label, settings));
+    }
+
+    openKept(bytes: Uint8Array, label: string) {
+        this.#openPacked(() => this.#playing.opening.bytes(bytes, 'skvr', label, {}, false));
     }
 
     openLink(text: string) {
@@ -119,7 +125,7 @@ export class Simulator implements Simulation {
     }
 
     async save(what: 'skv' | 'skvr' | 'csv' | 'png') {
-        const { c } = this.#library, { files, painter } = this.#surroundings;
+        const { c } = this.#library, { painter } = this.#surroundings;
         if (what === 'png') {
             if (!painter) {
                 throw new Error('there is no picture here');
@@ -130,8 +136,23 @@ export class Simulator implements Simulation {
             const { csvOf } = await import('./files');
             return csvOf(this.#library, this.#worlds);
         }
-        const path = `saved.${what}`;
-        await this.#playing.settled('save', () => c.skv_stage_save(this.#worlds.stage, path));
+        return this.#written(c.skv_stage_save, `saved.${what}`);
+    }
+
+    async keep() {
+        const { c } = this.#library, { stage, all } = this.#worlds;
+        const shown = all.map(({ picture }) => picture.number).join();
+        if (shown === this.#kept || !c.skv_control_would_be_missed(stage)) {
+            return null;
+        }
+        this.#kept = shown;
+        return this.#written(c.skv_stage_save_moment, 'kept');
+    }
+
+    /** What the stage writes to a file. */
+    async #written(write: (stage: number, path: string) => void, path: string) {
+        const { files } = this.#surroundings;
+        await this.#playing.settled('save', () => write(this.#worlds.stage, path));
         const bytes = files.get(path)!;
         files.delete(path);
         return bytes;

@@ -2,6 +2,7 @@
 import { toggleKeyboardHand } from './actions';
 import { canFullscreen, fullscreen, toggleFullscreen } from './device';
 import { Icon } from './Icon';
+import { goOn, offered } from './keeping';
 import { keyboardHand, showPanel } from './model';
 import { canRecord, recorded, toggleRecording } from './recording';
 import { saveFile } from './files';
@@ -55,6 +56,7 @@ function items(): Item[][] {
                       },
                   ]
                 : []),
+            ...(offered.value ? [{ icon: 'open', text: _('Go On Where You Were'), act: goOn }] : []),
             { icon: 'compare', text: _('Compare Two Worlds'), act: () => showPanel('compare'), leads: true },
             { icon: 'hand', text: _('Keyboard Hand'), act: closing(toggleKeyboardHand), on: keyboardHand.value },
             ...(canFullscreen

@@ -12,6 +12,11 @@ export function Messages() {
                 <div class={`message ${said.fault ? 'fault' : ''}`}>
                     {said.fault && <Icon name="warning" />}
                     <p>{said.text}</p>
+                    {said.offer && (
+                        <button type="button" class="text suggested" onClick={said.offer.act}>
+                            {said.offer.name}
+                        </button>
+                    )}
                     <Button icon="close" name={_('Close this message')} hint={_('Esc')} onClick={dismiss} />
                 </div>
             )}

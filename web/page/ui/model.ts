@@ -56,14 +56,25 @@ export function togglePanel(which: Panel): void {
 export interface Message {
     text: string;
     fault: boolean;
+    /** What can be done about it. */
+    offer?: { name: string; act: () => void };
 }
 export const message = signal<Message | null>(null);
 let fading = 0;
 
-export function toast(text: string): void {
+function tell(said: Message, milliseconds: number): void {
     clearTimeout(fading);
-    message.value = { text, fault: false };
-    fading = window.setTimeout(() => (message.value = null), 6000);
+    message.value = said;
+    fading = window.setTimeout(() => (message.value = null), milliseconds);
+}
+
+export function toast(text: string): void {
+    tell({ text, fault: false }, 6000);
+}
+
+/** With a button, for which there is more time, as in the app. */
+export function propose(text: string, name: string, act: () => void): void {
+    tell({ text, fault: false, offer: { name, act } }, 20_000);
 }
 
 export function complain(text: string): void {
