@@ -69,6 +69,7 @@ static skv_world *make_world(const kind *k, skv_solver_kind solver)
     skv_world_def def = fixture_def(k->law, solver, k->viscosity, 0.02f, 1);
     assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
     def.fluid.wall_images = k->images;
+    def.fluid.viscosity_quadratic = 100 * k->viscosity; /* so that some pairs reach its bound */
     def.fluid.adhesion = 0.5f;
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
@@ -98,7 +99,7 @@ static void drive(skv_world *world)
     assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
     const skv_force forces[] = {
         {.area = skv_box(-1, -1, 3, 3), .ax = 3, .ay = 1},
-        {.area = skv_circle(0.9f, 0.2f, 3), .toward_x = 0.9f, .toward_y = 0.5f, .attraction = 20},
+        {.area = skv_circle(0.9f, 0.2f, 3), .toward_x = 1, .toward_y = 0.35f, .attraction = 20},
         {.area = skv_box(-1, -2, 2, 3), .wind_x = 1, .drag = 4, .spin = 3},
     };
     assert_int_equal(skv_world_set_forces(world, forces, 3, NULL), SKV_OK);
@@ -141,20 +142,24 @@ static void follow(skv_world *slow, const skv_world *fast)
     slow->substeps = fast->substeps;
 }
 
-/* Places at which a wall has stopped a particle. There it slides on along the wall or not by how
- * its place is rounded, so neither it nor what is within two radii of it can be compared. */
+/* Places at which a wall by images has stopped a particle. There it slides on along the wall or not
+ * by how its place is rounded, so neither it nor what is within two radii of it can be compared. */
 typedef struct stops {
     int count;
     float x[MOST_STOPS], y[MOST_STOPS];
 } stops;
 
+static float wall_distance(const skv_world *world, float x, float y)
+{
+    float nx, ny;
+    return skv_terrain_normal(world->terrain, x, y, &nx, &ny);
+}
+
 static void find_stops(stops *found, const skv_world *world)
 {
     skv_particles p = skv_world_particles(world);
     for (int i = 0; i < p.count; i++) {
-        float nx, ny;
-        float distance = skv_terrain_normal(world->terrain, p.x[i], p.y[i], &nx, &ny);
-        if (distance > 1.1f * world->boundary.margin)
+        if (wall_distance(world, p.x[i], p.y[i]) > 1.1f * world->boundary.margin)
             continue;
         assert_true(found->count < MOST_STOPS);
         found->x[found->count] = p.x[i];
@@ -168,6 +173,14 @@ static bool is_beside(const stops *found, float x, float y, float distance)
         if (hypotf(found->x[i] - x, found->y[i] - y) < distance)
             return true;
     return false;
+}
+
+/* At the edge of contact a particle has all of the friction or none, by how its place is rounded.
+ */
+static bool is_at_the_edge(const skv_world *world, float x, float y)
+{
+    float inside = world->boundary.contact_distance - wall_distance(world, x, y);
+    return fabsf(inside) < 2e-6f * world->h;
 }
 
 /* Places and ways in h, pressures in that of a density of 1: each is a few roundings of a place,
@@ -189,7 +202,7 @@ static int expect_same(const kind *k, int substep, const skv_world *fast, const 
         double apart = hypot((double)(p.x[i] - q.x[i]), (double)(p.y[i] - q.y[i])) / h;
         double faster = hypot((double)(p.vx[i] - q.vx[i]), (double)(p.vy[i] - q.vy[i])) * dt / h;
         double pressed = fabs((double)(p.pressure[i] - q.pressure[i])) / modulus;
-        if (is_beside(&found, p.x[i], p.y[i], 2 * fast->h))
+        if (is_at_the_edge(fast, p.x[i], p.y[i]) || is_beside(&found, p.x[i], p.y[i], 2 * fast->h))
             continue;
         compared++;
         if (!(apart < most && faster < most && pressed < most))
@@ -216,7 +229,7 @@ static void check(const kind *k)
         compared += expect_same(k, substep, fast, slow);
         all += skv_world_particle_count(fast);
     }
-    assert_true(compared > (k->images ? all / 2 : all - 1));
+    assert_true((double)compared > (k->images ? 0.5 : 0.95) * (double)all);
     if (k->open_sides) {
         skv_flow flow = skv_world_flow(fast), other = skv_world_flow(slow);
         assert_true(flow.emitted > 0 && flow.drained > 0 && flow.left > 0);
