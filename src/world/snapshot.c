@@ -373,7 +373,7 @@ static skv_result read_particles(skv_reader *r, skv_snapshot *s, skv_error *erro
         return refuse(error, "it is damaged; take another copy");
     s->count = (int)count;
     s->particles = *r;
-    if (r->size - r->at != count * particle_size(s, arrays))
+    if (r->size - r->at != count * particle_size(s, (size_t)arrays))
         return refuse(error, "its length is not that of its particles");
     if (!check_particles(s))
         return skv_fail(error, SKV_ERROR_VALUE,
