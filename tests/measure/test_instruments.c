@@ -324,6 +324,22 @@ static void the_floor_carries_the_weight(void **unused)
     skv_world_destroy(world);
 }
 
+/* Water that sleeps, and is not stepped, weighs on its floor; at once, when a meter is set there.
+ */
+static void sleeping_water_weighs(void **unused)
+{
+    (void)unused;
+    skv_world *world = fixture_sleeping_pool(0.03f, 1);
+    assert_int_equal(skv_world_awake_count(world), 0);
+    skv_lab *lab = new_lab();
+    skv_instrument floor = add(lab, SKV_INSTRUMENT_FORCE, -0.1, -0.1, 1.7, 1);
+    double weight = skv_world_particle_count(world) * 0.03 * 0.03 * 1000 * 9.81;
+    sample(lab, world);
+    assert_near(skv_lab_reading(lab, floor, 1) / weight, -1, 0.05);
+    skv_lab_destroy(lab);
+    skv_world_destroy(world);
+}
+
 /* The force on a floor is the sum of those on its parts, also where a breaking dam flows across the
  * cut: each part sees all the fluid that its own depends on. */
 static void forces_add_up(void **unused)
@@ -561,6 +577,7 @@ int main(void)
         cmocka_unit_test(a_stopwatch_waits_for_the_condition_to_hold),
         cmocka_unit_test(sums_agree_with_the_world),
         cmocka_unit_test(the_floor_carries_the_weight),
+        cmocka_unit_test(sleeping_water_weighs),
         cmocka_unit_test(forces_add_up),
         cmocka_unit_test(histories_are_written_as_csv),
         cmocka_unit_test(every_channel_has_a_name_and_a_unit),

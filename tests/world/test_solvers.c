@@ -213,6 +213,18 @@ static int expect_same(const kind *k, int substep, const skv_world *fast, const 
     return compared;
 }
 
+/* What walls have given in the last step, in the ways of as many particles as there are. */
+static void expect_same_impulse(const kind *k, const skv_world *fast, const skv_world *slow)
+{
+    skv_wall_impulse a = skv_world_wall_impulse(fast), b = skv_world_wall_impulse(slow);
+    const double s = (double)fast->fluid.spacing, mass = (double)fast->fluid.density * s * s;
+    const double way = 60 * fast->substeps * (double)fast->h * fast->state.count * mass;
+    double off = hypot(a.x - b.x, a.y - b.y) / way, turned = fabs(a.moment - b.moment) / way;
+    if (!(off < 1e-5 && turned < 1e-5))
+        fail_msg("%s: walls gave (%g, %g) and (%g, %g) N s, moments %g and %g", k->name, a.x, a.y,
+                 b.x, b.y, a.moment, b.moment);
+}
+
 static void check(const kind *k)
 {
     skv_world *fast = make_world(k, SKV_SOLVER_FAST), *slow = make_world(k, SKV_SOLVER_REFERENCE);
@@ -227,6 +239,7 @@ static void check(const kind *k)
         assert_int_equal(skv_world_step(fast, dt, NULL), SKV_OK);
         assert_int_equal(skv_world_step(slow, dt, NULL), SKV_OK);
         compared += expect_same(k, substep, fast, slow);
+        expect_same_impulse(k, fast, slow);
         all += skv_world_particle_count(fast);
     }
     assert_true((double)compared > (k->images ? 0.5 : 0.95) * (double)all);
