@@ -248,9 +248,7 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
     skv_constants c = {
         .h = (float)h,
         .inv_h = (float)(1 / h),
-        .h_squared = (float)(h * h),
         .dt = dt_float,
-        .inv_dt = (float)(1 / dt),
         .max_speed = (float)(MAX_COURANT * h / dt),
         .viscosity_linear = (float)linear_viscosity(f),
         .viscosity_quadratic = f->viscosity_quadratic,

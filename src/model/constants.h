@@ -14,8 +14,8 @@
 
 /* Constants of a substep. Lengths in m, times in s. */
 typedef struct skv_constants {
-    float h, inv_h, h_squared;
-    float dt, inv_dt;
+    float h, inv_h;
+    float dt;
     float max_speed; /* clamp at the advance, m/s */
     /* How far pairs lie behind the particles, per way of the substep, at most, and how much of that
      * per square of the speed, s^2/m^2: skv_pass_lag. */

@@ -39,27 +39,26 @@ typedef struct surroundings {
     double neighbours, density, gradient;
 } surroundings;
 
-static surroundings look_around(const skv_world *world, const skv_neighbours *lists,
-                                const skv_constants *constants, int i)
+static surroundings look_around(const skv_world *world, const skv_neighbours *lists, int i)
 {
-    skv_kernel kernel = skv_law_kernel(world->fluid.law);
+    const skv_fluid_def *fluid = &world->fluid;
+    const skv_kernel kernel = skv_law_kernel(fluid->law);
+    const float inv_h = (float)(1 / ((double)fluid->spacing * (double)fluid->radius_ratio));
     surroundings around = {0};
     double gx = 0, gy = 0;
     const skv_state *s = &world->state;
     for (int k = lists->start[i]; k < lists->start[i + 1]; k++) {
         int j = lists->list[k];
-        float dx = s->x[j] - s->x[i], dy = s->y[j] - s->y[i], square = dx * dx + dy * dy;
-        if (!(square < constants->h_squared))
-            continue;
-        float r = sqrtf(square), ux, uy;
-        if (r > SKV_COINCIDENT * constants->h) {
+        float dx = s->x[j] - s->x[i], dy = s->y[j] - s->y[i];
+        float r = sqrtf(dx * dx + dy * dy), ux, uy;
+        if (r > SKV_COINCIDENT * world->h) {
             ux = dx * (1 / r);
             uy = dy * (1 / r);
         } else {
             skv_fallback_direction(s->id[i], s->id[j], &ux, &uy);
         }
         around.neighbours += 1;
-        double q = (double)(1 - r * constants->inv_h), force = skv_kernel_force(kernel, q);
+        double q = (double)(1 - r * inv_h), force = skv_kernel_force(kernel, q);
         around.density += skv_kernel_density(kernel, q);
         gx += force * (double)ux;
         gy += force * (double)uy;
@@ -78,13 +77,12 @@ static skv_packing average(const skv_world *world, const skv_neighbours *lists)
     skv_kernel kernel = skv_law_kernel(world->fluid.law);
     double rest = skv_lattice_sums(kernel, (double)world->fluid.radius_ratio).density;
     double bulk_below = BULK_GRADIENT * skv_surface_gradient(&world->fluid);
-    skv_constants constants = skv_make_constants(&world->fluid, 1.0f / 60);
     double pairs = 0, volume = 0, bulk = 0;
     const skv_state *s = &world->state;
     for (int i = 0; i < s->count; i++) {
         if (!isfinite(s->x[i]) || !isfinite(s->y[i]))
             continue;
-        surroundings around = look_around(world, lists, &constants, i);
+        surroundings around = look_around(world, lists, i);
         pairs += around.neighbours;
         if (around.gradient < bulk_below && around.density > 0.5 * rest) {
             volume += (1 + rest) / (1 + around.density);

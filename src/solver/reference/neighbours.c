@@ -68,8 +68,7 @@ skv_result skv_neighbours_reserve(skv_neighbours *n, int count, skv_error *error
         return SKV_OK;
     if (needed > INT32_MAX / 2)
         needed = INT32_MAX / 2;
-    /* The lists that are there still serve. */
-    const skv_array list = SKV_ARRAY(n->list, (size_t)needed, (size_t)n->list_capacity);
+    const skv_array list = SKV_ARRAY(n->list, (size_t)needed, 0);
     if (!skv_arrays_grow(&n->list_block, &list, 1))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for neighbour lists");
     n->list_capacity = (int)needed;

@@ -20,7 +20,7 @@ static skv_constants in_own_units(const skv_constants *c)
 {
     float inv_h = c->inv_h, per_step = c->dt * c->inv_h;
     skv_constants r = *c;
-    r.h = r.inv_h = r.h_squared = r.dt = r.inv_dt = 1;
+    r.h = r.inv_h = r.dt = 1;
     r.max_speed *= per_step;
     r.lag_rise /= per_step * per_step;
     r.viscosity_linear *= c->dt;
