@@ -11,6 +11,7 @@
 #include "legend.h"
 #include "probes.h"
 #include "properties.h"
+#include "said.h"
 #include "settings.h"
 #include "style.h"
 #include "tools.h"
@@ -96,7 +97,9 @@ void play_window_measure(PlayWindow *window, int kind)
 
 void play_window_complain(PlayWindow *window, const char *text)
 {
-    gtk_label_set_text(GTK_LABEL(window->message_text), text);
+    char *said = play_said(text);
+    gtk_label_set_text(GTK_LABEL(window->message_text), said);
+    g_free(said);
     gtk_revealer_set_reveal_child(window->message, TRUE);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Brings po/*.po in line with what the app and the page say: the texts in app/ and web/page/, those of the
-# library's tables, and the labels of the experiments' curves.
+# library's tables, its messages, and the labels of the experiments' curves.
 # What is new there has to be translated by hand. With --template it prints the template alone.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -28,12 +28,30 @@ page_texts() {
         }' web/page/ui/*.ts web/page/ui/*.tsx
 }
 
+# What a reader of files, links and snapshots says in the library: texts of two words and more, in the form
+# in which app/said.c and web/page/ui/said.ts look for them, with %s for whatever is filled in. Notes of
+# xgettext on other texts in these files are left out.
+messages() {
+    xgettext --from-code=UTF-8 --no-location --no-wrap --language=C --extract-all -o - \
+        src/base/{envelope,fields}.c src/link/link.c src/terrain/wall_map.c src/world/{restore,snapshot}.c \
+        src/scene/{acting,build,draft,paint,scene,shapes,taps}.c src/scene/read/*.c \
+        src/scene/read/{native,wasm}/*.c src/session/{openings,packed_log,player,probes,replay,worker}.c \
+        2>/dev/null | perl -0777 -ne '
+            for (/^msgid ("(?:[^"\\]|\\.)*")\nmsgstr/gm) {
+                s/%[-+ #0]*(?:[0-9]+|\*)?(?:\.(?:[0-9]+|\*))?(?:hh|h|ll|l|z)?[a-zA-Z]/%s/g;
+                s/(?:%s)+/%s/g;
+                s/ "$/ %s"/; # what follows is a macro
+                print "#. a message\nmsgid $_\nmsgstr \"\"\n\n" if /[a-z]+ [(]?[a-z]{2,}/;
+            }'
+}
+
 template() {
     local work
     work=$(mktemp -d)
     {
         printf 'msgid ""\nmsgstr "Content-Type: text/plain; charset=UTF-8\\n"\n\n'
         "$build/skvalp-strings"
+        messages
     } | msguniq --to-code=UTF-8 -o "$work/tables.pot" -
     xgettext --from-code=UTF-8 --add-comments=Translators --keyword=_ --keyword=N_ \
         --keyword=ngettext:1,2 --no-location --package-name=Skvalp --language=C \

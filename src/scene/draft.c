@@ -310,8 +310,8 @@ static skv_result accept_group(skv_draft *draft, const skv_field_path *path, con
     if (origin.source == SKV_FROM_SETTING)
         return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE,
                               "holds several values; set one of them");
-    return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "%s is not %s; %s", what,
-                          list ? "a list" : "an object",
+    return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "%s %s; %s", what,
+                          list ? "is not a list" : "is not an object",
                           list ? "allowed is [ ... ]" : "allowed is { \"name\": value, ... }");
 }
 

@@ -158,18 +158,18 @@ static int resolve(place p)
 static const char *name_colour(colour c)
 {
     double h = hue(c);
-    return h < 45.0    ? highest(c) < 200 ? "brown" : "orange"
-           : h < 75.0  ? "yellow"
-           : h < 170.0 ? "between green and blue"
-           : h < 300.0 ? "violet"
-                       : "magenta";
+    return h < 45.0    ? highest(c) < 200 ? "is brown" : "is orange"
+           : h < 75.0  ? "is yellow"
+           : h < 170.0 ? "is between green and blue"
+           : h < 300.0 ? "is violet"
+                       : "is magenta";
 }
 
 static skv_result fail_wrong(place p, const char *label, skv_error *error)
 {
     colour c = colour_at(p.image, p.x, p.y);
     return skv_fail(error, SKV_ERROR_VALUE,
-                    "%s: pixel (%d, %d) is %s (#%02x%02x%02x); allowed are light (solid), dark "
+                    "%s: pixel (%d, %d) %s (#%02x%02x%02x); allowed are light (solid), dark "
                     "(air), blue (fluid), green (emitter) and red (drain)",
                     label, p.x, p.y, name_colour(c), (unsigned)c.r, (unsigned)c.g, (unsigned)c.b);
 }

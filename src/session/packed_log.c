@@ -13,7 +13,7 @@
 
 /* A record begins with a byte: kind, and frames since the one before if these are few. */
 enum { KIND_BITS = 5, KIND_MASK = (1 << KIND_BITS) - 1, MANY_FRAMES = 7 };
-_Static_assert(SKV_COMMAND_KINDS <= KIND_MASK + 1, "a kind has five bits");
+_Static_assert(SKV_COMMAND_KINDS <= KIND_MASK + 1, "5 bits");
 
 skv_steps skv_steps_of(const skv_world *world)
 {

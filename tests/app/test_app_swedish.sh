@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# In Swedish: words and numbers are those of the language, wherever the window shows any. Arguments:
-# build folder, source folder.
+# In Swedish: words, numbers and the messages of the library are those of the language, wherever the window
+# shows any. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_app_swedish.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
@@ -39,4 +39,23 @@ key Return
 await 'not find("Y", "Entry").invalid and not says("från −")'
 await 'find("Y", "Entry").text == "−3,71"'
 quit_app
-echo "swedish: words and numbers"
+
+# What the library says of files and links: a picture too large, one damaged, a wrong key, a wrong number, a
+# damaged link.
+head='\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0' tail='\0\0\0\x28\x08\x02\0\0\0aaaa'
+printf '%b' "$head\x23\x28$tail" >"$work/stor.png"
+printf '%b' "$head\0\x28$tail" >"$work/skadad.png"
+printf '{"gravty": {}, "water": []}\n' >"$work/nyckel.json"
+printf '{"world": {"width": 2},\n"gravity": {"y": "tung"}}\n' >"$work/tal.json"
+while IFS='|' read -r opened said; do
+    start_app "$opened"
+    await "message.endswith('$said')"
+    quit_app
+done <<END
+$work/stor.png|stor.png: bilden har 9 000 x 40 bildpunkter; tillåtet är 16 till 8 192 åt vardera hållet
+$work/skadad.png|skadad.png: skadad PNG: en kontrollsumma är fel; spara den igen eller hämta ett annat exemplar
+$work/nyckel.json|nyckel.json:1: gravty: okänt fält; menade du gravity?
+$work/tal.json|tal.json:2: gravity.y: "tung" är inget tal; tillåtet är ett tal från −1 000 till 1 000 m/s^2
+skvalp:1.abc|länk: den är skadad eller avklippt; kopiera hela
+END
+echo "swedish: words, numbers and messages"

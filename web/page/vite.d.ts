@@ -2,5 +2,8 @@
 
 declare module 'virtual:words' {
     /** The languages besides English: what loads their words. */
-    export const languages: Record<string, () => Promise<{ default: Record<string, string | string[]> }>>;
+    export const languages: Record<string, () => Promise<{
+        default: Record<string, string | string[]>;
+        sayerOf: (words: ReadonlyMap<string, string | string[]>) => (english: string) => string;
+    }>>;
 }

@@ -1,6 +1,7 @@
 // Words: makes modules of the app's translations, po/LANGUAGE.po, for vite: `virtual:words` loads a
 // language when it is asked for. Invariant: a text is translated once, in po/; a language holds what the
-// library's tables say (gettext's comments tell those) and what the page's own sources say, no more.
+// library's tables and messages say (gettext's comments tell those) and what the page's own
+// sources say, no more.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -69,12 +70,13 @@ export function words(po, sources) {
             if (!id.startsWith('\0virtual:words/'))
                 return undefined;
             const file = join(po, `${id.slice('\0virtual:words/'.length)}.po`);
-            const said = readSources(sources);
+            const own = readSources(sources);
             this.addWatchFile(file);
             const kept = readPo(readFileSync(file, 'utf8'))
-                .filter((entry) => entry.fromTable || said.includes(entry.id.replaceAll('\n', '\\n')))
+                .filter((entry) => entry.fromTable || own.includes(entry.id.replaceAll('\n', '\\n')))
                 .map((entry) => [entry.id, entry.forms.length > 1 ? entry.forms : entry.forms[0]]);
-            return `export default ${JSON.stringify(Object.fromEntries(kept))};`;
+            const said = JSON.stringify(join(sources, 'ui/said.ts'));
+            return `export { sayerOf } from ${said};\nexport default ${JSON.stringify(Object.fromEntries(kept))};`;
         },
     };
 }

@@ -2,6 +2,7 @@
 // only the page knows (which panel is open, what is said to the reader) is in the other signals.
 import { computed, signal } from '@preact/signals';
 import type { Catalogue, Simulation, State, Trouble, WorldState } from '../simulation/protocol';
+import { said } from './words';
 
 /** What everything is asked of; it is there before anything of the page can be used. */
 export let simulation: Simulation;
@@ -77,9 +78,10 @@ export function propose(text: string, name: string, act: () => void): void {
     tell({ text, fault: false, offer: { name, act } }, 20_000);
 }
 
+/** What is wrong, as the page or the library says it. */
 export function complain(text: string): void {
     clearTimeout(fading);
-    message.value = { text, fault: true };
+    message.value = { text: said(text), fault: true };
 }
 
 export function dismiss(): void {

@@ -7,7 +7,7 @@ import { readPo } from '../../tools/words.js';
 import { begin } from './model';
 import { fixed, quantity, readingText, short, shown, typed } from './numbers';
 import { refusalOf } from './refusal';
-import { known, language, ngettext, say, speak, titleOfPath, word } from './words';
+import { known, language, ngettext, said, say, speak, titleOfPath, word } from './words';
 
 const reading = { name: '', lack: '', theory: false };
 
@@ -105,6 +105,31 @@ test('Swedish comes from po/, with its decimals and plurals', async () => {
     expect(say(ngettext('%s particle', '%s particles', 2), '2')).toBe('2 partiklar');
     await speak('en');
     expect(say(ngettext('%s particle', '%s particles', 1), '1')).toBe('1 particle');
+});
+
+test('what the library says of files and links is said in Swedish', async () => {
+    await speak('sv');
+    const pairs = [
+        ['a.png: damaged PNG: a checksum is wrong; save it again, or fetch another copy',
+            'a.png: skadad PNG: en kontrollsumma är fel; spara den igen eller hämta ett annat exemplar'],
+        ['a.png: the picture has 9000 x 40 pixels; allowed are 16 to 8192 each way',
+            'a.png: bilden har 9\u00a0000 x 40 bildpunkter; tillåtet är 16 till 8\u00a0192 åt vardera hållet'],
+        ['a.json:1: gravty: unknown field; did you mean gravity?', 'a.json:1: gravty: okänt fält; menade du gravity?'],
+        ['a.json:2: gravity.y: "a: b; c" is not a number; allowed is a number from -0.5 to 1000 m/s^2',
+            'a.json:2: gravity.y: "a: b; c" är inget tal; tillåtet är ett tal från −0,5 till 1\u00a0000 m/s^2'],
+        ['a.json:2: world: it is empty; allowed is { "name": value, ... }',
+            'a.json:2: world: det är tomt; tillåtet är { "namn": värde, ... }'],
+        ['link: it is damaged or cut short; copy all of it', 'länk: den är skadad eller avklippt; kopiera hela'],
+        ['a.skvr: replay: its start: snapshot: it is damaged; take another copy',
+            'a.skvr: repris: dess början: läge: den är skadad; ta ett annat exemplar'],
+        ['a.skv: it begins with 400000 particles; open it once more if that is wanted',
+            'a.skv: den börjar med 400\u00a0000 partiklar; öppna den en gång till om det är det du vill'],
+        ['a (2).png: something that nobody has translated', 'a (2).png: something that nobody has translated'],
+    ];
+    for (const [english, swedish] of pairs)
+        expect(said(english)).toBe(swedish);
+    await speak('en');
+    expect(said(pairs[0][0])).toBe(pairs[0][0]);
 });
 
 test('texts over several lines, quoted signs and plurals are read', () => {

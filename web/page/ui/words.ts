@@ -6,6 +6,7 @@ import { languages } from 'virtual:words';
 /** The language that is spoken. */
 export const language = signal('en');
 let words = new Map<string, string | string[]>();
+let sayer: ((english: string) => string) | null = null;
 
 /** Languages that there are: 'en', and those of po/. */
 export const known = ['en', ...Object.keys(languages)];
@@ -17,7 +18,9 @@ export function preferred(): string {
 
 export async function speak(tag: string): Promise<void> {
     const load = Object.hasOwn(languages, tag) ? languages[tag] : undefined;
-    words = new Map(load && Object.entries((await load()).default));
+    const loaded = await load?.();
+    words = new Map(loaded && Object.entries(loaded.default));
+    sayer = loaded ? loaded.sayerOf(words) : null;
     language.value = load ? tag : 'en';
 }
 
@@ -27,6 +30,9 @@ export function word(text: string): string {
     const found = words.get(text);
     return (typeof found === 'string' ? found : found?.[0]) ?? text;
 }
+
+/** A message of the library. */
+export const said = (text: string): string => sayer?.(text) ?? text;
 
 /** A text of the page's own: xgettext finds these. */
 export const _ = word;
