@@ -175,8 +175,11 @@ void play_window_show_properties(PlayWindow *window, gboolean shown)
 static void show_notices(PlayWindow *window, const skv_scene *scene)
 {
     const char *notice;
-    for (int i = 0; scene && (notice = skv_scene_notice(scene, i)); i++)
-        play_window_toast(window, notice);
+    for (int i = 0; scene && (notice = skv_scene_notice(scene, i)); i++) {
+        char *said = play_said(notice);
+        play_window_toast(window, said);
+        g_free(said);
+    }
 }
 
 static gboolean hide_description(gpointer data)

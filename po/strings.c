@@ -139,6 +139,7 @@ static void print_controls(void)
         print_text(skv_lack_words(i), "why there is no reading");
     for (int i = 0; skv_refusal_words(i); i++)
         print_text(skv_refusal_words(i), "why a number is refused");
+    print_text("collapses", "what a message says of a fluid");
     print_text("it", "what a message calls a value that is empty");
     print_text("snapshot", "what a message is about");
     print_text("replay", "what a message is about");

@@ -58,4 +58,10 @@ $work/nyckel.json|nyckel.json:1: gravty: okänt fält; menade du gravity?
 $work/tal.json|tal.json:2: gravity.y: "tung" är inget tal; tillåtet är ett tal från −1 000 till 1 000 m/s^2
 skvalp:1.abc|länk: den är skadad eller avklippt; kopiera hela
 END
-echo "swedish: words, numbers and messages"
+# What is worth saying of a scene that opens.
+printf '%s' '{"fluid": {"law": "clavet", "clavet_near_stiffness": 0.2}, "particles": 300, ' \
+    '"water": [{"shape": "box", "y1": 0.3}]}' >"$work/spricker.json"
+start_app "$work/spricker.json"
+await 'says("med fluid.clavet_near_stiffness 0,2 sväller och spricker clavet-vätskan; 0,0")'
+quit_app
+echo "swedish: words, numbers, messages and notes"
