@@ -136,12 +136,14 @@ const trials = {
         // As on another device: it is what is kept that counts, not how fast it is by chance.
         await page.evaluate(() => localStorage.setItem('skvalp', JSON.stringify({ measured: 3000 })));
         assert.equal((await again(page, '?scene=pool'))[0], 3000);
+        await until(page, () => new URL(location.href).searchParams.get('particles') === '3000', 'who copies the address has as many');
         const [asked, { measured: still, particles: none }] = await again(page, '?scene=pool&particles=2000');
         assert.deepEqual([asked, still, none], [2000, 3000, undefined], 'the address is for one visit');
         await page.locator('.pace').click();
         await page.getByLabel('Particles', { exact: true }).selectOption({ label: '1\u00a0000' });
         await until(page, () => window.skvalp.state.value.chosen === 1000
             && Math.abs(window.skvalp.state.value.worlds[0].particles - 1000) < 100, 'the scene begins anew with 1000');
+        await until(page, () => location.search === '?scene=pool&particles=1000', 'the address says so');
         assert.equal((await again(page, '?scene=pool'))[0], 1000);
         await page.locator('.pace').click();
         await page.getByLabel('Particles', { exact: true }).selectOption({ label: 'As measured: 3\u00a0000' });

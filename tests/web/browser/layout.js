@@ -195,6 +195,30 @@ const trials = {
         }
     },
 
+    async 'what an experiment is compared with is in sight once it ends'(browser) {
+        const page = await begin(browser, phone, '?scene=pool&particles=500');
+        await button(page, 'Scenes and experiments').click();
+        await page.locator('.panel .list button').first().click();
+        await page.locator('.measurement').getByRole('button', { name: 'Measure' }).click();
+        const compare = page.getByRole('heading', { name: '4. Compare' });
+        const inSight = () => page.waitForFunction(() => {
+            const box = (part) => part?.getBoundingClientRect();
+            const heading = box([...document.querySelectorAll('h3')].find((part) => part.textContent === '4. Compare'));
+            const table = box(document.querySelector('.results tbody tr')), body = box(document.querySelector('.panel'));
+            return heading?.top >= body.top && table?.bottom <= body.bottom + 1;
+        });
+        await compare.waitFor();
+        await inSight();
+        // Opened again, it begins with the question.
+        await close(page);
+        await compare.waitFor({ state: 'detached' });
+        await button(page, 'Scenes and experiments').click();
+        await page.locator('.panel .list button').first().click();
+        await compare.waitFor();
+        const [title, body] = [await boxOf(page, '.panel h3.title'), await boxOf(page, '.panel')];
+        assert.ok(title.bottom > body.top, `the title ends at ${title.bottom}, above ${body.top}`);
+    },
+
     async 'a set-up whose gravity is tilted says so'(browser) {
         const page = await begin(browser, desk, '?scene=pool&paused=1');
         const index = await page.evaluate(async () =>
@@ -221,6 +245,7 @@ await carryOut([folder], trials, [
     'a page that is enlarged four times has all that others have',
     'a page in light colours is light from its first picture on',
     'an experiment says that it runs, what stands beside it waits, and its plot is in sight',
+    'what an experiment is compared with is in sight once it ends',
     'a set-up whose gravity is tilted says so',
     'a change of the view is spoken',
 ]);

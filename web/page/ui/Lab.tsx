@@ -125,10 +125,29 @@ function Measurement({ index, experiment }: { index: number; experiment: Experim
     );
 }
 
+/** @param comes into sight: who waited for it may have the plot there */
+function Comparison({ text, comes, children }: { text: string; comes: boolean; children: ComponentChildren }) {
+    const holder = useRef<HTMLDivElement>(null);
+    useEffect(() => {
+        if (comes)
+            holder.current!.scrollIntoView({ block: 'nearest' });
+    }, []);
+    return (
+        <div ref={holder} class="measurement">
+            <Part title={_('4. Compare')} text={text}>
+                {children}
+            </Part>
+        </div>
+    );
+}
+
 export default function Lab() {
     const index = subject.value;
     const experiment = catalogue.experiments[index];
-    const latest = runs.value[index]?.latest;
+    const run = runs.value[index], latest = run?.latest;
+    const waited = useRef(-1);
+    if (run?.running)
+        waited.current = index;
     return (
         <>
             <h3 class="title">{word(experiment.title)}</h3>
@@ -140,7 +159,7 @@ export default function Lab() {
             <Measurement index={index} experiment={experiment} />
             {latest?.kind === 'failed' && <p role="alert">{wordsOfFailure(latest.error)}</p>}
             {latest?.kind === 'done' && (
-                <Part title={_('4. Compare')} text={experiment.compare}>
+                <Comparison key={index} text={experiment.compare} comes={waited.current === index}>
                     {predictions.value[index] && (
                         <p class="quote">{`${_('Your prediction')}: ${predictions.value[index]}`}</p>
                     )}
@@ -163,7 +182,7 @@ export default function Lab() {
                             SVG
                         </button>
                     </p>
-                </Part>
+                </Comparison>
             )}
         </>
     );
