@@ -32,7 +32,6 @@ smaller() {
 take_app() {
     # shellcheck source=tests/app/lib.sh
     source tests/app/lib.sh
-    unset GSK_RENDERER # the one that people have
     start_display 1200x800
     window_size 1000 640
     "$build/skvalp" run dam-break --particles 8000 --seconds 1.25 --snapshot "$work/dam-break.skv" --quiet

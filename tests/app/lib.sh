@@ -80,9 +80,6 @@ export LC_ALL=C.UTF-8 LANGUAGE=en
 unset WAYLAND_DISPLAY GTK_THEME ADW_DEBUG_COLOR_SCHEME ADW_DEBUG_HIGH_CONTRAST
 unset XDG_CONFIG_HOME XDG_DATA_HOME XDG_CACHE_HOME XDG_STATE_HOME
 
-# The toolkit draws without OpenGL, which takes a quarter off what these tests cost; test_app.sh has it.
-export GSK_RENDERER=cairo
-
 # window_size WIDTH HEIGHT: of the windows to come. Drawn by the processor, a pixel costs as much as
 # anything here, so it is small where a test does not say otherwise.
 window_size() {

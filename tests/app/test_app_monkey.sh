@@ -10,7 +10,6 @@ build=$(realpath "${1:?usage: test_app_monkey.sh BUILD SOURCE}")
 source=$(realpath "${2:?usage: test_app_monkey.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
-unset GSK_RENDERER # the one that people have
 seconds=${SKV_MONKEY_SECONDS:-15}
 [[ ${SKV_LONG_TESTS:-} != 1 || -n ${SKV_MONKEY_SECONDS:-} ]] || seconds=120
 seed=${SKV_MONKEY_SEED:-1}

@@ -54,7 +54,7 @@ key F10
 await 'menus() == 1'
 press 'Go On Where You Were'
 await "worlds[0].opened == 2 and worlds[0].particles == $poured"
-await 'closed() and find("view").focus'
+await 'menus() == 0 and find("view").focus'
 first=$app
 pour
 there=$poured
@@ -83,7 +83,7 @@ await 'menus() == 1 and not shows("Go On Where You Were")'
 kill -KILL "$first"
 wait "$first" 2>/dev/null || true
 key Escape
-await 'closed()'
+await 'menus() == 0'
 quit_app
 
 # 5. A damaged file. What else is kept is still to be had.
