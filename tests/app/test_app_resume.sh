@@ -14,10 +14,12 @@ offered='shows("Go On There")'
 pour() {
     key space
     await paused
+    await 'worlds[0].particles'
+    local before=$answer
     key 3
     await 'tool == 2'
     drag 70 70 85 70
-    await 'worlds[0].particles > 3010'
+    await "worlds[0].particles > $before"
     let_go
     key 1 # comes after what let go, which has then been seen
     await 'tool == 0 and canUndo and not active'
