@@ -58,7 +58,7 @@ typedef enum skv_replay {
 /* What does not fit into a message; one block of memory that goes to the reader. */
 typedef struct skv_request {
     const char *name; /* a path, a label */
-    const char *text; /* a format, a value; may be null */
+    const char *text; /* a format, a value; of a save: that it is of a moment; may be null */
     const void *data; /* may be null */
     size_t size;
     skv_scene_options options;
