@@ -1,7 +1,7 @@
 // Lab: an experiment's card: question, prediction, measurement, comparison. Invariant: what theory says
 // is shown once something was measured, not before: who predicts shall not read it off.
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Curve, Experiment, LabMessage, Row } from '../simulation/protocol';
 import { wordsOfFailure } from './errands';
 import { download } from './files';
@@ -81,7 +81,7 @@ function Measurement({ index, experiment }: { index: number; experiment: Experim
     const run = runs.value[index];
     const curves = shownCurves(run?.latest);
     const holder = useRef<HTMLDivElement>(null);
-    useEffect(() => {
+    useLayoutEffect(() => {
         if (!run?.running)
             return;
         holder.current!.scrollIntoView();
@@ -128,7 +128,7 @@ function Measurement({ index, experiment }: { index: number; experiment: Experim
 /** @param comes into sight: who waited for it may have the plot there */
 function Comparison({ text, comes, children }: { text: string; comes: boolean; children: ComponentChildren }) {
     const holder = useRef<HTMLDivElement>(null);
-    useEffect(() => {
+    useLayoutEffect(() => {
         if (comes)
             holder.current!.scrollIntoView({ block: 'nearest' });
     }, []);

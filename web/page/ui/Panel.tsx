@@ -1,7 +1,7 @@
 // Panel: a sheet that rises from below on phones, a column beside the water on wide screens. Invariant:
 // one is open at most; the focus goes into it when it opens, and back to where it was once it closes.
 import type { ComponentType } from 'preact';
-import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { Button } from './Button';
 import { compared, panel, showPanel, subject } from './model';
 import type { Panel as Which } from './model';
@@ -51,7 +51,8 @@ export function Panel() {
         else if (document.activeElement === document.body || !document.activeElement)
             before.current?.focus();
     }, [open]);
-    useEffect(() => {
+    // Before the browser paints: a panel in another's place would show where that one was scrolled to.
+    useLayoutEffect(() => {
         dialog.current?.querySelector<HTMLElement>('h2')?.focus({ preventScroll: true });
         dialog.current?.scrollTo(0, 0);
     }, [which, subject.value]);
