@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 
 import {
     begin, beginAfter, blue, button, chooseFromMenu, complaint, devtools, phone, small, stateOf,
-    touch, until, water,
+    touch, until, untilBlue, water,
 } from './people.js';
 import { carryOut } from './trials.js';
 
@@ -104,11 +104,7 @@ const trials = {
         for (const [quarters, [axis, sign]] of sides.entries()) {
             await turn(page, 400, 400, quarters);
             await pulls(page, axis === 'x' ? sign : 0, axis === 'y' ? -sign : 0);
-            for (let i = 0, middle; i === 0 || sign * (middle[axis] - 0.5) < 0.1; i++) {
-                assert.ok(i < 100, `quarters ${quarters}: water stays at ${JSON.stringify(middle)}`);
-                await page.waitForTimeout(100);
-                middle = await blue(page);
-            }
+            await untilBlue(page, (middle) => sign * (middle[axis] - 0.5) >= 0.1, `water runs, quarters ${quarters}`);
         }
         await turn(page, 400, 400, 0);
         await hold(page, 0, 4.9);
@@ -160,7 +156,7 @@ const trials = {
         const { worlds: [after], moment } = await stateOf(page);
         assert.deepEqual([after.particles, after.opened], [particles, opened]);
         assert.deepEqual(await fits(page), { inside: true, hidden: [] });
-        assert.ok((await blue(page)).share > 0.02, 'no water shows');
+        await untilBlue(page, ({ share }) => share > 0.02, 'water shows');
         await turn(page, 360, 740, 0);
         await until(page, ([moment]) => innerWidth === 360 && window.skvalp.state.value.moment > moment
             && window.skvalp.state.value.worlds[0].area.width <= 360, 'it stands', [moment]);
@@ -176,16 +172,14 @@ const trials = {
         const { x, y } = await blue(page);
         const [left, top] = [360 * x, (await page.locator('canvas.canvas').boundingBox()).height * y];
         await touch(page, 'touchStart', [left - 30, top]);
-        await page.waitForTimeout(200);
+        await until(page, () => window.skvalp.state.value.worlds[0].hands === 1, 'a hand');
         await touch(page, 'touchStart', [left - 30, top], [left + 30, top]);
         for (let i = 1; i <= 10; i++) {
             await touch(page, 'touchMove', [left - 30, top - 20 * i], [left + 30, top - 20 * i]);
         }
         await until(page, () => window.skvalp.state.value.worlds[0].hands === 2, 'two hands');
         const between = { x: left - 40, y: top - 220, width: 80, height: 40 };
-        for (let i = 0; (await blue(page, between)).share < 0.2; i++) {
-            assert.ok(i < 20, 'no water comes with the fingers');
-        }
+        await untilBlue(page, ({ share }) => share >= 0.2, 'water comes with the fingers', between);
         await touch(page, 'touchEnd');
         const ball = await page.getByRole('slider', { name: 'Gravity' }).boundingBox();
         const middle = [ball.x + ball.width / 2, ball.y + ball.height / 2];
@@ -227,9 +221,13 @@ const trials = {
         await hide(page, true);
         await locks(1, 0);
         await page.evaluate(() => window.skvalp.simulation.catalogue()); // what was under way has been told
-        await page.waitForTimeout(200);
+        let drawn; // the last picture may be on its way
+        await untilBlue(page, (now) => {
+            const last = drawn;
+            drawn = now;
+            return last?.x === now.x && last.share === now.share;
+        }, 'the picture stands still');
         const { moment } = await stateOf(page);
-        const drawn = await blue(page);
         await page.waitForTimeout(700);
         const later = [(await stateOf(page)).moment, await blue(page)];
         assert.deepEqual(later, [moment, drawn], 'it goes on hidden');
@@ -304,10 +302,7 @@ const trials = {
             };`, small, '?scene=pool&paused=1');
         // It stands still, so that nothing but its return draws it anew.
         await until(page, () => window.skvalp.state.value.paused, 'it stands still');
-        for (let i = 0; (await blue(page)).share < 0.2; i++) {
-            assert.ok(i < 50, 'no water shows');
-            await page.waitForTimeout(50);
-        }
+        await untilBlue(page, ({ share }) => share >= 0.2, 'water shows');
         const before = await blue(page);
         const worker = page.workers().find((other) => other.url().includes('simulation.worker'));
         await worker.evaluate(() => {
@@ -318,11 +313,7 @@ const trials = {
         await said.waitFor();
         await worker.evaluate(() => self.extension.restoreContext());
         await said.waitFor({ state: 'detached' });
-        for (let i = 0, now; now?.share !== before.share; i++) {
-            assert.ok(i < 100, `once it is back ${now?.share} is water, and was ${before.share}`);
-            await page.waitForTimeout(50);
-            now = await blue(page);
-        }
+        await untilBlue(page, ({ share }) => share === before.share, `as much water as before, ${before.share}`);
     },
 
     async 'a process of graphics that dies is no limit of the device'(browser) {
@@ -342,10 +333,7 @@ const trials = {
         await until(page, () => window.alerts.length > 0, 'it says that the processor was taken away');
         await until(page, () => [...document.querySelectorAll('[role=alert]')].every((alert) => !alert.textContent),
             'the alert goes');
-        for (let i = 0; (await blue(page)).share < 0.05; i++) {
-            assert.ok(i < 200, 'no water shows once it is back');
-            await page.waitForTimeout(50);
-        }
+        await untilBlue(page, ({ share }) => share >= 0.05, 'water shows once it is back');
         const alerts = await page.evaluate(() => window.alerts);
         assert.deepEqual(alerts.filter((text) => !/taken away/.test(text)), []);
     },

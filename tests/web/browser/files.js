@@ -7,7 +7,7 @@ import { readFileSync } from 'node:fs';
 import { crc32, deflateRawSync } from 'node:zlib';
 
 import {
-    begin, button, chooseFromMenu, close, complaint, decode, small, stateOf, until,
+    begin, button, chooseFromMenu, close, complaint, decode, keepMessages, small, stateOf, until, wasTold,
 } from './people.js';
 import { carryOut } from './trials.js';
 
@@ -54,9 +54,9 @@ const drop = (page, name, text) => page.evaluate(([name, text]) => {
 
 const trials = {
     async 'a link of the native program is played to its end, and meets its hash'(browser) {
-        const page = await browser.open(`/index.html#${nativeLink.split(/#|skvalp:/)[1]}`, small);
-        await until(page, () => window.skvalp?.state.value?.following, 'it plays what was sent');
-        await page.getByText('The end: it went exactly as it was recorded').waitFor();
+        const page = await browser.open(`/index.html#${nativeLink.split(/#|skvalp:/)[1]}`, { ...small, before: keepMessages });
+        await until(page, () => window.skvalp?.state.value?.asRecorded, 'it plays what was sent');
+        await wasTold(page, 'The end: it went exactly as it was recorded');
         const { asRecorded, mismatch, moment } = await stateOf(page);
         assert.deepEqual([asRecorded, mismatch], [true, false]);
         assert.ok(moment >= 24, `it was over after ${moment} frames`);

@@ -2,7 +2,7 @@
 // Arguments: the folder of the built page.
 import assert from 'node:assert/strict';
 
-import { begin, button, chooseFromMenu, close, phone, stateOf, touch, until } from './people.js';
+import { begin, button, chooseFromMenu, close, phone, settled, stateOf, touch, until } from './people.js';
 import { carryOut } from './trials.js';
 
 const [folder] = process.argv.slice(2);
@@ -27,18 +27,6 @@ function same([x, y], [wantedX, wantedY], what) {
     assert.ok(Math.hypot(x - wantedX, y - wantedY) < 2,
         `${what} went to ${[x, y].map(Math.round)}, the finger to ${[wantedX, wantedY].map(Math.round)}`);
 }
-
-/** Waits until the picture has the room that a new chip leaves, and grips lie where it says. */
-const settled = (page, count) => until(page, (count) => {
-    const { area, camera: { scale, originX, originY }, probes } = window.skvalp.state.value.worlds[0];
-    const stage = document.querySelector('.stage').getBoundingClientRect();
-    const grip = [...document.querySelectorAll('.grip .disc')].at(-1)?.getBoundingClientRect();
-    const probe = probes[count - 1];
-    return probes.length === count && document.querySelectorAll('.chip').length === count
-        && area.height === stage.height
-        && Math.abs(grip.x + grip.width / 2 - stage.x - originX - scale * probe.x0) < 1
-        && Math.abs(grip.y + grip.height / 2 - stage.y - originY + scale * probe.y0) < 1;
-}, 'an instrument lies where the state says', count);
 
 const trials = {
     async 'all that can be dragged follows a finger the full way'(browser) {
@@ -68,7 +56,7 @@ const trials = {
                 await page.waitForFunction(([end, x, y]) => {
                     const box = document.querySelectorAll('.grip .disc')[end].getBoundingClientRect();
                     return Math.hypot(box.x + box.width / 2 - x, box.y + box.height / 2 - y) < 2;
-                }, [end, ...wanted], { timeout: 10000 }).catch(() => undefined);
+                }, [end, ...wanted]).catch(() => undefined);
                 same(await middleOf(grips.nth(end)), wanted, `instrument ${kind}, grip ${end} of ${ends - 1}`);
                 await whole(`instrument ${kind}`);
             }

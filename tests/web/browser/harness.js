@@ -89,7 +89,7 @@ export async function launch(folders, options = {}) {
      * @param {number} [view.ratio] device pixels in one
      * @param {import('playwright-core').BrowserContextOptions} [view.more] of playwright's
      * @param {import('playwright-core').BrowserContext} [view.context]
-     * @param {() => void} [view.before] done in the page, and in its frames, before anything of theirs
+     * @param {(() => void) | (() => void)[]} [view.before] done in the page, and in its frames, before anything of theirs
      */
     const open = async (path, view = {}) => {
         const { width = 1024, height = 768, touch = false, ratio = 1 } = view;
@@ -99,8 +99,8 @@ export async function launch(folders, options = {}) {
         });
         const page = await context.newPage();
         page.setDefaultTimeout(longest);
-        if (view.before) {
-            await page.addInitScript(view.before);
+        for (const before of [view.before ?? []].flat()) {
+            await page.addInitScript(before);
         }
         page.on('pageerror', (error) => troubles.push(error.stack ?? String(error)));
         page.on('console', (message) => message.type() === 'error'

@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 
 import {
-    begin, beginAfter, button, chooseFromMenu, close, desk, phone, small, stateOf, touch, until,
-    water,
+    begin, beginAfter, button, chooseFromMenu, close, desk, keepMessages, phone, settled, small, stateOf, touch,
+    until, wasTold, water,
 } from './people.js';
 import { carryOut } from './trials.js';
 
@@ -47,7 +47,7 @@ const trials = {
     async 'two fingers hold water'(browser) {
         const page = await begin(browser, phone);
         await touch(page, 'touchStart', [90, 520]);
-        await page.waitForTimeout(250); // so long that both are hands
+        await until(page, () => window.skvalp.state.value.worlds[0].hands === 1, 'a hand');
         await touch(page, 'touchStart', [90, 520], [150, 540]);
         await touch(page, 'touchMove', [95, 480], [155, 500]);
         await until(page, () => window.skvalp.state.value.worlds[0].hands === 2, 'two hands');
@@ -100,6 +100,7 @@ const trials = {
         await chip.press('Shift+ArrowLeft');
         await until(page, (x) => Math.abs(window.skvalp.state.value.worlds[0].probes[0].x0 - x) < 1e-6,
             'with Shift it is a millimetre', before + 0.049);
+        await settled(page, 1);
         const { probes: [{ x0 }], camera: { scale } } = (await stateOf(page)).worlds[0];
         const { x, y, width, height } = await page.locator('.grip .disc').boundingBox();
         await page.mouse.move(x + width / 2, y + height / 2);
@@ -190,6 +191,7 @@ const trials = {
         const page = await begin(browser, small, '?scene=pool&particles=500');
         const inStore = (mode, text) => page.evaluate(([mode, text]) => new Promise((resolve) => {
             const opening = indexedDB.open('skvalp');
+            opening.onupgradeneeded = () => opening.result.createObjectStore('kept');
             opening.onsuccess = () => {
                 const transaction = opening.result.transaction('kept', mode), store = transaction.objectStore('kept');
                 const asked = text === null ? store.get('kept') : store.put({ title: '', bytes: new TextEncoder().encode(text) }, 'kept');
@@ -210,18 +212,22 @@ const trials = {
         await page.keyboard.press(' ');
         await until(page, () => window.skvalp.state.value.paused, 'it waits');
         const { time } = (await stateOf(page)).worlds[0];
-        await page.evaluate(() => window.dispatchEvent(new Event('pagehide')));
-        while (await inStore('readonly', null) !== 'Pool') {
-            await page.waitForTimeout(50);
+        for (let i = 0; i < 2; i++) { // the first may end what was being kept before it stood still
+            await inStore('readwrite', '');
+            await page.evaluate(() => window.dispatchEvent(new Event('pagehide')));
+            while (await inStore('readonly', null) !== 'Pool') {
+                await page.waitForTimeout(50);
+            }
         }
 
         await page.goto(page.url().replace(/\?.*/, ''));
         await water(page);
         await page.getByText('Kept: Pool').waitFor();
         await button(page, 'Go On There').click();
-        await until(page, () => window.skvalp.state.value.worlds[0].name === 'pool', 'it goes on');
-        const { worlds: [world], paused, moment } = await stateOf(page);
-        assert.deepEqual([world.time, world.probes.length, paused, moment], [time, 1, true, 0]);
+        await until(page, ([time]) => {
+            const { worlds: [world], paused, moment } = window.skvalp.state.value;
+            return world.name === 'pool' && world.time === time && world.probes.length === 1 && paused && moment === 0;
+        }, 'it goes on where it was', [time]);
         await button(page, 'Go On There').waitFor({ state: 'detached' });
 
         // Whoever closed the message finds it in the menu; it may be anything by then.
@@ -240,6 +246,7 @@ const trials = {
         await page.reload();
         await water(page);
         await button(page, 'Main menu').click();
+        await button(page, 'About Skvalp').waitFor();
         assert.equal(await button(page, 'Go On Where You Were').count(), 0);
     },
 
@@ -276,11 +283,12 @@ const trials = {
         await page.waitForFunction(() => document.querySelector('textarea.link')?.value.includes('#1.'));
         await page.locator('svg.qr').waitFor();
         const link = new URL(await field.inputValue());
-        const other = await browser.open(`/index.html${link.hash}`, small);
+        const other = await browser.open(`/index.html${link.hash}`, { ...small, before: keepMessages });
         await until(other, () => window.skvalp?.state.value?.asRecorded, 'it goes as it was sent');
-        await other.getByText('exactly as it was recorded').waitFor();
+        await wasTold(other, 'exactly as it was recorded');
         await until(other, () => window.skvalp.state.value.worlds.length === 2, 'beside the other');
         await until(other, () => window.skvalp.state.value.paused, 'it waits where the other did');
+        await until(other, () => window.skvalp.state.value.style.view === 'pressure', 'it shows what the other showed');
         const seen = async (page) => {
             const { worlds, style, choice, moment } = await stateOf(page);
             const probes = worlds.map(({ probes }) => probes.map(({ kind, x0, y0 }) => [kind, x0, y0]));
@@ -492,12 +500,12 @@ const trials = {
         await does('set', { path: 'fluid.material', value: 'honey' },
             () => window.skvalp.state.value.canUndo);
         await does('play', {}, () => window.skvalp.state.value.moment > 10);
-        const [before, after] = await page.evaluate(async () => {
-            const before = window.told.length;
+        const [before, after, seconds] = await page.evaluate(async () => {
+            const before = window.told.length, begun = performance.now();
             await new Promise((resolve) => setTimeout(resolve, 2000));
-            return [before, window.told.length];
+            return [before, window.told.length, (performance.now() - begun) / 1000];
         });
-        assert.ok(after - before > 0 && after - before < 12, `${after - before} states in two seconds`);
+        assert.ok(after - before > 0 && after - before < 6 * seconds, `${after - before} states in ${seconds} s`);
         const link = await ask('share');
         assert.match(link, /^1\./);
         await does('open', { scene: 'waves' }, () => window.skvalp.state.value.worlds[0].name === 'waves');
@@ -571,14 +579,11 @@ const trials = {
     async 'who wants less motion sees none that nobody asked for'(browser) {
         const watch = () => {
             window.moved = [];
-            window.said = '';
-            new MutationObserver(() => (window.said += document.querySelector('.messages')?.textContent))
-                .observe(document, { childList: true, subtree: true });
             for (const kind of ['animationstart', 'transitionrun'])
                 addEventListener(kind, ({ target }) => window.moved.push(target.role || target.className), true);
         };
         for (const reducedMotion of ['no-preference', 'reduce']) {
-            const page = await begin(browser, { ...phone, before: watch, more: { reducedMotion } });
+            const page = await begin(browser, { ...phone, before: [watch, keepMessages], more: { reducedMotion } });
             await chooseFromMenu(page, 'Preferences');
             await page.getByRole('switch', { name: 'Gravity ball' }).click();
             await page.locator('.ball').waitFor({ state: 'detached' });
@@ -590,7 +595,7 @@ const trials = {
             await page.waitForTimeout(300);
             await button(page, 'Close').click();
             assert.deepEqual(await page.evaluate(() => window.moved), []);
-            await until(page, () => window.said.includes('asks for less motion'), 'it says why it waits');
+            await wasTold(page, 'asks for less motion');
             const { moment, paused } = await stateOf(page);
             assert.deepEqual([moment, paused], [0, true]);
             await button(page, 'Play').click();
@@ -799,6 +804,7 @@ const trials = {
             for (const panel of ['scenes', 'views', 'properties', 'measure', 'menu']) {
                 await page.locator('.header button').nth(['scenes', 'measure', 'views', 'properties', 'menu'].indexOf(panel)).click();
                 await page.locator(`.panel-${panel}`).waitFor();
+                await page.getByText('Loading…').waitFor({ state: 'detached' });
                 found.push(...await faults(page, panel));
                 await close(page);
             }

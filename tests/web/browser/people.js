@@ -71,6 +71,28 @@ export async function devtools(page) {
     return page.devtools ??= await page.context().newCDPSession(page);
 }
 
+/** Waits until the picture has the room that chips leave, and the last grip lies where the state says. */
+export const settled = (page, count) => until(page, (count) => {
+    const { area, camera: { scale, originX, originY }, probes } = window.skvalp.state.value.worlds[0];
+    const stage = document.querySelector('.stage').getBoundingClientRect();
+    const grip = [...document.querySelectorAll('.grip .disc')].at(-1)?.getBoundingClientRect();
+    const probe = probes[count - 1];
+    return probes.length === count && document.querySelectorAll('.chip').length === count
+        && area.height === stage.height
+        && Math.abs(grip.x + grip.width / 2 - stage.x - originX - scale * probe.x0) < 1
+        && Math.abs(grip.y + grip.height / 2 - stage.y - originY + scale * probe.y0) < 1;
+}, 'an instrument lies where the state says', count);
+
+/** Before a page begins: keeps in `window.said` what it tells, for messages go by themselves. */
+export function keepMessages() {
+    window.said = '';
+    new MutationObserver(() => (window.said += document.querySelector('.messages')?.textContent))
+        .observe(document, { childList: true, characterData: true, subtree: true });
+}
+
+/** Waits until such words were told, though they may have gone; of a page that began with keepMessages. */
+export const wasTold = (page, words) => until(page, (words) => window.said.includes(words), `it tells: ${words}`, words);
+
 /** Fingers as a touch screen has them: [x, y] each. */
 export async function touch(page, type, ...points) {
     const touchPoints = points.map(([x, y], id) => ({ x, y, id }));
@@ -95,5 +117,13 @@ export async function blue(page, part) {
         }
     }
     return { share: count / (width * height), x: x / count, y: y / count };
+}
+
+/** Waits until something holds of what is blue, or of a part of it. */
+export async function untilBlue(page, holds, what, part) {
+    for (let i = 0, seen; !holds(seen = await blue(page, part)); i++) {
+        assert.ok(i < 300, `in vain: ${what}, at last ${JSON.stringify(seen)}`);
+        await page.waitForTimeout(50);
+    }
 }
 

@@ -1,5 +1,5 @@
 // Photo: a photo or a drawing on paper becomes a scene; the preview shows what it will be.
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { useSignal } from '@preact/signals';
 import { paintedPicture } from '../simulation/photo';
 import { photo } from './actions';
@@ -56,7 +56,8 @@ export default function Photo() {
         return () => (wanted = false);
     }, [file]);
     const picture = pixels.value && paint(pixels.value, taking.value);
-    useEffect(() => {
+    // A canvas whose size is set is empty until it is drawn anew.
+    useLayoutEffect(() => {
         if (picture)
             canvas.current!.getContext('2d')!.putImageData(picture, 0, 0);
     }, [picture]);

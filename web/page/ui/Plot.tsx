@@ -1,6 +1,6 @@
 // Plot: curves over time or another quantity. Invariant: what theory says is dashed; what was measured is a
 // line or points, told apart without colours, too.
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Curve } from '../simulation/protocol';
 import { axesOf, wayOf } from './axes';
 import { short } from './numbers';
@@ -38,7 +38,7 @@ function Key({ curve, at }: { curve: Curve; at: number }) {
 export function Plot({ xLabel, yLabel, curves, name }: PlotProps) {
     const holder = useRef<HTMLDivElement>(null);
     const [width, setWidth] = useState(320);
-    useEffect(() => {
+    useLayoutEffect(() => {
         const element = holder.current!;
         const observer = new ResizeObserver(() => setWidth(element.clientWidth));
         observer.observe(element);

@@ -1,6 +1,6 @@
 // Probe card: one instrument's readings, its plot with what theory says, and what else can be done.
 // Invariant: its history is kept while the card is open.
-import { useEffect } from 'preact/hooks';
+import { useEffect, useLayoutEffect } from 'preact/hooks';
 import type { Curve, Probe } from '../simulation/protocol';
 import { download } from './files';
 import { channelOf, gaugeOf } from './instruments';
@@ -49,7 +49,7 @@ export default function ProbeCard() {
         simulation.watchProbe(id, true);
         return () => simulation.watchProbe(id, false);
     }, [id]);
-    useEffect(() => {
+    useLayoutEffect(() => {
         if (!probe)
             showPanel(null); // it was taken away
     }, [probe === undefined]);

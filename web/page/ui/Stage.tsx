@@ -1,6 +1,6 @@
 // Stage: the canvas, and what lies over it. Invariant: the canvas is made once and handed to the
 // simulation once; it fills the stage, and the simulation is told whenever its size changes.
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { Ball } from './Ball';
 import { catalogue, controls, measures, measuring, paused, ready, simulation, trouble } from './model';
 import { later } from './later';
@@ -35,11 +35,12 @@ function Trouble() {
 
 export function Stage({ canvas }: { canvas: HTMLCanvasElement }) {
     const holder = useRef<HTMLDivElement>(null);
-    useEffect(() => {
+    useLayoutEffect(() => {
         canvas.className = 'canvas';
         holder.current!.prepend(canvas);
     }, [canvas]);
-    useEffect(() => {
+    // Before the browser paints: what is seen can be touched.
+    useLayoutEffect(() => {
         if (!ready.value)
             return;
         const endings = [watchSize(holder.current!), attachPointers(holder.current!)];
