@@ -331,9 +331,11 @@ static void tell_app(GString *json, PlayWindow *window)
     g_string_append_c(json, ']');
 }
 
-/* The app's own window first. */
+/* The app's own window first. What it tells the display knows, too: else keys could still go to a
+ * menu of which it tells that it is closed. */
 static char *state(void)
 {
+    gdk_display_flush(gdk_display_get_default());
     GString *json = g_string_new("{");
     GList *windows = gtk_window_list_toplevels();
     for (GList *one = windows; one; one = one->next)

@@ -100,6 +100,10 @@ class Look:
         """Name and place of what has the focus."""
         return next((f"{one.name or one.text} {one.x} {one.y}" for one in self.widgets() if one.focus), "")
 
+    def closed(self):
+        """Whether no menu is open, and the focus is back: a key that comes before goes nowhere."""
+        return self.menus() == 0 and self.focused() != ""
+
     def middle(self, name, kind="", x=0.5, y=0.5):
         """Window and place of what shows within its window and can be used; or of another point of it, in
         shares of its size."""

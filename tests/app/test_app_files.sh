@@ -89,7 +89,7 @@ await 'message.startswith("kept.csv was not saved: ")'
 await 'windows[0].xid'
 xdotool windowfocus --sync "$answer"
 key Escape
-await 'menus() == 0'
+await 'closed()'
 focus
 # What was asked for just before the window closes is written nevertheless.
 save_as ctrl+s 'Save What Happened' "$work/last.skv"

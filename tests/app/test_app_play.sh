@@ -73,7 +73,7 @@ go 'still(middle("Size of the tool", "Scale", x=0.9))'
 xdotool click 1
 await 'brush > 0.15'
 key Escape
-await 'menus() == 0'
+await 'closed()'
 key 1
 await 'tool == 0'
 
@@ -117,7 +117,7 @@ let_go
 press '1  Pressure  no water here' Toggle
 await 'menus() == 1 and shows("Save as CSV…")'
 key Escape
-await 'menus() == 0 and find("view").focus'
+await 'closed() and find("view").focus'
 tab_to '1  Pressure'
 await 'worlds[0].probes[0].x0, worlds[0].probes[0].y0'
 read -r x y <<<"$answer"
@@ -131,7 +131,7 @@ await 'not worlds[0].probes and not says("Pressure") '
 press Measure
 await 'menus() == 1'
 press 'Ruler'
-await 'len(worlds[0].probes) == 1 and says("  Ruler  ") and menus() == 0'
+await 'len(worlds[0].probes) == 1 and says("  Ruler  ") and closed()'
 await 'worlds[0].probes[0].x0, worlds[0].probes[0].y0'
 read -r x y <<<"$answer"
 go 'grip(0, 1)'

@@ -55,8 +55,7 @@ is "not $offered" || fail "who opens a scene is asked about another: $answer"
 key F10
 await 'menus() == 1'
 press 'Go On Where You Were'
-await "worlds[0].opened == 2 and worlds[0].particles == $poured"
-await 'menus() == 0 and find("view").focus'
+await "worlds[0].opened == 2 and worlds[0].particles == $poured and closed()"
 first=$app
 pour
 there=$poured
@@ -85,7 +84,7 @@ await 'menus() == 1 and not shows("Go On Where You Were")'
 kill -KILL "$first"
 wait "$first" 2>/dev/null || true
 key Escape
-await 'menus() == 0'
+await 'closed()'
 quit_app
 
 # 5. A damaged file. What else is kept is still to be had.
@@ -98,7 +97,7 @@ await "'damaged.skv' in message and worlds[0].name == 'dam-break' and moment > 5
 key F10
 await 'menus() == 1'
 press 'Go On Where You Were'
-await "worlds[0].opened == 2 and worlds[0].particles == $poured"
+await "worlds[0].opened == 2 and worlds[0].particles == $poured and closed()"
 quit_app
 
 # 6. Eight are kept, the newest.

@@ -25,7 +25,7 @@ is 'gravity.x == 0 and gravity.y == -1' || fail "the sensor acts though it is of
 key F10
 await 'menus() == 1'
 press 'Tilt by the Sensor'
-await 'menus() == 0 and gravity.x > 0.9 and abs(gravity.y) < 0.1'
+await 'closed() and gravity.x > 0.9 and abs(gravity.y) < 0.1'
 quit_app
 grep -q '^tilt=1' "$work/.config/skvalp/play.ini" || fail "that the sensor is on was not kept"
 

@@ -20,13 +20,13 @@ await 'style.range == worlds[0].legend.high and style.range > 0'
 press Views
 await 'menus() == 1'
 press Speed
-await 'style.view == "speed" and style.range == 0 and menus() == 0'
+await 'style.view == "speed" and style.range == 0 and closed()'
 key t
 await 'style.overlays == ["tracers"]'
 press Views
 await 'menus() == 1'
 press Grid
-await '"grid" in style.overlays and "tracers" in style.overlays and menus() == 0'
+await '"grid" in style.overlays and "tracers" in style.overlays and closed()'
 
 # 2. Nearer, and all of it again.
 key ctrl+plus ctrl+plus
@@ -108,7 +108,7 @@ key F10
 await 'menus() == 1'
 press Particles
 press '1 000'
-await 'worlds[0].opened == 2 and worlds[0].particles == 1000 and menus() == 0 and says("1 000 particles")'
+await 'worlds[0].opened == 2 and worlds[0].particles == 1000 and closed() and says("1 000 particles")'
 is 'not shows("Bring Back")' || fail "what nobody has touched is offered: $answer"
 # What was done meanwhile can be brought back, and with it the number that it had.
 key space
