@@ -326,7 +326,7 @@ bool options_use_stdout(const cli_options *options)
     return is_dash(options->csv) || is_dash(options->trace);
 }
 
-static bool ends_with(const char *name, const char *ending)
+bool ends_with(const char *name, const char *ending)
 {
     size_t length = strlen(name), cut = strlen(ending);
     return length > cut && strcasecmp(name + length - cut, ending) == 0;

@@ -60,6 +60,9 @@ skv_scene_options options_for_scene(const cli_options *options);
 /* Whether a table goes to stdout, which must then hold nothing else. */
 bool options_use_stdout(const cli_options *options);
 
+/* Whether a name is longer than this ending and has it, in any letter case. */
+bool ends_with(const char *name, const char *ending);
+
 /* One line per option of a command, for its help. */
 void options_print_help(command which, FILE *out);
 

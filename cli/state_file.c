@@ -9,7 +9,6 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 #include "skvalp/link.h"
@@ -17,12 +16,6 @@
 
 /* Bytes: 2 million particles and the largest picture fit several times. */
 #define LARGEST_STATE (1 << 29)
-
-static bool ends_with(const char *name, const char *ending)
-{
-    size_t length = strlen(name), cut = strlen(ending);
-    return length > cut && strcasecmp(name + length - cut, ending) == 0;
-}
 
 bool is_state_file(const char *name)
 {
