@@ -13,6 +13,8 @@
 #include <unistd.h>
 
 #include "cleanup.h"
+#include "command_study.h"
+#include "lab_job.h"
 #include "lab_starts.h"
 #include "output_file.h"
 #include "output_json.h"
@@ -30,29 +32,11 @@ typedef struct lab_run {
     int at;    /* which of them is running, */
     int start; /* and from which of its starts */
     progress_line progress;
+    lab_job job; /* whose table the rows go to; all zero: none */
     int rows, missed;
     int refused;       /* experiments that the settings do not fit */
     skv_error refusal; /* of the first of them */
 } lab_run;
-
-static skv_result find_experiment(const char *name, int *found, skv_error *error)
-{
-    const char *names[MAX_EXPERIMENTS];
-    int count = 0;
-    for (; count < MAX_EXPERIMENTS && skv_experiment_info(count); count++) {
-        names[count] = skv_experiment_info(count)->name;
-        if (strcmp(names[count], name) == 0) {
-            *found = count;
-            return SKV_OK;
-        }
-    }
-    const char *nearest = skv_nearest_name(name, names, count);
-    if (nearest)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "lab: there is no experiment '%s'; did you mean %s?", name, nearest);
-    return skv_fail(error, SKV_ERROR_VALUE,
-                    "lab: there is no experiment '%s'; see 'skvalp lab --help'", name);
-}
 
 /* Those named, each once, or all. */
 static skv_result choose(lab_run *run, skv_error *error)
@@ -60,7 +44,7 @@ static skv_result choose(lab_run *run, skv_error *error)
     const cli_options *options = run->options;
     for (int i = 0; i < options->experiment_count; i++) {
         int found = 0;
-        skv_result result = find_experiment(options->experiments[i], &found, error);
+        skv_result result = skv_experiment_find(options->experiments[i], &found, error);
         if (result != SKV_OK)
             return result;
         bool known = false;
@@ -86,21 +70,6 @@ static bool show_progress(const skv_lab_moment *moment, void *user)
     return true;
 }
 
-/* Makes the folder, or makes sure that plots can be written into the one that is there. */
-static skv_result prepare_folder(const char *folder, skv_error *error)
-{
-    struct stat found;
-    bool usable = mkdir(folder, 0777) == 0;
-    if (!usable && errno == EEXIST && stat(folder, &found) == 0) {
-        usable = S_ISDIR(found.st_mode) && access(folder, W_OK | X_OK) == 0;
-        errno = S_ISDIR(found.st_mode) ? errno : ENOTDIR;
-    }
-    if (usable)
-        return SKV_OK;
-    return skv_fail(error, SKV_ERROR_FILE, "%s: %s; name another folder with --plot", folder,
-                    strerror(errno));
-}
-
 static skv_result prepare(lab_run *run, skv_error *error)
 {
     const cli_options *options = run->options;
@@ -116,12 +85,9 @@ static skv_result prepare(lab_run *run, skv_error *error)
     result = skv_lab_check(&run->lab, error);
     if (result == SKV_OK)
         result = lab_starts_open(&run->starts, options, error);
-    return result == SKV_OK && options->plot ? prepare_folder(options->plot, error) : result;
-}
-
-static bool write_to_stream(const char *text, size_t length, void *user)
-{
-    return fwrite(text, 1, length, user) == length;
+    if (result == SKV_OK && options->plot)
+        result = output_folder_make(options->plot, "plot", error);
+    return result;
 }
 
 typedef skv_result report_writer(const skv_report *, skv_write *, void *, skv_error *);
@@ -138,7 +104,7 @@ static skv_result write_file(const char *folder, const char *name, const char *e
     skv_result result = output_file_open(&file, path, error);
     if (result == SKV_OK) {
         /* What could not be written is named by commit, with the system's reason. */
-        writer(report, write_to_stream, file.stream, NULL);
+        writer(report, output_file_take, &file, NULL);
         result = output_file_commit(&file, error);
     }
     output_file_discard(&file);
@@ -199,18 +165,19 @@ static skv_result print_report(lab_run *run, const skv_report *report, const lab
                                skv_error *error)
 {
     skv_result result = SKV_OK;
-    if (!run->options->json && !run->options->quiet) {
+    if (!run->options->json && !run->options->quiet && !run->options->job) {
         fputs(run->at ? "\n" : "", stdout);
         lab_table(skv_experiment_info(run->chosen[run->at]), report, figures);
     }
     for (int i = 0; i < MAX_FIGURES && figures[i].starts > 0 && result == SKV_OK; i++) {
         if (run->options->json)
             result = lab_json(run->rows, &figures[i], error);
+        lab_job_add(&run->job, &figures[i]);
         run->rows++;
         run->missed += !figures[i].row.pass;
     }
     fflush(stdout);
-    return result;
+    return result == SKV_OK ? lab_job_commit(&run->job, error) : result;
 }
 
 static skv_result run_one(lab_run *run, skv_error *error)
@@ -261,7 +228,8 @@ static int conclude(const lab_run *run, skv_error *error)
                  run->count, run->refusal.text);
         return STATUS_BAD;
     }
-    if (run->missed) {
+    /* What a study finds out is no failure. */
+    if (run->missed && !run->options->job) {
         skv_fail(error, SKV_ERROR_VALUE,
                  "lab: %d of %d figures miss what they must reach; see docs/lab.md", run->missed,
                  run->rows);
@@ -289,14 +257,23 @@ int lab_command(const cli_options *options, skv_error *error)
 {
     lab_run run = {.options = options};
     int status = STATUS_BAD;
+    bool done = false;
+    if (study_check(options, error) != SKV_OK)
+        return STATUS_BAD;
+    if (options->jobs || options->gather)
+        return study_command(options, error);
     cleanup_install();
-    if (prepare(&run, error) == SKV_OK) {
+    skv_result result = prepare(&run, error);
+    if (result == SKV_OK && options->job)
+        result = lab_job_open(&run.job, options, &done, error);
+    if (result == SKV_OK) {
         status = STATUS_DONE;
         if (options->cards)
             print_cards(&run);
-        else
+        else if (!done)
             status = run_all(&run, error);
     }
+    lab_job_close(&run.job);
     lab_starts_close(&run.starts);
     return status;
 }

@@ -22,11 +22,12 @@ static const struct {
 };
 enum { COMMAND_COUNT = (int)(sizeof commands / sizeof commands[0]) };
 
-static int run_one(int index, int count, char **arguments, skv_error *error)
+static int run_one(const char *program, int index, int count, char **arguments, skv_error *error)
 {
     cli_options options;
     int status = STATUS_BAD;
     if (options_parse(commands[index].which, count, arguments, &options, error) == SKV_OK) {
+        options.program = program;
         if (options.help) {
             help_print_command(commands[index].which);
             status = STATUS_DONE;
@@ -93,7 +94,7 @@ static int dispatch(int count, char **arguments, skv_error *error)
     const char *name = arguments[1];
     int index = find_command(name);
     if (index >= 0)
-        return run_one(index, count - 2, arguments + 2, error);
+        return run_one(arguments[0], index, count - 2, arguments + 2, error);
     if (strcmp(name, "help") == 0 || strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0)
         return help(count - 2, arguments + 2, error);
     if (strcmp(name, "--version") == 0) {

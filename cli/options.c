@@ -21,6 +21,7 @@ typedef enum kind {
     KIND_SIZE,    /* WxH into width and height */
     KIND_LAW,     /* a setting of fluid.law */
     KIND_SETTING, /* path=value */
+    KIND_SWEEP,   /* path=values */
     KIND_STYLE    /* names of a part of the style */
 } kind;
 
@@ -96,6 +97,16 @@ static const option_rule rules[] = {
      "run each experiment from N slightly different starts; default: 8 if it scatters, else 1"},
     {"cards", NULL, COMMAND_LAB, KIND_FLAG, AT(cards), 0, 0, "",
      "print the experiments' cards for a class as Markdown, and run nothing"},
+    {"sweep", "PATH=VALUES", COMMAND_LAB, KIND_SWEEP, 0, 0, 0, "",
+     "a study: take FROM:TO:NUMBER or A,B,C for a parameter; may be repeated"},
+    {"jobs", "DIR", COMMAND_LAB, KIND_FILE, AT(jobs), 0, 0, "",
+     "print a command for each run of a study, which leaves its table in DIR"},
+    {"gather", "DIR", COMMAND_LAB, KIND_FILE, AT(gather), 0, 0, "",
+     "make one table of a study's, and with --plot one picture"},
+    {"csv", "FILE", COMMAND_LAB, KIND_FILE, AT(csv), 0, 0, "",
+     "where --gather writes; default: stdout"},
+    {"job", "FILE.csv", COMMAND_LAB, KIND_FILE, AT(job), 0, 0, "",
+     "one run of a study: leave its table in FILE, unless it is there already"},
     {"threads", "K", COMMAND_LAB, KIND_INTEGER, AT(threads), 0, SKV_MAX_THREADS, "",
      "threads to compute on; 0, the default: one per core"},
     {"page", "ADDRESS", COMMAND_SHARE, KIND_FILE, AT(page), 0, 0, "",
@@ -211,22 +222,33 @@ static skv_result parse_size(const option_rule *rule, const char *text, cli_opti
     return SKV_OK;
 }
 
-static skv_result parse_setting(const char *text, cli_options *result, skv_error *error)
+/* Splits "path=value" and adds it to a list that has room; the path is owned. */
+static skv_result split_setting(const char *option, const char *text, skv_setting *list, int *count,
+                                skv_error *error)
 {
     const char *equals = strchr(text, '=');
-    if (!equals || equals == text) {
+    if (!equals || equals == text)
         return skv_fail(error, SKV_ERROR_VALUE,
-                        "--set: '%s' is not PATH=VALUE; see 'skvalp help set' for the paths", text);
-    }
+                        "--%s: '%s' is not PATH=VALUE; see 'skvalp %s' for the paths", option, text,
+                        strcmp(option, "set") == 0 ? "help set" : "lab --help");
     size_t size = strlen(text) + 1;
     char *path = malloc(size);
     if (!path)
-        return skv_fail(error, SKV_ERROR_MEMORY, "--set: out of memory");
+        return skv_fail(error, SKV_ERROR_MEMORY, "--%s: out of memory", option);
     memcpy(path, text, size);
     path[equals - text] = '\0';
-    result->settings[result->setting_count++] =
-        (skv_setting){.path = path, .value = path + (equals - text) + 1};
+    list[(*count)++] = (skv_setting){.path = path, .value = path + (equals - text) + 1};
     return SKV_OK;
+}
+
+static skv_result parse_setting(const char *text, cli_options *result, skv_error *error)
+{
+    return split_setting("set", text, result->settings, &result->setting_count, error);
+}
+
+static skv_result parse_sweep(const char *text, cli_options *result, skv_error *error)
+{
+    return split_setting("sweep", text, result->sweeps, &result->sweep_count, error);
 }
 
 static skv_result parse_law(const char *text, cli_options *result, skv_error *error)
@@ -277,6 +299,8 @@ static skv_result apply(const option_rule *rule, const char *text, cli_options *
         return parse_law(text, result, error);
     case KIND_SETTING:
         return parse_setting(text, result, error);
+    case KIND_SWEEP:
+        return parse_sweep(text, result, error);
     case KIND_STYLE:
         return parse_style(rule, text, result, error);
     }
@@ -444,8 +468,9 @@ skv_result options_parse(command which, int count, char **arguments, cli_options
 {
     *result = (cli_options){.seconds = -1, .at = -1, .style = skv_default_render_style()};
     result->settings = calloc((size_t)count + 1, sizeof *result->settings);
+    result->sweeps = calloc((size_t)count + 1, sizeof *result->sweeps);
     result->experiments = calloc((size_t)count + 1, sizeof *result->experiments);
-    if (!result->settings || !result->experiments)
+    if (!result->settings || !result->sweeps || !result->experiments)
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", command_name(which));
     bool only_names = false;
     for (int i = 0; i < count; i++) {
@@ -475,11 +500,14 @@ void options_free(cli_options *options)
 {
     for (int i = 0; i < options->setting_count; i++)
         free((char *)options->settings[i].path);
+    for (int i = 0; i < options->sweep_count; i++)
+        free((char *)options->sweeps[i].path);
     free(options->settings);
+    free(options->sweeps);
     free(options->experiments);
-    options->settings = NULL;
+    options->settings = options->sweeps = NULL;
     options->experiments = NULL;
-    options->setting_count = options->experiment_count = 0;
+    options->setting_count = options->sweep_count = options->experiment_count = 0;
 }
 
 skv_scene_options options_for_scene(const cli_options *options)

@@ -44,7 +44,13 @@ typedef struct cli_options {
     bool quick, markdown;   /* of `bench` */
     bool cards;             /* of `lab` */
     int starts;             /* of `lab`; 0: as many as an experiment needs */
-    skv_setting *settings;  /* --law and --set, in the order of the command line; owned */
+    /* Of studies, in `lab`; null: not wanted. */
+    const char *jobs, *gather; /* folders */
+    const char *job;           /* a file */
+    skv_setting *sweeps;       /* --sweep, in the order of the command line; owned */
+    int sweep_count;
+    const char *program;   /* as it was called */
+    skv_setting *settings; /* --law and --set, in the order of the command line; owned */
     int setting_count;
 } cli_options;
 

@@ -123,6 +123,11 @@ bool output_is_file(const char *name, const char *other)
            a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
+bool output_file_take(const char *text, size_t length, void *file)
+{
+    return fwrite(text, 1, length, ((output_file *)file)->stream) == length;
+}
+
 skv_result output_file_check(output_file *file, skv_error *error)
 {
     if (!file->stream)
@@ -170,4 +175,18 @@ void output_file_discard(output_file *file)
         free(file->target);
     }
     *file = (output_file){0};
+}
+
+skv_result output_folder_make(const char *folder, const char *option, skv_error *error)
+{
+    struct stat found;
+    bool usable = mkdir(folder, 0777) == 0;
+    if (!usable && errno == EEXIST && stat(folder, &found) == 0) {
+        usable = S_ISDIR(found.st_mode) && access(folder, W_OK | X_OK) == 0;
+        errno = S_ISDIR(found.st_mode) ? errno : ENOTDIR;
+    }
+    if (usable)
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_FILE, "%s: %s; name another folder with --%s", folder,
+                    strerror(errno), option);
 }

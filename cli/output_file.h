@@ -24,6 +24,9 @@ bool output_file_same(const output_file *a, const output_file *b);
 /* Whether writing to `name` would replace the file `other`: links lead to the same one, too. */
 bool output_is_file(const char *name, const char *other);
 
+/* An skv_write into an output_file that is open; what fails is told by the next two. */
+bool output_file_take(const char *text, size_t length, void *file);
+
 /* Fails if anything written so far got lost, with the system's reason. */
 skv_result output_file_check(output_file *file, skv_error *error);
 
@@ -32,5 +35,9 @@ skv_result output_file_commit(output_file *file, skv_error *error);
 
 /* Closes and removes what was written. */
 void output_file_discard(output_file *file);
+
+/* Makes a folder, or makes sure that files can be written into the one that is there; `option` is
+ * the one that named it. */
+skv_result output_folder_make(const char *folder, const char *option, skv_error *error);
 
 #endif

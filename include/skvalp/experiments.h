@@ -35,6 +35,9 @@ typedef struct skv_experiment {
 /** The experiments in the order in which they are presented; null past the last. Static. */
 SKV_API const skv_experiment *skv_experiment_info(int i);
 
+/** The number of the experiment with a name; SKV_ERROR_VALUE if there is none. */
+SKV_API skv_result skv_experiment_find(const char *name, int *found, skv_error *error);
+
 /** Writes the set-up of an experiment as the text of a scene to play with: its walls, its water and
  * its fluid as they are when measuring begins. What else drives it, a hand, a spin, is left out.
  * Takes about as long as making its world. Fails with SKV_ERROR_VALUE (no such experiment),

@@ -1,9 +1,9 @@
 /** @file
  * The core library in one include: terrain, world, step, queries, instruments. No dependency beyond
  * libc and pthreads. What needs more has headers of its own: scenes skvalp/scene.h, experiments
- * skvalp/experiments.h, worlds with a log skvalp/player.h, links to them skvalp/link.h; for front
- * ends skvalp/stage.h, skvalp/controls.h, skvalp/numbers.h, skvalp/fingers.h,
- * skvalp/stopwatch.h, skvalp/tilt.h and skvalp/render.h. */
+ * skvalp/experiments.h and skvalp/study.h, worlds with a log skvalp/player.h, links to them
+ * skvalp/link.h; for front ends skvalp/stage.h, skvalp/controls.h, skvalp/numbers.h,
+ * skvalp/fingers.h, skvalp/stopwatch.h, skvalp/tilt.h and skvalp/render.h. */
 #ifndef SKVALP_SKVALP_H
 #define SKVALP_SKVALP_H
 

@@ -126,7 +126,7 @@ static void say_escaped(sink *out, const char *text)
     }
 }
 
-enum { WIDTH = 640, HEIGHT = 400, LEFT = 74, RIGHT = 16, TOP = 40, BOTTOM = 54 };
+enum { WIDTH = PLOT_WIDTH, HEIGHT = PLOT_HEIGHT, LEFT = 74, RIGHT = 16, TOP = 40, BOTTOM = 54 };
 
 /* One axis: values to pixels, and its ticks. */
 typedef struct axis {

@@ -5,6 +5,8 @@
 #include "skvalp/experiments.h"
 
 enum { MAX_CURVES = 8 };
+/* Of the picture, pixels. */
+enum { PLOT_WIDTH = 640, PLOT_HEIGHT = 400 };
 
 typedef struct curve {
     char label[48];

@@ -70,6 +70,7 @@ layer_of() {
     skvalp/mark.h) of=camera ;;
     skvalp/player.h | skvalp/stage.h) of=session ;;
     skvalp/controls.h | skvalp/fingers.h | skvalp/numbers.h | skvalp/stopwatch.h | skvalp/tilt.h) of=session ;;
+    skvalp/study.h) of=experiments ;;
     skvalp/*.h)
         of=${name#skvalp/}
         of=${of%.h}
