@@ -13,27 +13,33 @@
 
 /* ---- Checking a plan ------------------------------------------------------------------------- */
 
-/* The parameter with a path, if it concerns the experiment. */
-static skv_result find_parameter(const experiment *e, const skv_setting *setting,
-                                 const skv_field **found, skv_error *error)
+/* The parameter with a path, if it concerns the experiment; otherwise null, and why. */
+static const skv_field *find_parameter(const experiment *e, const skv_setting *setting,
+                                       skv_error *error)
 {
     const char *path = setting->path;
-    if (!path || !setting->value)
-        return skv_fail(error, SKV_ERROR_VALUE, "setting: a path and a value are needed");
-    *found = NULL;
+    const skv_field *found = NULL;
+    if (!path || !setting->value) {
+        skv_fail(error, SKV_ERROR_VALUE, "setting: a path and a value are needed");
+        return NULL;
+    }
     for (int i = 0; skv_lab_parameter(i); i++)
         if (strcmp(skv_lab_parameter(i)->path, path) == 0)
-            *found = skv_lab_parameter(i);
-    if (!*found)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "%.60s: the lab has no such parameter; see 'skvalp lab --help'", path);
+            found = skv_lab_parameter(i);
+    if (!found) {
+        skv_fail(error, SKV_ERROR_VALUE,
+                 "%.60s: the lab has no such parameter; see 'skvalp lab --help'", path);
+        return NULL;
+    }
     size_t first = strcspn(path, ".");
     bool own = first == strlen(e->info.name) && strncmp(path, e->info.name, first) == 0;
-    if (path[first] == '.' && !own && strncmp(path, "fluid.", 6) != 0)
-        return skv_fail(error, SKV_ERROR_VALUE,
-                        "%s: it is a parameter of %.*s and changes nothing in %s; omit it", path,
-                        (int)first, path, e->info.name);
-    return SKV_OK;
+    if (path[first] == '.' && !own && strncmp(path, "fluid.", 6) != 0) {
+        skv_fail(error, SKV_ERROR_VALUE,
+                 "%s: it is a parameter of %.*s and changes nothing in %s; omit it", path,
+                 (int)first, path, e->info.name);
+        return NULL;
+    }
+    return found;
 }
 
 /* Of a path given before the old value goes. */
@@ -52,11 +58,11 @@ static skv_result take_settings(skv_study *s, const skv_study_plan *plan, skv_er
     if (!s->fixed)
         return skv_fail(error, SKV_ERROR_MEMORY, "study: out of memory");
     for (int i = 0; i < plan->setting_count; i++) {
-        fixed_value next = {0};
         const skv_setting *setting = &plan->settings[i];
-        skv_result result = find_parameter(s->experiment, setting, &next.field, error);
-        if (result == SKV_OK)
-            result = skv_value_write(next.field, setting->value, next.value, error);
+        fixed_value next = {.field = find_parameter(s->experiment, setting, error)};
+        if (!next.field)
+            return SKV_ERROR_VALUE;
+        skv_result result = skv_value_write(next.field, setting->value, next.value, error);
         if (result != SKV_OK)
             return result;
         forget_fixed(s, next.field);
@@ -86,11 +92,11 @@ static skv_result take_sweeps(skv_study *s, const skv_study_plan *plan, skv_erro
                         plan->sweep_count, SKV_MAX_SWEEPS);
     s->runs = 1;
     for (int i = 0; i < plan->sweep_count; i++) {
-        const skv_field *field = NULL;
         const skv_setting *setting = &plan->sweeps[i];
-        skv_result result = find_parameter(s->experiment, setting, &field, error);
-        if (result == SKV_OK)
-            result = check_new(s, field, error);
+        const skv_field *field = find_parameter(s->experiment, setting, error);
+        if (!field)
+            return SKV_ERROR_VALUE;
+        skv_result result = check_new(s, field, error);
         if (result != SKV_OK)
             return result;
         sweep *next = &s->sweeps[s->sweep_count++];

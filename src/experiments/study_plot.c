@@ -156,7 +156,7 @@ skv_result skv_study_plot(const skv_study *study, skv_write *write, void *user, 
     SKV_ASSERT_OR(study && write, SKV_ERROR_VALUE);
     panels p;
     skv_result result = open_panels(&p, study, error);
-    if (result == SKV_OK)
+    if (p.place && p.order)
         result = write_panels(&p, write, user, error);
     skv_free(p.place);
     skv_free(p.order);

@@ -50,12 +50,9 @@ skv_result skv_value_write(const skv_field *field, const char *value, char text[
     return SKV_OK;
 }
 
-static skv_result make_room(sweep *s, int count, skv_error *error)
+static skv_result out_of_memory(const skv_field *field, skv_error *error)
 {
-    s->values = skv_calloc((size_t)count, sizeof *s->values);
-    if (!s->values)
-        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", s->field->path);
-    return SKV_OK;
+    return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", field->path);
 }
 
 /* Takes a value that none before it, from number `first` on, may equal. */
@@ -92,7 +89,10 @@ static skv_result read_list(sweep *s, const char *text, skv_error *error)
         return skv_fail(error, SKV_ERROR_LIMIT,
                         "%s: a list of %d values, and %d are allowed; say FROM:TO:NUMBER",
                         s->field->path, count, LONGEST_LIST);
-    skv_result result = make_room(s, count, error);
+    s->values = skv_calloc((size_t)count, sizeof *s->values);
+    if (!s->values)
+        return out_of_memory(s->field, error);
+    skv_result result = SKV_OK;
     while (result == SKV_OK && s->count < count) {
         char piece[64];
         const char *end = text + strcspn(text, ",");
@@ -124,10 +124,11 @@ static skv_result fill_range(sweep *s, const char *from, const char *to, int cou
     skv_result result = skv_value_write(s->field, from, ends[0], error);
     if (result == SKV_OK)
         result = skv_value_write(s->field, to, ends[1], error);
-    if (result == SKV_OK)
-        result = make_room(s, count, error);
     if (result != SKV_OK)
         return result;
+    s->values = skv_calloc((size_t)count, sizeof *s->values);
+    if (!s->values)
+        return out_of_memory(s->field, error);
     skv_parse_number(ends[0], &low);
     skv_parse_number(ends[1], &high);
     while (s->count < count && result == SKV_OK) {

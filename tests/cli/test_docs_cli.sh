@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Every example of docs/cli.md and docs/share.md does what the page shows: the commands of their
-# console blocks run in one folder, in order; their output matches, "..." standing for anything. The
-# pages of docs/lab show the experiments' cards.
+# Every example of docs/cli.md, docs/share.md and docs/studies.md does what the page shows: the
+# commands of their console blocks run in one folder, in order; their output matches, "..." standing
+# for anything. The pages of docs/lab show the experiments' cards.
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_docs_cli.sh BUILD SOURCE}")
@@ -12,9 +12,9 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/bin" "$work/here"
 # The lab's worlds are small, and figures are the same on any number of threads: on one they cost least.
 cat >"$work/bin/skvalp" <<END
-#!/bin/sh
+#!/bin/bash
 [ "\$1" != lab ] || [ "\$2" = --cards ] || set -- "\$@" --threads 1
-exec "$build/skvalp" "\$@"
+exec -a skvalp "$build/skvalp" "\$@"
 END
 chmod +x "$work/bin/skvalp"
 PATH=$work/bin:$PATH
@@ -55,7 +55,7 @@ while IFS= read -r line; do
     elif [[ $line == '```console' ]]; then
         inside=1
     fi
-done < <(cat "$docs/cli.md" "$docs/share.md")
+done < <(cat "$docs/cli.md" "$docs/share.md" "$docs/studies.md")
 
 ((examples > 0)) || { printf '%s has no examples\n' "$docs"; exit 1; }
 # The cards stand in the program; each experiment's page shows its own as it is printed.
@@ -75,5 +75,5 @@ if ((cards == 0 || cards != $(find "$docs/lab" -name '*.md' | wc -l))); then
     bad=$((bad + 1))
 fi
 ((bad == 0)) || exit 1
-printf 'docs: %d examples of cli.md and share.md do what they show, %d cards are the program'\''s\n' \
+printf 'docs: %d examples of cli.md, share.md and studies.md do what they show, %d cards are the program'\''s\n' \
     "$examples" "$cards"
