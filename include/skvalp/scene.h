@@ -72,6 +72,9 @@ SKV_API const char *skv_scene_name(const skv_scene *scene);        /**< "dam-bre
 SKV_API const char *skv_scene_title(const skv_scene *scene);       /**< "Dam break" */
 SKV_API const char *skv_scene_description(const skv_scene *scene); /**< one or two sentences */
 SKV_API int skv_scene_particles(const skv_scene *scene);           /**< what the world will hold */
+/** By which number of particles the scene is as fine as it is: those at the start, or, where it
+ * begins without fluid, those that half fill it. */
+SKV_API int skv_scene_amount(const skv_scene *scene);
 SKV_API double skv_scene_seconds(const skv_scene *scene); /**< a fitting length of a recording */
 
 /** The files that a scene was read from, a JSON file and its picture for example, in any order;
@@ -82,12 +85,13 @@ SKV_API const char *skv_scene_file(const skv_scene *scene, int i);
  * when i is past the last one. */
 SKV_API const char *skv_scene_notice(const skv_scene *scene, int i);
 
-/** The built-in scenes, in the order in which they are presented: name, title, description; null
- * past the last one. They are the files of scenes/, compiled in. */
+/** The built-in scenes, in the order in which they are presented; null past the last one. They are
+ * the files of scenes/, compiled in. */
 typedef struct skv_scene_info {
     const char *name;
     const char *title;
     const char *description;
+    bool painted; /**< over a picture */
 } skv_scene_info;
 SKV_API const skv_scene_info *skv_builtin_scene(int i);
 

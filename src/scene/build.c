@@ -346,6 +346,21 @@ static void build_parameters(builder *c)
     }
 }
 
+/* Fluid up to a share of the height that walls leave free. */
+static void fill_lower(skv_water *water, const skv_terrain *terrain, double share)
+{
+    float low, high;
+    skv_terrain_free_range(terrain, &low, &high);
+    water->level = (double)low + share * ((double)high - (double)low);
+}
+
+/* Whether the file says itself that there is no fluid at the start. */
+static bool is_empty(const builder *c)
+{
+    const skv_shape_list *water = &c->draft->values.list[SKV_LIST_WATER];
+    return water->given && water->count == 0 && c->scene->marked[SKV_PAINT_FLUID] == 0;
+}
+
 /* Where the fluid starts. */
 static skv_result build_water(builder *c, const skv_terrain *terrain)
 {
@@ -356,15 +371,15 @@ static skv_result build_water(builder *c, const skv_terrain *terrain)
     water->pixel_size = scene->pixel_size;
     if (scene->marked[SKV_PAINT_FLUID] > 0) {
         water->paint = scene->paint;
+    } else if (is_empty(c)) {
+        fill_lower(water, terrain, 0.5); /* until there is a spacing */
     } else if (water->shape_count == 0) {
         if (!c->pictured)
             return skv_fail(c->error, SKV_ERROR_VALUE,
                             "%s: water: is missing; say where the fluid starts, such as "
                             "[ { \"shape\": \"box\", \"y1\": 0.45 } ]",
                             c->draft->label);
-        float low, high;
-        skv_terrain_free_range(terrain, &low, &high);
-        water->level = (double)low + 0.4 * ((double)high - (double)low);
+        fill_lower(water, terrain, 0.4);
         skv_scene_note(scene, "no blue pixel: the lower part starts as water");
     }
     skv_water_set_bounds(water);
@@ -422,22 +437,6 @@ static skv_result choose_freely(builder *c, const skv_terrain *terrain, float le
     return count > 0 ? SKV_OK : fail_no_fit(c);
 }
 
-/* How many particles the water can be made of: those at the widest and at the finest spacing. From
- * coarse to fine, so that a large world is not counted far beyond what fits into it. */
-static void count_range(const builder *c, const skv_terrain *terrain, int *fewest, int *most)
-{
-    const skv_field *spacing = &skv_scene_fields(NULL)[SKV_F_FLUID_SPACING];
-    skv_water water = c->scene->water;
-    water.thinning = 0.0;
-    float finest = (float)spacing->minimum;
-    *fewest = skv_water_count_to(&water, terrain, (float)spacing->maximum, SKV_MAX_PARTICLES);
-    *most = 0;
-    for (float probe = 32.0f * finest; probe >= finest && *most < SKV_MAX_PARTICLES; probe *= 0.5f)
-        *most = skv_water_count_to(&water, terrain, probe, SKV_MAX_PARTICLES);
-    if (*fewest < 1)
-        *fewest = 1;
-}
-
 /* The number of particles is wanted: the spacing follows. */
 static skv_result choose_spacing(builder *c, const skv_terrain *terrain)
 {
@@ -455,13 +454,21 @@ static skv_result choose_spacing(builder *c, const skv_terrain *terrain)
         return SKV_OK;
     }
     int fewest, most;
-    count_range(c, terrain, &fewest, &most);
+    skv_water_count_range(&scene->water, terrain, &fewest, &most);
     char message[160];
     skv_format(message, sizeof message, "%d %s; allowed are %d to %d", wanted,
                result != SKV_OK ? "are too few for this much fluid"
                                 : "do not fit into this little fluid",
                fewest, most);
     return fail(c, SKV_F_PARTICLES, result != SKV_OK ? SKV_ERROR_VALUE : SKV_ERROR_LIMIT, message);
+}
+
+/* An empty scene is as fine as if its lower half were full, and then loses that fluid. */
+static void take_water_out(skv_scene *scene)
+{
+    scene->water.level = 0;
+    skv_water_set_bounds(&scene->water);
+    scene->particles = 0;
 }
 
 static skv_result build_particles(builder *c, const skv_terrain *terrain)
@@ -472,7 +479,11 @@ static skv_result build_particles(builder *c, const skv_terrain *terrain)
     if (spacing != SKV_FROM_DEFAULT && (number == spacing || both_set))
         return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE,
                     "follows from fluid.spacing; give only one of them");
-    return spacing > number ? count_particles(c, terrain) : choose_spacing(c, terrain);
+    skv_result result = spacing > number ? count_particles(c, terrain) : choose_spacing(c, terrain);
+    c->scene->amount = c->scene->particles;
+    if (is_empty(c))
+        take_water_out(c->scene);
+    return result;
 }
 
 /* Whether a world can have these walls beside so fine a fluid, while little has been made. */
@@ -487,8 +498,8 @@ static skv_result check_walls(const builder *c, const skv_terrain *terrain)
                        : skv_fail(c->error, result, "%s: %s", c->draft->label, cause.text);
 }
 
-/* The deepest fluid to expect. Gravity that is not vertical may pile it up anywhere, and emitters
- * fill the world. */
+/* The deepest fluid to expect. Gravity that is not vertical may pile it up anywhere; emitters, or
+ * whoever finds it empty, fill the world. */
 static void build_depth(builder *c, const skv_terrain *terrain)
 {
     skv_scene *scene = c->scene;
@@ -496,7 +507,8 @@ static void build_depth(builder *c, const skv_terrain *terrain)
     skv_terrain_free_range(terrain, &low, &high);
     double width = scene->width * scene->pixel_size, height = scene->height * scene->pixel_size;
     double depth = c->value[SKV_F_DEPTH].number;
-    if (depth == 0.0 && scene->emitter_count > 0 && scene->def.gravity_x == 0)
+    bool filled_later = scene->emitter_count > 0 || scene->particles == 0;
+    if (depth == 0.0 && filled_later && scene->def.gravity_x == 0)
         depth = (double)high - (double)low;
     else if (depth == 0.0 && scene->def.gravity_x != 0)
         depth = width > height ? width : height;

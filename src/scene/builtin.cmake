@@ -1,18 +1,35 @@
 # Writes OUTPUT, a C file that holds the scenes of SCENES (a list of JSON files separated by '|', in
-# order of presentation) as the table of builtin.h, without indentation.
+# order of presentation) as the table of builtin.h, without indentation, and the pictures they name.
 #   cmake -DSCENES=a.json|b.json -DOUTPUT=builtin_table.c -P builtin.cmake
+
+# Appends an array of bytes, which are hexadecimal digits here.
+function(append_bytes name hex)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
+    string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "    \\1\n"
+           bytes "${bytes}")
+    string(APPEND texts "static const unsigned char ${name}[] = {\n${bytes}\n};\n\n")
+    set(texts "${texts}" PARENT_SCOPE)
+endfunction()
+
 string(REPLACE "|" ";" scenes "${SCENES}")
 set(texts "")
 set(table "")
 set(number 0)
 foreach(scene IN LISTS scenes)
     file(READ "${scene}" json)
-    string(REGEX REPLACE "\n +" "\n" json "${json}")
-    string(HEX "${json}" hex)
-    string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
-    string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "    \\1\n"
-           bytes "${bytes}")
-    string(APPEND texts "static const unsigned char text${number}[] = {\n${bytes}\n};\n\n")
+    string(JSON picture ERROR_VARIABLE none GET "${json}" world picture)
+    set(painted false)
+    set(pictured "NULL, 0")
+    if(none STREQUAL "NOTFOUND")
+        get_filename_component(folder "${scene}" DIRECTORY)
+        file(READ "${folder}/${picture}" hex HEX)
+        append_bytes(picture${number} "${hex}")
+        set(painted true)
+        set(pictured "picture${number}, sizeof picture${number}")
+    endif()
+    string(REGEX REPLACE "\n +" "\n" text "${json}")
+    string(HEX "${text}" hex)
+    append_bytes(text${number} "${hex}")
     string(APPEND table "    {{")
     foreach(key name title description)
         string(JSON value GET "${json}" ${key})
@@ -20,7 +37,7 @@ foreach(scene IN LISTS scenes)
         string(REPLACE "\"" "\\\"" value "${value}")
         string(APPEND table "\"${value}\", ")
     endforeach()
-    string(APPEND table "}, text${number}, sizeof text${number}},\n")
+    string(APPEND table "${painted}}, text${number}, sizeof text${number}, ${pictured}},\n")
     math(EXPR number "${number} + 1")
 endforeach()
 file(WRITE "${OUTPUT}" "/* Made by builtin.cmake from scenes/. */\n#include \"scene/builtin.h\"\n\n"

@@ -288,6 +288,17 @@ static skv_result accept_shape(skv_draft *draft, const skv_field_path *path, int
 
 /* ---- Entries --------------------------------------------------------------------------------- */
 
+/* Accepts an object or a list where one has its place. */
+static skv_result accept_opening(skv_draft *draft, const skv_field_path *path, const char *text,
+                                 const skv_entry *entry, skv_origin origin, skv_error *error)
+{
+    if (path->index_count > 0)
+        return accept_shape(draft, path, -1, text, entry, origin, error);
+    if (entry->kind == SKV_ENTRY_LIST)
+        draft->values.list[list_of(path)].given = true;
+    return SKV_OK;
+}
+
 /* Accepts an entry where no field is: an object or a list, or a mistake. */
 static skv_result accept_group(skv_draft *draft, const skv_field_path *path, const char *text,
                                const skv_entry *entry, skv_origin origin, skv_error *error)
@@ -303,8 +314,7 @@ static skv_result accept_group(skv_draft *draft, const skv_field_path *path, con
         return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "unknown field%s", hint);
     }
     if (entry->kind == (list ? SKV_ENTRY_LIST : SKV_ENTRY_OBJECT))
-        return path->index_count > 0 ? accept_shape(draft, path, -1, text, entry, origin, error)
-                                     : SKV_OK;
+        return accept_opening(draft, path, text, entry, origin, error);
     char what[64];
     describe(entry, what);
     if (origin.source == SKV_FROM_SETTING)

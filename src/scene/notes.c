@@ -102,7 +102,7 @@ static void note_channel(skv_scene *scene)
     if (!(width > 0) || scene->def.fluid.law == SKV_LAW_CLAVET)
         return; /* whose levels do not meet in wide channels, either */
     double times = SKV_CHANNEL_WIDE * (double)scene->def.fluid.spacing / width;
-    int enough = enough_particles(scene->particles * times * times);
+    int enough = enough_particles(scene->amount * times * times);
     char text[32];
     skv_format_number(floor(1e4 * width + 0.5) * 1e-4, text);
     if (enough > 0)

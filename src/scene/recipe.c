@@ -66,7 +66,7 @@ static void put_recipe(skv_writer *w, const skv_recipe *recipe)
         put_json(w, recipe->data, recipe->size);
     else
         put_block(w, recipe->data, recipe->kind == SKV_RECIPE_PNG ? recipe->size : 0);
-    put_block(w, recipe->picture, recipe->picture_size);
+    put_block(w, recipe->picture, recipe->kind == SKV_RECIPE_JSON ? recipe->picture_size : 0);
 }
 
 bool skv_recipe_note(const skv_recipe *recipe, skv_scene *scene)

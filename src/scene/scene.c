@@ -75,7 +75,7 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
     skv_water water = scene->water; /* the callback's user pointer is not constant */
     skv_fill_def def = skv_water_fill_def(&water);
     def.limit = scene->particles;
-    skv_result result = skv_world_fill(world, &def, NULL, error);
+    skv_result result = scene->particles > 0 ? skv_world_fill(world, &def, NULL, error) : SKV_OK;
     if (result == SKV_OK)
         result = tend_fluid(scene, world, error);
     if (result == SKV_OK)
@@ -141,6 +141,12 @@ int skv_scene_particles(const skv_scene *scene)
 {
     SKV_ASSERT_OR(scene != NULL, 0);
     return scene->particles;
+}
+
+int skv_scene_amount(const skv_scene *scene)
+{
+    SKV_ASSERT_OR(scene != NULL, 0);
+    return scene->amount;
 }
 
 double skv_scene_seconds(const skv_scene *scene)

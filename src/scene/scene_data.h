@@ -28,9 +28,10 @@ struct skv_scene {
     int emitter_count;
     skv_drain drains[SKV_MAX_DRAINS];
     int drain_count;
-    double *points;    /* of all shapes */
-    skv_world_def def; /* of its worlds, but for terrain, threads and capacity */
-    int particles;
+    double *points;             /* of all shapes */
+    skv_world_def def;          /* of its worlds, but for terrain, threads and capacity */
+    int particles;              /* at the start */
+    int amount;                 /* skv_scene_amount */
     bool settle;                /* its worlds */
     char *files[SKV_MAX_FILES]; /* it was read from */
     char *notices[SKV_MAX_NOTICES];

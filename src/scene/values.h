@@ -39,6 +39,7 @@ typedef struct skv_shape_list {
     skv_shape_values *shapes;
     int count;
     int total_points;
+    bool given; /* also without an element */
 } skv_shape_list;
 
 typedef struct skv_values {

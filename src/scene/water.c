@@ -125,6 +125,21 @@ static int count_all(const skv_water *water, const skv_terrain *terrain, float s
     return skv_water_count_to(water, terrain, spacing, -1);
 }
 
+void skv_water_count_range(const skv_water *water, const skv_terrain *terrain, int *fewest,
+                           int *most)
+{
+    const skv_field *spacing = &skv_scene_fields(NULL)[SKV_F_FLUID_SPACING];
+    skv_water whole = *water;
+    whole.thinning = 0.0;
+    float finest = (float)spacing->minimum;
+    *fewest = skv_water_count_to(&whole, terrain, (float)spacing->maximum, SKV_MAX_PARTICLES);
+    *most = 0;
+    for (float probe = 32.0f * finest; probe >= finest && *most < SKV_MAX_PARTICLES; probe *= 0.5f)
+        *most = skv_water_count_to(&whole, terrain, probe, SKV_MAX_PARTICLES);
+    if (*fewest < 1)
+        *fewest = 1;
+}
+
 /* Finds a spacing at or above `least` that holds at least `wanted`, starting from `spacing`, which
  * may hold less; false if there is none. Steps by the area that seems to be there. */
 static bool shrink_until_enough(const skv_water *water, const skv_terrain *terrain, int wanted,

@@ -40,4 +40,9 @@ skv_fill_def skv_water_fill_def(skv_water *water);
 /* skv_fill_count over the water, which ends at `most`. */
 int skv_water_count_to(const skv_water *water, const skv_terrain *terrain, float spacing, int most);
 
+/* How many particles the water can be made of: those at the widest and at the finest spacing. From
+ * coarse to fine, so that a large world is not counted far beyond what fits into it. */
+void skv_water_count_range(const skv_water *water, const skv_terrain *terrain, int *fewest,
+                           int *most);
+
 #endif

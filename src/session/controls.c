@@ -140,7 +140,7 @@ int skv_amount_of(const char *name_or_path, int chosen)
     for (int i = 0; (info = skv_builtin_scene(i)); i++)
         if (strcmp(info->name, name_or_path) == 0 &&
             skv_scene_load(name_or_path, NULL, &scene, NULL) == SKV_OK)
-            own = skv_scene_particles(scene);
+            own = skv_scene_amount(scene);
     skv_scene_destroy(scene);
     if (chosen <= 0 || (own == 0 && !is_scene(name_or_path)))
         return 0;
@@ -331,7 +331,7 @@ void skv_control_compare(skv_stage *stage, const skv_choice *choice)
     options.setting_count = choice->path ? 1 : 0;
     if (choice->particles > 0) {
         int count =
-            picture->scene ? skv_scene_particles(picture->scene) : picture->frame.particles.count;
+            picture->scene ? skv_scene_amount(picture->scene) : picture->frame.particles.count;
         options.particles = (int)fmax(count * choice->particles, 1);
     }
     skv_stage_compare(stage, &options);

@@ -403,6 +403,45 @@ static void test_settings_override_in_order(void **state)
                         "--particles: follows from fluid.spacing; give only one of them");
 }
 
+/* The spacing of what a file says about water, and of how many particles that is. */
+static float spacing_of(const char *text, const char *const *settings, int particles, int amount)
+{
+    skv_scene *scene;
+    skv_world *world;
+    skv_error error = {0};
+    if (load_text(text, settings, &scene, &error) != SKV_OK)
+        fail_msg("%s: %s", text, error.text);
+    assert_int_equal(skv_scene_particles(scene), particles);
+    assert_int_equal(skv_scene_amount(scene), amount);
+    assert_null(skv_scene_notice(scene, 0));
+    assert_int_equal(skv_scene_create_world(scene, 1, &world, &error), SKV_OK);
+    assert_int_equal(skv_world_particle_count(world), particles);
+    assert_int_equal(skv_world_step(world, 1.0f / 60, &error), SKV_OK);
+    float spacing = skv_world_fluid(world)->spacing;
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+    return spacing;
+}
+
+/* A file may say that there is no water yet: it is as fine as if it were half full. */
+static void test_an_empty_scene(void **state)
+{
+    (void)state;
+    const char *empty = "{\"water\": []}";
+    const char *half = "{\"water\": [{\"shape\": \"box\", \"y1\": 0.45}]}";
+    const char *fewer[] = {"particles", "700", NULL};
+    assert_float_equal(spacing_of(empty, NULL, 0, 3000), spacing_of(half, NULL, 3000, 3000), 1e-5);
+    assert_float_equal(spacing_of(empty, fewer, 0, 700), spacing_of(half, fewer, 700, 700), 1e-5);
+    const char *spaced[] = {"fluid.spacing", "0.05", NULL};
+    assert_true(spacing_of(empty, spaced, 0, 290) == 0.05f);
+    /* Half of what walls leave. */
+    assert_true(spacing_of("{\"solid\": [{\"shape\": \"box\", \"y1\": 0.3}], \"water\": []}", NULL,
+                           0, 3000) < spacing_of(empty, NULL, 0, 3000));
+    /* A setting puts water in. */
+    const char *filled[] = {"water[0].shape", "box", "water[0].y1", "0.45", NULL};
+    assert_true(spacing_of(empty, filled, 3000, 3000) == spacing_of(half, NULL, 3000, 3000));
+}
+
 /* Every value ends where it belongs. */
 static void test_values_arrive(void **state)
 {
@@ -529,6 +568,7 @@ int main(void)
         cmocka_unit_test(test_settings),
         cmocka_unit_test(test_depth_of_a_tilted_scene),
         cmocka_unit_test(test_settings_override_in_order),
+        cmocka_unit_test(test_an_empty_scene),
         cmocka_unit_test(test_values_arrive),
         cmocka_unit_test(test_other_locale),
     };

@@ -50,6 +50,16 @@ static void test_built_in_with_settings(void **state)
     expect_again(scene, 100); /* its name and what was set, not its text */
 }
 
+static void test_built_in_with_a_picture(void **state)
+{
+    (void)state;
+    skv_scene *scene;
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = 300;
+    assert_int_equal(skv_scene_load("funnel", &options, &scene, NULL), SKV_OK);
+    expect_again(scene, 100); /* which every library of this version has, too */
+}
+
 static void test_json_without_its_space(void **state)
 {
     (void)state;
@@ -132,6 +142,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_built_in_with_settings),
+        cmocka_unit_test(test_built_in_with_a_picture),
         cmocka_unit_test(test_json_without_its_space),
         cmocka_unit_test(test_a_picture_beside_its_file),
         cmocka_unit_test(test_damage_is_refused),

@@ -232,6 +232,8 @@ static skv_result load_builtin(const char *name, const skv_scene_options *option
         if (strcmp(b->info.name, name) == 0) {
             skv_recipe recipe = recipe_of(false, b->info.name, b->text, b->size, options);
             recipe.kind = SKV_RECIPE_BUILTIN;
+            recipe.picture = b->picture;
+            recipe.picture_size = b->picture_size;
             return load(&recipe, b->info.name, NULL, scene, error);
         }
         if (used < sizeof names)

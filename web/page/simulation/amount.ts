@@ -4,7 +4,7 @@ import type { Library } from '../../src/library.js';
 import type { skv_frame } from '../../src/interface.js';
 import { using, withOptions } from '../../src/memory.js';
 
-import { standard, steps } from './steps';
+import { steps } from './steps';
 
 /** s: half of a display's period is for stepping, three quarters are for that and drawing. */
 const forStepping = 0.008, forBoth = 0.0125;
@@ -46,18 +46,4 @@ export function chooseAmount(library: Library, threads: number, clock: () => num
     c.skv_world_destroy(world);
     c.skv_scene_destroy(scene);
     return largestWithin(best / count, drawing);
-}
-
-/** The particles of a built-in scene if 3000 of it are so many; null if there is no such scene. */
-export function amountOf(library: Library, name: string, chosen: number) {
-    const { c } = library;
-    for (let i = 0, address; (address = c.skv_builtin_scene(i)) !== 0; i++) {
-        if (library.view('skv_scene_info', address).name === name) {
-            const scene = library.create((out, error) => c.skv_scene_load(name, null, out, error));
-            const own = c.skv_scene_particles(scene);
-            c.skv_scene_destroy(scene);
-            return Math.round((own * chosen) / standard);
-        }
-    }
-    return null;
 }

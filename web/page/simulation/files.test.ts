@@ -5,7 +5,7 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 
 import { decode } from 'fast-png';
-import { afterAll, expect, test } from 'vitest';
+import { afterAll, expect, test, vi } from 'vitest';
 
 import { readOwn } from '../../src/entries.js';
 import { parseJson } from '../../src/json.js';
@@ -164,4 +164,14 @@ test('built-in scenes read the same before the strict reader has come', () => {
     const text = new TextEncoder().encode('{ "a": [null, true, false, "b", -1.5e3, {}, []] }');
     expect(readOwn(text)).toEqual(parseJson(text));
     expect(readOwn(new TextEncoder().encode('{ // no'))).toMatchObject({ words: 'its reader has not come' });
+});
+
+test('a painted scene opens though the reader of pictures comes only then', async () => {
+    const trial = makeTrial({ lean: true });
+    trial.simulation.open('dam-break');
+    trial.simulation.open('funnel');
+    expect(trial.state.worlds[0].name).toBe('dam-break');
+    await vi.waitUntil(() => trial.state.worlds[0].name === 'funnel');
+    expect(trial.state.worlds[0].particles).toBe(300);
+    expect(trial.take().every(({ error }) => error === null)).toBe(true);
 });

@@ -6,7 +6,7 @@ import type { Library } from '../../src/library.js';
 import type { skv_outcome, skv_render_style } from '../../src/interface.js';
 import { plain, using, withOptions } from '../../src/memory.js';
 
-import { amountOf, chooseAmount } from './amount';
+import { chooseAmount } from './amount';
 import { Opening } from './opening';
 import { Frames, Sharpness } from './pacing';
 import type { Painter } from './painter';
@@ -81,7 +81,7 @@ export class Playing {
         const { library, threads, clock, painter } = this.#surroundings;
         this.#chosen ??= chooseAmount(library, threads, clock,
             (frame) => painter?.measure(frame, this.style, clock) ?? 0);
-        return amountOf(library, name, this.#chosen);
+        return library.c.skv_amount_of(name, this.#chosen);
     }
 
     /** How many particles scenes begin with that would have 3000; 0: it is measured. */

@@ -3,7 +3,7 @@
 //
 // Invariant: whatever numbers are asked for, the library gets what it takes.
 import type { Library } from '../../src/library.js';
-import { written } from '../../src/memory.js';
+import { table, written } from '../../src/memory.js';
 
 import { makeCatalogue } from './catalogue';
 import { Playing, type Surroundings } from './playing';
@@ -62,8 +62,14 @@ export class Simulator implements Simulation {
     // ---- What is open ----------------------------------------------------------------------------
 
     open(scene: string, settings?: Settings) {
+        const open = () => this.#playing.opening.scene(scene, settings);
+        const infos = table(this.#library, 'skv_scene_info', this.#library.c.skv_builtin_scene);
+        if (infos.some(({ name, painted }) => painted && name === scene)) {
+            this.#openPacked(open);
+            return;
+        }
         this.#opened++;
-        this.#playing.attempt('open', () => this.#playing.opening.scene(scene, settings));
+        this.#playing.attempt('open', open);
     }
 
     openBytes(bytes: Uint8Array, format: FileFormat, label: string, settings?: Settings) {

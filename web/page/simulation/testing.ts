@@ -24,14 +24,17 @@ export async function loadWhole() {
     return new Library(new Instance(module, {}), description);
 }
 
-/** A library, and what it has saved. Its sessions look at the clock before and after each step. */
-export function loadLibrary(clock?: () => number) {
+/**
+ * A library, and what it has saved. Its sessions look at the clock before and after each step.
+ * @param lean the codecs come once they are wanted
+ */
+export function loadLibrary(clock?: () => number, lean = false) {
     const files = new Map<string, Uint8Array>();
     const instance = new Instance(module, {
         readFile: (path: string) => files.get(path),
         writeFile: (path: string, bytes: Uint8Array) => !!files.set(path, bytes),
         clock,
-        codecs,
+        codecs: lean ? undefined : codecs,
     });
     return { library: new Library(instance, description), files };
 }
@@ -40,14 +43,14 @@ export function loadLibrary(clock?: () => number) {
  * @param tick s that pass whenever the simulation looks at the clock
  * @param cost s that a frame's step takes here for each particle
  */
-export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0 } = {}) {
+export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0, lean = false } = {}) {
     const states: State[] = [], reports: Report[] = [], frames: ((ms: number) => void)[] = [];
     let now = 0, waited = 0, steps = false;
     const { library, files } = loadLibrary(() => {
         steps = !steps;
         now += steps ? 0 : cost * states.at(-1)!.worlds[0].particles;
         return now;
-    });
+    }, lean);
     const { c } = library, step = c.skv_world_step;
     // How a world that has no session is stepped: the one that is measured by.
     c.skv_world_step = (world, ...given) => {
