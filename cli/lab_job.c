@@ -9,7 +9,7 @@
 
 skv_result lab_job_open(lab_job *job, const cli_options *options, bool *done, skv_error *error)
 {
-    *job = (lab_job){0};
+    *job = (lab_job){.name = options->job};
     *done = false;
     skv_result result = study_of_options(options, &job->study, error);
     if (result == SKV_OK)
@@ -32,13 +32,24 @@ void lab_job_add(lab_job *job, const lab_figure *figure)
     };
 }
 
+static skv_result write_table(lab_job *job, skv_error *error)
+{
+    /* What could not be written is named by commit, with the system's reason. */
+    skv_study_write(job->study, 0, job->rows, output_file_take, &job->file, NULL);
+    return output_file_commit(&job->file, error);
+}
+
 skv_result lab_job_commit(lab_job *job, skv_error *error)
 {
     if (!job->study)
         return SKV_OK;
-    /* What could not be written is named by commit, with the system's reason. */
-    skv_study_write(job->study, 0, job->rows, output_file_take, &job->file, NULL);
-    return output_file_commit(&job->file, error);
+    skv_result result = write_table(job, error);
+    if (result == SKV_OK)
+        return result;
+    /* In a common folder a machine that sees no locks of others takes their temporary files for
+     * those of dead programs. The rows are still here: once more. */
+    result = output_file_open(&job->file, job->name, error);
+    return result == SKV_OK ? write_table(job, error) : result;
 }
 
 void lab_job_close(lab_job *job)

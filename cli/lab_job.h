@@ -11,6 +11,7 @@ enum { MAX_JOB_ROWS = 16 };
 /* All zero is no job; every function below but the first accepts it. */
 typedef struct lab_job {
     skv_study *study; /* of this run alone */
+    const char *name; /* of the file, as the user wrote it */
     output_file file;
     skv_study_row rows[MAX_JOB_ROWS];
     int count;

@@ -27,7 +27,7 @@ END
 chmod +x worker
 
 # list FOLDER: the jobs of the study, for the workers.
-study=(lab dam-break --sweep particles=400:600:5 --sweep 'fluid.law=calibrated,clavet' --starts 2)
+study=(lab dam-break --sweep particles=400:600:5 --sweep 'fluid.law=calibrated,clavet')
 list() {
     "$build/skvalp" "${study[@]}" --jobs "$1" | sed "s|^'*$build/skvalp'*|./worker|"
 }
@@ -76,9 +76,9 @@ grep -q "lab: $lack of 10 runs lack" notes || fail "$lack runs lack, and this is
 
 rm stop
 # Taken up from parallel's log, then without it, then by one worker.
-parallel --will-cite -j2 --resume --joblog log <two.txt
-parallel --will-cite -j2 <two.txt
-sh -e two.txt
+parallel --will-cite -j2 --resume --joblog log <two.txt || fail "going on from parallel's log failed"
+parallel --will-cite -j2 <two.txt || fail "going on without a log failed"
+sh -e two.txt || fail "going on with one worker failed"
 done_of two >after
 [[ $(wc -l <after) == 10 ]] || fail "of ten tables $(wc -l <after) are there"
 [[ -z $(comm -23 before after) ]] || fail "runs were done again: $(comm -23 before after)"

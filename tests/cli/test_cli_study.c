@@ -299,6 +299,32 @@ static void test_interrupted(void **state)
     }
 }
 
+/* A temporary file that somebody else removes, as a machine may that sees no locks of this one;
+ * once more if the job was done before that. */
+static void test_swept_away(void **state)
+{
+    const struct timespec pause = {.tv_nsec = 10000000};
+    int swept = 0;
+    while (swept == 0) {
+        pid_t job =
+            program_start(*state, (const char *const[]){"skvalp", "lab", "momentum", "--set",
+                                                        "particles=2000", "--job=run.csv", NULL});
+        while (folder_entries(*state) == 0)
+            nanosleep(&pause, NULL);
+        kill(job, SIGSTOP);
+        program_result removed = program_run(
+            *state, (const char *const[]){"find", ".", "-type", "f", "-delete", "-print", NULL});
+        swept = strstr(removed.out, "/.skvalp-") ? 1 : 0;
+        program_free(&removed);
+        kill(job, SIGCONT);
+        assert_int_equal(program_wait(job, 600), 0);
+    }
+    assert_int_equal(folder_entries(*state), 1);
+    char *table = file_read(*state, "run.csv");
+    assert_int_equal(count_lines(table), 2);
+    free(table);
+}
+
 #define IN_A_FOLDER(test) cmocka_unit_test_setup_teardown(test, folder_setup, folder_teardown)
 
 int main(void)
@@ -312,6 +338,7 @@ int main(void)
         IN_A_FOLDER(test_a_folder_is_of_one_study),
         IN_A_FOLDER(test_bad_usage),
         IN_A_FOLDER(test_interrupted),
+        IN_A_FOLDER(test_swept_away),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
