@@ -44,9 +44,8 @@ export function total(sent, counts = () => true) {
     return [...sent].reduce((sum, [path, size]) => sum + (counts(path) ? size : 0), 0);
 }
 
-/** The page before a visit begins; a service worker would fetch all that there is. */
-export const prepare = (browser) =>
-    browser.open('/empty.html', { width: 1024, height: 768, more: { serviceWorkers: 'block' } });
+/** The page before a visit begins. */
+export const prepare = (browser) => browser.open('/empty.html', { width: 1024, height: 768 });
 
 /** Opens an experiment and measures, until its plot shows. */
 export async function measure(page) {

@@ -58,6 +58,8 @@ async function plays(frame, what) {
 
 const controlled = () => navigator.serviceWorker.ready.then(() => navigator.serviceWorker.controller !== null);
 const isolated = () => crossOriginIsolated;
+/** Where the page may keep itself for a time without a network. */
+const offline = { more: { serviceWorkers: 'allow' } };
 
 /** Sets another version: what any change of the page makes of the folder. */
 function makeOther() {
@@ -75,7 +77,7 @@ function makeOther() {
 const trials = {
     async 'it isolates itself, is renewed whole, and needs no server then'(browser) {
         const server = await serve(built);
-        const page = await browser.open(`${server.origin}/`);
+        const page = await browser.open(`${server.origin}/`, offline);
         await plays(page, 'the first visit');
         expect(!(await page.evaluate(isolated)), 'the server isolates: nothing is shown');
         await page.waitForFunction(controlled);
@@ -113,7 +115,7 @@ const trials = {
 
     async 'where nothing may be kept, it plays all the same'(browser) {
         const server = await serve(built);
-        const page = await browser.open(`${server.origin}/icon.svg`);
+        const page = await browser.open(`${server.origin}/icon.svg`, offline);
         const devtools = await page.context().newCDPSession(page);
         await devtools.send('Storage.overrideQuotaForOrigin', { origin: server.origin, quotaSize: 1000 });
         const refused = await page.evaluate(async () => {

@@ -126,7 +126,7 @@ const trials = {
             await water(page);
             return amounts(page);
         };
-        const page = await begin(browser, small, '?scene=pool');
+        const page = await begin(browser, { ...small, isNew: true }, '?scene=pool');
         const [measured, { measured: kept }] = await amounts(page);
         assert.equal(kept, measured, 'what was measured is kept');
         // As on another device: it is what is kept that counts, not how fast it is by chance.

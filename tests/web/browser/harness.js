@@ -94,7 +94,8 @@ export async function launch(folders, options = {}) {
     const open = async (path, view = {}) => {
         const { width = 1024, height = 768, touch = false, ratio = 1 } = view;
         const context = view.context ?? await browser.newContext({
-            viewport: { width, height }, hasTouch: touch, isMobile: touch, deviceScaleFactor: ratio,
+            // One would fetch all that a page could need, once for each page that a test opens.
+            serviceWorkers: 'block', viewport: { width, height }, hasTouch: touch, isMobile: touch, deviceScaleFactor: ratio,
             ...view.more,
         });
         const page = await context.newPage();
