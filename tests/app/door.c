@@ -1,13 +1,13 @@
 /* The door: what the app is like at this moment, told to tests. It is linked with the app's own
  * objects into skvalp-play-tested, so the app that people get has none. Invariant: it looks and
- * never acts, but that no tooltips come up; and without SKVALP_DOOR in the environment it does
- * nothing.
+ * never acts, but that no tooltips come up, and frames if a caller asks for some; and without
+ * SKVALP_DOOR in the environment it does nothing.
  *
  * It listens on the Unix socket that SKVALP_DOOR names. Each line that comes is answered by a line
  * of JSON, on the main loop, between two events: the state under the names that the page's
- * window.skvalp.state has, then the windows with all that shows in them. Rectangles are in pixels
- * of the window from its upper left corner; a point of the world in m is at (originX + scale x,
- * originY - scale y) in its area.
+ * window.skvalp.state has, then the windows with all that shows in them. A line that is not empty
+ * asks for a frame of each window, too. Rectangles are in pixels of the window from its upper left
+ * corner; a point of the world in m is at (originX + scale x, originY - scale y) in its area.
  */
 #include <gdk/x11/gdkx.h>
 #include <gio/gunixsocketaddress.h>
@@ -267,6 +267,18 @@ static bool is_invalid(GtkWidget *widget)
     return !other;
 }
 
+/* Whether a click on its middle is its own: while a menu turns to another page both lie there. */
+static bool is_reached(GtkWidget *widget)
+{
+    GtkWidget *native = GTK_WIDGET(gtk_widget_get_native(widget));
+    double x, y;
+    gtk_widget_translate_coordinates(widget, native, gtk_widget_get_width(widget) / 2.0,
+                                     gtk_widget_get_height(widget) / 2.0, &x, &y);
+    GtkWidget *found = gtk_widget_pick(native, x, y, GTK_PICK_DEFAULT);
+    return found && (found == widget || gtk_widget_is_ancestor(found, widget) ||
+                     gtk_widget_is_ancestor(widget, found));
+}
+
 static void tell_widget(GString *json, GtkWidget *widget)
 {
     const char *written = text_of(widget), *kind = G_OBJECT_TYPE_NAME(widget);
@@ -279,6 +291,7 @@ static void tell_widget(GString *json, GtkWidget *widget)
     truth(json, "sensitive", gtk_widget_is_sensitive(widget));
     truth(json, "active", gtk_widget_get_state_flags(widget) & GTK_STATE_FLAG_CHECKED);
     truth(json, "focus", gtk_widget_has_focus(widget));
+    truth(json, "reached", is_reached(widget));
     if (GTK_IS_EDITABLE(widget))
         truth(json, "invalid", is_invalid(widget));
     if (GTK_IS_RANGE(widget))
@@ -353,11 +366,24 @@ static char *state(void)
 
 /* Answering. */
 
+/* A frame of each window, though nothing in it changes. */
+static void ask_for_frames(void)
+{
+    GList *windows = gtk_window_list_toplevels();
+    for (GList *one = windows; one; one = one->next)
+        if (gtk_widget_get_mapped(one->data))
+            gdk_frame_clock_request_phase(gtk_widget_get_frame_clock(one->data),
+                                          GDK_FRAME_CLOCK_PHASE_PAINT);
+    g_list_free(windows);
+}
+
 static void on_line(GObject *lines, GAsyncResult *result, gpointer data)
 {
     GIOStream *caller = data;
     char *line =
         g_data_input_stream_read_line_finish(G_DATA_INPUT_STREAM(lines), result, NULL, NULL);
+    if (line && *line)
+        ask_for_frames();
     char *answer = line ? state() : NULL;
     if (answer && g_output_stream_write_all(g_io_stream_get_output_stream(caller), answer,
                                             strlen(answer), NULL, NULL, NULL))

@@ -22,15 +22,15 @@ class Door:
     def __init__(self, path):
         self.path, self.line, self.file = path, "", None
 
-    def look(self):
-        """The state; None while there is no app, or it ends."""
+    def look(self, frame):
+        """The state; None while there is no app, or it ends. With `frame` a frame is asked for, too."""
         try:
             if not self.file:
                 caller = socket.socket(socket.AF_UNIX)
                 caller.settimeout(120)
                 caller.connect(self.path)
                 self.file = caller.makefile("rw", encoding="utf-8")
-            self.file.write("\n")
+            self.file.write("frame\n" if frame else "\n")
             self.file.flush()
             self.line = self.file.readline().translate(SPACES)
             if self.line:
@@ -88,13 +88,13 @@ class Look:
         return self.state.windows[1].title if len(self.state.windows) > 1 else ""
 
     def still(self, value):
-        """The value, once it stays: over two frames, or while none is drawn between two looks."""
+        """The value, once it stays over two frames, which are asked for."""
         frames, name = sum(window.frames for window in self.state.windows), len(self.steady)
-        last, since, before = self.before.get(name, (None, 0, 0))
+        last, since = self.before.get(name, (None, 0))
         if last != value:
-            since, before = frames, -1
-        self.steady[name] = value, since, frames
-        return value if frames == before or frames >= since + 2 else None
+            since = frames
+        self.steady[name] = value, since
+        return value if frames >= since + 2 * len(self.state.windows) else None
 
     def focused(self):
         """Name and place of what has the focus."""
@@ -110,7 +110,7 @@ class Look:
         for window in self.state.windows:
             for one in window.widgets:
                 px, py = int(one.x + x * one.width), int(one.y + y * one.height)
-                if (name in (one.name, one.id, one.text) and kind in one.type and one.sensitive
+                if (name in (one.name, one.id, one.text) and kind in one.type and one.sensitive and one.reached
                         and 0 <= px < window.width and 0 <= py < window.height):
                     return window.get("xid", 0), px, py
         return None
@@ -174,7 +174,7 @@ def summary(line):
 def wait(door, pid, seconds, expression):
     end, before = time.monotonic() + seconds, {}
     while True:
-        state, value, error = door.look(), None, ""
+        state, value, error = door.look(before), None, ""
         if state and state.windows and "worlds" in state:
             look = Look(state, pid, before)
             try:

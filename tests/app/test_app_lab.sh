@@ -28,7 +28,7 @@ press "$card"
 await 'page == "experiment" and shows("1. Question") and not says("theory")'
 press Measure Button
 await 'shows("Stop", "Button") or says(", theory ")'
-await 'says(", theory ") and shows("4. Compare") and shows("Measure", "Button")'
+await 'says(", theory ") and shows("4. Compare") and shows("Measure", "Button")' 600 # it takes a while
 scroll_to 'See Two Worlds Side by Side'
 press 'See Two Worlds Side by Side'
 await 'menus() == 1'

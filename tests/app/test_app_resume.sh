@@ -21,9 +21,11 @@ pour() {
     drag 70 70 85 70
     await "worlds[0].particles > $before"
     let_go
-    key 1 # comes after what let go, which has then been seen
-    await 'tool == 0 and canUndo and not active'
-    await 'still(worlds[0].particles)'
+    key 1
+    await '(moment,)'
+    key s # a step comes after all that was poured before
+    await "moment == $answer + 1 and tool == 0 and canUndo and not active"
+    await 'worlds[0].particles'
     poured=$answer
 }
 
