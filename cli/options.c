@@ -102,7 +102,7 @@ static const option_rule rules[] = {
     {"jobs", "DIR", COMMAND_LAB, KIND_FILE, AT(jobs), 0, 0, "",
      "print a command for each run of a study, which leaves its table in DIR"},
     {"gather", "DIR", COMMAND_LAB, KIND_FILE, AT(gather), 0, 0, "",
-     "make one table of a study's, and with --plot one picture"},
+     "make one table of those that a study has left in DIR, and with --plot one picture"},
     {"csv", "FILE", COMMAND_LAB, KIND_FILE, AT(csv), 0, 0, "",
      "where --gather writes; default: stdout"},
     {"job", "FILE.csv", COMMAND_LAB, KIND_FILE, AT(job), 0, 0, "",
