@@ -210,13 +210,21 @@ static skv_result fill(output_file *file, const char *name, study_writer *writer
     return result;
 }
 
-/* The picture first: what it refuses leaves no table behind. */
+static bool drop(const char *text, size_t length, void *user)
+{
+    (void)text, (void)length, (void)user;
+    return true;
+}
+
+/* The picture first, and once to nowhere: what it refuses leaves no table and no folder behind. */
 static skv_result write_results(const gathering *g, skv_error *error)
 {
     output_file picture = {0}, table = {0};
     char *path = NULL;
     skv_result result = SKV_OK;
     if (g->options->plot)
+        result = skv_study_plot(g->study, drop, NULL, error);
+    if (g->options->plot && result == SKV_OK)
         result = output_folder_make(g->options->plot, "plot", error);
     if (g->options->plot && result == SKV_OK) {
         path = study_picture_path(g->options->plot, g->study);

@@ -176,6 +176,14 @@ static void test_gather(void **state)
     assert_true(first && first < strstr(part.out, ",momentum,200,"));
     assert_memory_equal(first, last, strcspn(last, "\n"));
     program_free(&part);
+    /* A picture that cannot be drawn leaves nothing. */
+    program_result none = SKVALP(*state, "lab", "momentum", "--sweep", "fluid.law=clavet",
+                                 "--gather", "runs", "--csv", "new.csv", "--plot", "new");
+    assert_int_equal(none.status, 2);
+    assert_non_null(strstr(none.err, "skvalp: plot: no number is swept"));
+    assert_false(file_exists(*state, "new.csv"));
+    assert_false(file_exists(*state, "new"));
+    program_free(&none);
     /* What lacks is named, and the rest is there. */
     char path[4096];
     snprintf(path, sizeof path, "%s/runs/momentum,particles=205.csv", (const char *)*state);
