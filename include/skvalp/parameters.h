@@ -50,7 +50,8 @@ SKV_API double skv_world_number(const skv_world *world, int parameter);
 
 /** The same as skv_world_def_set and _get for a world that runs. What skv_world_can_change denies
  * is refused with SKV_ERROR_VALUE. The substeps follow as they follow gravity. Fluid that sleeps
- * wakes up. */
+ * wakes up. Clavet's numbers and its contact distance are read as they were set, and act in full
+ * after a second: until then fluid goes to them evenly (docs/model.md). */
 SKV_API bool skv_world_can_change(const char *path);
 SKV_API skv_result skv_world_set(skv_world *world, const char *path, const char *text,
                                  skv_error *error);

@@ -244,7 +244,7 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
     size_t count = (size_t)p->count;
     if (count == 0)
         return SKV_OK;
-    settling s = {.world = world, .fluid = world->fluid};
+    settling s = {.world = world, .fluid = skv_ramp_fluid(&world->fluid, &world->ramp)};
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
     s.work = measure_work(world);

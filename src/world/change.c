@@ -153,13 +153,6 @@ const skv_drain *skv_world_drains(const skv_world *world, int *count)
     return world->acting.drains;
 }
 
-void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid)
-{
-    world->fluid = *fluid;
-    world->constants_stale = true;
-    world->boundary.contact_distance = skv_contact_distance(fluid);
-}
-
 void skv_world_put_emission(skv_world *world, const skv_world_def *def)
 {
     world->emission_limit = def->emission_limit;
@@ -168,10 +161,7 @@ void skv_world_put_emission(skv_world *world, const skv_world_def *def)
 
 void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid)
 {
-    /* Another law starts cold: it would not know what it finds. */
-    for (int i = 0; fluid->law != world->fluid.law && i < world->state.count; i++)
-        world->state.warm_lambda[i] = 0;
-    skv_world_put_fluid(world, fluid);
+    skv_world_put_fluid(world, fluid, skv_ramp_begin(world, fluid));
     skv_world_adapt_substeps(world);
     skv_sleep_wake_all(world);
 }

@@ -37,7 +37,7 @@ static skv_result check_match(const skv_world *world, const skv_snapshot *s, skv
 /* Takes over all that a snapshot says of a world's future but its particles. */
 static void take_facts(skv_world *world, const skv_snapshot *s)
 {
-    skv_world_put_fluid(world, &s->def.fluid);
+    skv_world_put_fluid(world, &s->def.fluid, s->ramp);
     world->gravity_x = s->def.gravity_x;
     world->gravity_y = s->def.gravity_y;
     world->depth = s->def.depth;

@@ -14,10 +14,18 @@
 #include <math.h>
 #include <string.h>
 
-enum { WITH_TERRAIN = 1, SUBSTEPS_FIXED = 2, WITH_LOAD = 4, WITH_WARM = 8, WITH_NAMES = 16 };
+enum {
+    WITH_TERRAIN = 1,
+    SUBSTEPS_FIXED = 2,
+    WITH_LOAD = 4,
+    WITH_WARM = 8,
+    WITH_NAMES = 16,
+    WITH_RAMP = 32 /* of a world on its way, so that others are read by older libraries */
+};
 
-static const skv_envelope kind = {
-    "snapshot", 'V', 1, 1, WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM | WITH_NAMES};
+static const skv_envelope kind = {"snapshot", 'V', 1, 1,
+                                  WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
+                                      WITH_NAMES | WITH_RAMP};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -57,6 +65,11 @@ static void put_facts(skv_writer *w, const skv_world *world)
     skv_put(w, (uint64_t)world->load.wanted, 4);
     skv_put_float(w, world->load.stiffness);
     skv_put_float(w, world->load.peak);
+    if (world->ramp.left > 0) {
+        skv_put_double(w, world->ramp.left);
+        for (int i = 0; i < SKV_RAMP_NUMBERS; i++)
+            skv_put_float(w, world->ramp.now[i]);
+    }
     skv_acting acting = world->acting;
     skv_exchange_acting(&(skv_port){.to = w}, &acting, NULL);
     skv_exchange_names(&(skv_port){.to = w}, &acting, NULL);
@@ -119,6 +132,7 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
     skv_writer writer = {bytes, 0}, *w = &writer;
     skv_envelope_put(w, &kind,
                      WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
+                         (world->ramp.left > 0 ? WITH_RAMP : 0u) |
                          (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
@@ -172,6 +186,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->substeps_fixed = flags & SUBSTEPS_FIXED;
     s->with_load = flags & WITH_LOAD;
     s->with_names = flags & WITH_NAMES;
+    s->with_ramp = flags & WITH_RAMP;
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u);
     return SKV_OK;
 }
@@ -225,6 +240,20 @@ static bool read_load(skv_reader *r, skv_snapshot *s)
            skv_within((double)s->load.peak, 0, 1e12);
 }
 
+/* What acts on the way is a fluid, too. */
+static bool read_ramp(skv_reader *r, skv_snapshot *s)
+{
+    if (!s->with_ramp)
+        return true;
+    s->ramp.left = skv_get_double(r);
+    for (int i = 0; i < SKV_RAMP_NUMBERS; i++)
+        s->ramp.now[i] = skv_get_float(r);
+    skv_world_def present = s->def;
+    present.fluid = skv_ramp_fluid(&s->def.fluid, &s->ramp);
+    return skv_within(s->ramp.left, 0, SKV_RAMP_TIME) &&
+           skv_check_world_def(&present, NULL) == SKV_OK;
+}
+
 static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
 {
     s->time = skv_get_double(r);
@@ -235,7 +264,7 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->next_id = (uint32_t)skv_get(r, 4);
     s->watched = skv_get_double(r);
     uint64_t stepped = skv_get(r, 4);
-    bool loads = s->def.substeps >= 1 && read_load(r, s);
+    bool loads = s->def.substeps >= 1 && read_load(r, s) && read_ramp(r, s);
     /* More substeps than a frame may have are never owed. */
     if (!skv_within(s->time, 0, 1e12) || steps > INT64_MAX / 2 || !skv_within(s->due, 0, 1000) ||
         !skv_within((double)s->filled, 0, 1e6) || !skv_within(s->watched, 0, 1e3) ||

@@ -9,9 +9,10 @@
 /* What a snapshot says, its particles apart. */
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
-    bool substeps_fixed, with_load, with_names;
+    bool substeps_fixed, with_load, with_names, with_ramp;
     unsigned holds; /* of the particles' attributes: skv_saved */
     skv_load load;
+    skv_ramp ramp;
     float filled;
     double due, time, watched;
     int64_t steps;

@@ -16,7 +16,8 @@
 
 skv_constants skv_world_make_constants(const skv_world *world)
 {
-    skv_constants constants = skv_make_constants(&world->fluid, 1.0f / 60 / (float)world->substeps);
+    skv_fluid_def fluid = skv_ramp_fluid(&world->fluid, &world->ramp);
+    skv_constants constants = skv_make_constants(&fluid, 1.0f / 60 / (float)world->substeps);
     skv_set_stiffness(&constants, skv_load_stiffness(world));
     return constants;
 }
@@ -165,6 +166,7 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
     skv_events_end(&world->events);
     world->busy = SKV_IDLE;
     skv_load_follow(world, began);
+    skv_ramp_follow(world, began);
     return result;
 }
 

@@ -16,6 +16,7 @@
 #include "terrain/wall_map.h"
 #include "world/acting.h"
 #include "world/events.h"
+#include "world/ramp.h"
 #include "world/state.h"
 #include "world/tiling.h"
 
@@ -29,7 +30,8 @@ typedef enum skv_busy {
 
 /* What decides the future is in a snapshot, too: see snapshot.c. */
 struct skv_world {
-    skv_fluid_def fluid;
+    skv_fluid_def fluid; /* as it was set; skv_ramp_fluid: what acts */
+    skv_ramp ramp;
     skv_terrain *terrain;
     skv_wall_map *walls;
     skv_boundary boundary;
@@ -88,8 +90,6 @@ float skv_extent_along_gravity(const skv_world *world);
 int skv_substeps_needed(const skv_world *world);
 void skv_world_adapt_substeps(skv_world *world); /* to what they are needed for, if not fixed */
 void skv_world_change_fluid(skv_world *world, const skv_fluid_def *fluid);
-/* The same, and nothing follows from it: neither substeps nor sleep. */
-void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid);
 /* Takes over when emitters stop. */
 void skv_world_put_emission(skv_world *world, const skv_world_def *def);
 

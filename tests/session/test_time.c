@@ -8,6 +8,7 @@
 
 #include "session/stage.h"
 #include "session/support.h"
+#include <skvalp/query.h>
 
 /* Alone, too: what was done is done again, and goes on. */
 static void test_played_again(void **state)
@@ -25,6 +26,39 @@ static void test_played_again(void **state)
     const skv_picture *picture = stage_look(stage, 0);
     assert_true(picture->moment == 21 && picture->end == 21 && !picture->as_recorded);
     skv_stage_destroy(stage);
+}
+
+/* A parameter of Clavet's law is on its way for a second: back in the midst of that, and onward. */
+static void test_a_way_is_gone_again(void **state)
+{
+    (void)state;
+    enum { SET_AT = 5, END = 80 };
+    const skv_setting clavet[] = {{"particles", "200"}, {"fluid.law", "clavet"}};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = clavet;
+    options.setting_count = 2;
+    skv_scene *scene;
+    skv_player *player;
+    uint64_t hashes[END + 1];
+    assert_int_equal(skv_scene_load("pool", &options, &scene, NULL), SKV_OK);
+    assert_int_equal(skv_player_create(scene, NULL, &player, NULL), SKV_OK);
+    skv_command set = {.kind = SKV_COMMAND_SET, .set = {"fluid.clavet_rest_density", "6"}};
+    for (int f = 0; f < END; f++) {
+        if (f == SET_AT)
+            assert_int_equal(skv_player_apply(player, &set, NULL), SKV_OK);
+        hashes[f] = skv_world_hash(skv_player_world(player));
+        assert_int_equal(skv_player_step(player, NULL), SKV_OK);
+    }
+    for (int back = 50; back > 0; back -= 20) {
+        assert_int_equal(skv_player_seek(player, back, NULL), SKV_OK);
+        while (skv_player_seeking(player))
+            assert_int_equal(skv_player_step(player, NULL), SKV_OK);
+        for (int f = back; f < END; f++) {
+            assert_true(skv_world_hash(skv_player_world(player)) == hashes[f]);
+            assert_int_equal(skv_player_step(player, NULL), SKV_OK);
+        }
+    }
+    skv_player_destroy(player);
 }
 
 static void test_lockstep(void **state)
@@ -198,6 +232,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_played_again),
+        cmocka_unit_test(test_a_way_is_gone_again),
         cmocka_unit_test(test_lockstep),
         cmocka_unit_test(test_the_slower_paces_both),
         cmocka_unit_test(test_within_the_calls_steps_add_up),

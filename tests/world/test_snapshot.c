@@ -120,6 +120,8 @@ static void live(skv_world *world, const kind *k, int step)
         assert_int_equal(skv_world_set(world, "fluid.viscosity", "0.001", NULL), SKV_OK);
     if (k->stirred && step == 26)
         assert_int_equal(skv_world_set(world, "fluid.contact_distance", "0.4", NULL), SKV_OK);
+    if (k->stirred && step == 27) /* by Clavet's law they go there by and by */
+        assert_int_equal(skv_world_set(world, "fluid.clavet_rest_density", "8", NULL), SKV_OK);
     /* Of different lengths: a part of a substep is owed at most moments. */
     float dt = k->stirred ? 0.001f * (float)(5 + step % 17) : 1.0f / 60;
     assert_int_equal(skv_world_step(world, dt, NULL), SKV_OK);
@@ -472,6 +474,32 @@ static void emitters_and_drains_that_no_world_has_are_refused(void **unused)
     skv_world_destroy(other);
 }
 
+/* The way to new numbers of Clavet's law, and what acts on it. */
+static void ways_that_no_world_goes_are_refused(void **unused)
+{
+    (void)unused;
+    const kind *clavet = &kinds[1];
+    skv_world *world = make_filled(clavet), *other = make_filled(clavet);
+    assert_int_equal(skv_world_set(world, "fluid.clavet_stiffness", "0.01", NULL), SKV_OK);
+    const skv_ramp good = world->ramp;
+    const double wrong[] = {1.01, (double)INFINITY};
+    for (int i = 0; i < 2; i++) {
+        world->ramp.left = wrong[i];
+        expect_refused(world, other, "values that no world has");
+    }
+    for (int i = 0; i < SKV_RAMP_NUMBERS; i++) {
+        world->ramp = good;
+        world->ramp.now[i] = i % 2 ? -0.01f : NAN;
+        expect_refused(world, other, "values that no world has");
+    }
+    world->ramp = good;
+    blob b = save(world, false);
+    assert_int_equal(skv_world_restore(other, b.bytes, b.size, NULL), SKV_OK);
+    free(b.bytes);
+    skv_world_destroy(world);
+    skv_world_destroy(other);
+}
+
 /* No pushes add up to a speed that a snapshot could not hold, and none is faster. */
 static void speeds_have_an_end(void **unused)
 {
@@ -537,6 +565,7 @@ int main(void)
         cmocka_unit_test(arrays_of_an_old_reference_are_passed_over),
         cmocka_unit_test(another_kind_of_world_is_refused),
         cmocka_unit_test(emitters_and_drains_that_no_world_has_are_refused),
+        cmocka_unit_test(ways_that_no_world_goes_are_refused),
         cmocka_unit_test(speeds_have_an_end),
         cmocka_unit_test(running_out_of_memory_changes_nothing),
     };
