@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The pictures that are drawn by WebGL 2 in Chromium are those that are drawn natively, in each view and
 # palette and with overlays, also in the context after a lost one, and without WebGL there is a clear
-# line. With SKV_LONG_TESTS=1 in all combinations. Arguments: build folder, source folder.
+# line. With SKV_LONG_TESTS=1 in all combinations of view, overlays, palette and detail. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_web_pictures.sh BUILD SOURCE}")
 cd "${2:?usage: test_web_pictures.sh BUILD SOURCE}"
@@ -25,7 +25,15 @@ styles=(
     pipes.water.none.light.full
 )
 if [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
-    styles=({dam-break,ink,pipes,fountain}.{water,pressure,speed,density,particles,fluid}.{none,"tracers,arrows,streamlines,grid,ruler,legend"}.{dark,light,contrast}.{full,plain})
+    # The scenes take turns, so that each meets each pair of a view and another choice.
+    scenes=(dam-break ink pipes fountain) details=(full plain) palettes=(dark light contrast)
+    overlays=(none 'tracers,arrows,streamlines,grid,ruler,legend')
+    views=(water pressure speed density particles fluid)
+    styles=()
+    for ((i = 0; i < 72; i++)); do
+        d=$((i % 2)) p=$((i / 2 % 3)) o=$((i / 6 % 2)) v=$((i / 12))
+        styles+=("${scenes[(v + 2 * o + p + d) % 4]}.${views[v]}.${overlays[o]}.${palettes[p]}.${details[d]}")
+    done
 fi
 files=()
 for style in "${styles[@]}"; do
