@@ -30,7 +30,13 @@ for _ in {1..12}; do # keys are taken as soon as there is something to do for th
     await 'not canRedo'
 done
 key shift+Left
-await 'paused and moment < end and worlds[0].particles == 3000'
+await 'paused and moment < end'
+until is 'worlds[0].particles == 3000'; do # beside much else it was poured more than a second ago
+    await moment
+    before=$answer
+    key shift+Left
+    await "moment < $before"
+done
 key shift+Right
 await 'paused and moment == end and worlds[0].particles > 3010'
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The pictures that are drawn by WebGL 2 in Chromium are those that are drawn natively, in each view and
 # palette and with overlays, also in the context after a lost one, and without WebGL there is a clear
-# line. With SKV_LONG_TESTS=1 in all combinations of view, overlays, palette and detail. Arguments: build folder, source folder.
+# line. With SKV_LONG_TESTS=1 in all combinations of view, overlays, palette and detail.
+# Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_web_pictures.sh BUILD SOURCE}")
 cd "${2:?usage: test_web_pictures.sh BUILD SOURCE}"
