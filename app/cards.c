@@ -6,14 +6,14 @@
 
 #include "choices.h"
 #include "lab_run.h"
-
-#include <glib/gi18n.h>
+#include "settings.h"
+#include "words.h"
 
 typedef struct card {
     const skv_experiment *experiment;
-    int number;
+    int number, chosen; /* particles, of the last run */
     skv_render_style style;
-    GtkWidget *run, *progress, *picture, *compare, *results;
+    GtkWidget *run, *amount, *progress, *picture, *compare, *measured, *results;
     PlayPlot *plot;
     GCancellable *stop; /* null: it does not run */
 } card;
@@ -36,6 +36,34 @@ static GtkWidget *add_part(GtkWidget *box, const char *heading, const char *text
     add_text(part, gettext(text), NULL);
     gtk_box_append(GTK_BOX(box), part);
     return part;
+}
+
+/* The number of particles. */
+
+static char *words_of_amount(const card *c)
+{
+    return g_strdup(play_number(skv_experiment_particles(c->number, c->chosen), 0).text);
+}
+
+/* As many as are chosen now. */
+static void take_choice(card *c)
+{
+    c->chosen = play_settings_number("particles", 0);
+    char *amount = words_of_amount(c);
+    char *text = g_strdup_printf(_("It is measured with %s particles."), amount);
+    gtk_label_set_text(GTK_LABEL(c->amount), text);
+    g_free(text);
+    g_free(amount);
+}
+
+static void tell_measured(const card *c, bool well)
+{
+    char *amount = words_of_amount(c);
+    char *text = g_strdup_printf(_("Measured with %s particles"), amount);
+    gtk_label_set_text(GTK_LABEL(c->measured), text);
+    gtk_widget_set_visible(c->measured, well);
+    g_free(text);
+    g_free(amount);
 }
 
 /* The run. */
@@ -61,6 +89,7 @@ static void show(const PlayLabNews *news, gpointer data)
     }
     if (!news->ended)
         return;
+    tell_measured(c, !news->error);
     gtk_label_set_text(GTK_LABEL(c->results), news->error ? news->error : news->results);
     gtk_widget_set_visible(c->compare, TRUE);
     g_clear_object(&c->stop);
@@ -77,7 +106,8 @@ static void on_run(G_GNUC_UNUSED GtkButton *button, card *c)
     }
     c->stop = g_cancellable_new();
     show_running(c, true);
-    play_lab_run(c->number, &c->style, c->stop, show, c);
+    take_choice(c);
+    play_lab_run(c->number, c->chosen, &c->style, c->stop, show, c);
 }
 
 static void free_card(gpointer data)
@@ -106,6 +136,8 @@ static void add_measurement(card *c, GtkWidget *box)
     gtk_widget_set_size_request(GTK_WIDGET(c->plot), -1, 260);
     gtk_widget_set_visible(GTK_WIDGET(c->plot), FALSE);
     gtk_box_append(GTK_BOX(part), c->run);
+    c->amount = add_text(part, "", "caption");
+    take_choice(c);
     gtk_box_append(GTK_BOX(part), c->progress);
     gtk_box_append(GTK_BOX(part), c->picture);
     gtk_box_append(GTK_BOX(part), GTK_WIDGET(c->plot));
@@ -149,6 +181,7 @@ GtkWidget *play_card_new(int experiment, const skv_render_style *style)
     add_measurement(c, box);
     add_scene(box, c->experiment->name);
     c->compare = add_part(box, _("4. Compare"), c->experiment->compare);
+    c->measured = add_text(c->compare, "", "caption");
     c->results = add_text(c->compare, "", "numeric");
     gtk_label_set_selectable(GTK_LABEL(c->results), TRUE);
     gtk_widget_set_visible(c->compare, FALSE);

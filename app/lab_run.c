@@ -7,6 +7,7 @@
 #include <skvalp/experiments.h>
 #include <string.h>
 
+#include "settings.h"
 #include "words.h"
 
 #define WIDTH       480
@@ -15,7 +16,7 @@
 
 typedef struct run {
     gint uses; /* by the thread and by messages on their way */
-    int experiment;
+    int experiment, particles;
     skv_render_style style;
     GCancellable *stop;
     PlayLabShow *show;
@@ -140,6 +141,7 @@ static gpointer work(gpointer data)
 {
     run *r = data;
     skv_lab_options options = skv_default_lab_options();
+    options.particles = r->particles;
     options.observe = observe;
     options.user = r;
     skv_report *report = NULL;
@@ -162,12 +164,13 @@ static gpointer work(gpointer data)
     return NULL;
 }
 
-void play_lab_run(int experiment, const skv_render_style *style, GCancellable *stop,
+void play_lab_run(int experiment, int particles, const skv_render_style *style, GCancellable *stop,
                   PlayLabShow *show, gpointer user)
 {
     run *r = g_new0(run, 1);
     *r = (run){.uses = 1,
                .experiment = experiment,
+               .particles = particles,
                .style = *style,
                .stop = g_object_ref(stop),
                .show = show,
@@ -199,8 +202,15 @@ static void on_set_up(GObject *view, GAsyncResult *result, G_GNUC_UNUSED gpointe
 {
     GByteArray *bytes = g_task_propagate_pointer(G_TASK(result), NULL);
     const void *data = bytes->len > 0 ? (const void *)bytes->data : "";
-    skv_stage_open_memory(play_view_stage(PLAY_VIEW(view)), data, bytes->len, "json",
-                          g_task_get_task_data(G_TASK(result)), NULL);
+    const skv_experiment *experiment;
+    const char *name = g_task_get_task_data(G_TASK(result));
+    skv_scene_options options = skv_default_scene_options();
+    int chosen = play_settings_number("particles", 0);
+    for (int i = 0; chosen > 0 && (experiment = skv_experiment_info(i)); i++)
+        if (g_str_equal(experiment->name, name))
+            options.particles = skv_experiment_particles(i, chosen);
+    skv_stage_open_memory(play_view_stage(PLAY_VIEW(view)), data, bytes->len, "json", name,
+                          &options);
     g_byte_array_unref(bytes);
 }
 

@@ -21,12 +21,12 @@ typedef struct PlayLabNews {
 
 typedef void PlayLabShow(const PlayLabNews *news, gpointer user);
 
-/* Runs experiment number `experiment` and shows it, until it ends or `stop` is cancelled: `show` is
- * not called any more then. */
-void play_lab_run(int experiment, const skv_render_style *style, GCancellable *stop,
+/* Runs experiment number `experiment` with as many particles as are chosen (skv_lab_options) and
+ * shows it, until it ends or `stop` is cancelled: `show` is not called any more then. */
+void play_lab_run(int experiment, int particles, const skv_render_style *style, GCancellable *stop,
                   PlayLabShow *show, gpointer user);
 
-/* Opens the set-up of an experiment, by its name, to play with. */
+/* Opens the set-up of an experiment, by its name, to play with, with as many as are chosen. */
 void play_lab_open(const char *experiment, PlayView *view);
 
 #endif

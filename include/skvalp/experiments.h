@@ -44,6 +44,11 @@ SKV_API skv_result skv_experiment_find(const char *name, int *found, skv_error *
  * SKV_ERROR_FILE (`write` returned false) or SKV_ERROR_MEMORY. */
 SKV_API skv_result skv_experiment_scene(int i, skv_write *write, void *user, skv_error *error);
 
+/** With how many particles the world of an experiment begins where that many are chosen: with more
+ * where its narrowest passage needs them, and within the range of the setting `particles`. 0
+ * chosen: as it says itself. 0 if there is no such experiment. */
+SKV_API int skv_experiment_particles(int i, int chosen);
+
 /** The parameters of the experiments in documentation order; null past the last. Static. A path
  * without a dot and those that begin with "fluid." concern all experiments (the latter are those of
  * scenes), the others the one they name. */
@@ -85,6 +90,8 @@ typedef struct skv_lab_options {
     int threads;               /**< as in skv_world_def */
     skv_lab_observer *observe; /**< null: nobody */
     void *user;                /**< handed to it */
+    int particles; /**< what a person chose: its world begins with skv_experiment_particles of it,
+                      whatever the settings say; 0: as they say */
 } skv_lab_options;
 
 /** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */

@@ -17,23 +17,49 @@ struct skv_report {
     skv_lab_row rows[MAX_QUANTITIES];
 };
 
-skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *options,
-                                  findings *found, skv_error *error)
+/* ---- The set-up ------------------------------------------------------------------------------ */
+
+/* Lets an experiment go as far as its plan, or as the outline of it. */
+static void sketch(rig *s, const experiment *e, const skv_lab_options *options, bool outline,
+                   rig_plan *plan, skv_error *error)
 {
-    *found = (findings){
-        .plot = {.title = e->info.title, .x_label = e->info.x_label, .y_label = e->info.y_label}};
+    findings found = {0};
+    *plan = (rig_plan){0};
+    skv_rig_open(s, e, options, &found, error);
+    s->sketch = plan;
+    s->outline = outline;
+    e->measure(s, &found);
+    skv_findings_free(&found);
+    s->found = NULL;
+}
+
+/* What the setting `particles` has to be for a chosen number in the world, of which there are
+ * `*share` times as many. */
+static double setting_for(const experiment *e, const skv_lab_options *options, int chosen,
+                          double *share)
+{
+    const skv_field *field = skv_lab_parameter(PARAM_PARTICLES);
+    rig_plan plan;
     rig set_up;
-    skv_rig_open(&set_up, e, options, found, error);
-    e->measure(&set_up, found);
-    if (skv_rig_ok(&set_up)) {
-        found->particles = skv_world_particle_count(set_up.world);
-        found->substeps = skv_world_substeps_per_frame(set_up.world);
-        found->spacing = set_up.spacing;
-        found->seconds = set_up.done;
-        found->pace = skv_rig_pace(&set_up);
-        found->speed = skv_rig_speed(&set_up);
-    }
-    return skv_rig_close(&set_up);
+    skv_error unused;
+    sketch(&set_up, e, options, true, &plan, &unused);
+    *share = plan.share > 0 ? plan.share : 1;
+    double wanted = set_up.settings.common[PARAM_PARTICLES];
+    if (chosen > 0)
+        wanted = (chosen + 0.5) / *share; /* which is rounded down when it is multiplied */
+    wanted = fmax(wanted, fmax(set_up.enough, field->minimum));
+    skv_rig_close(&set_up);
+    return fmin(wanted, field->maximum);
+}
+
+int skv_experiment_particles(int number, int chosen)
+{
+    const experiment *e = skv_experiment_at(number);
+    double share;
+    if (!e)
+        return 0;
+    double setting = setting_for(e, NULL, chosen, &share);
+    return (int)floor(setting * share);
 }
 
 skv_result skv_experiment_scene(int number, skv_write *write, void *user, skv_error *error)
@@ -42,15 +68,36 @@ skv_result skv_experiment_scene(int number, skv_write *write, void *user, skv_er
     const experiment *e = skv_experiment_at(number);
     if (!e)
         return skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);
-    findings found = {0};
     rig_plan plan;
     rig set_up;
-    skv_rig_open(&set_up, e, NULL, &found, error);
-    set_up.sketch = &plan;
-    e->measure(&set_up, &found);
+    sketch(&set_up, e, NULL, false, &plan, error);
     if (skv_rig_ok(&set_up) || set_up.result == SKV_STOPPED)
         set_up.result = skv_rig_write(&set_up, write, user, error);
-    skv_findings_free(&found);
+    return skv_rig_close(&set_up);
+}
+
+/* ---- The run --------------------------------------------------------------------------------- */
+
+skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *options,
+                                  findings *found, skv_error *error)
+{
+    *found = (findings){
+        .plot = {.title = e->info.title, .x_label = e->info.x_label, .y_label = e->info.y_label}};
+    rig set_up;
+    double unused;
+    skv_rig_open(&set_up, e, options, found, error);
+    if (skv_rig_ok(&set_up) && options && options->particles > 0)
+        set_up.settings.common[PARAM_PARTICLES] =
+            setting_for(e, options, options->particles, &unused);
+    e->measure(&set_up, found);
+    if (skv_rig_ok(&set_up)) {
+        found->particles = set_up.particles;
+        found->substeps = skv_world_substeps_per_frame(set_up.world);
+        found->spacing = set_up.spacing;
+        found->seconds = set_up.done;
+        found->pace = skv_rig_pace(&set_up);
+        found->speed = skv_rig_speed(&set_up);
+    }
     return skv_rig_close(&set_up);
 }
 

@@ -146,6 +146,7 @@ static void take_over(rig *s, skv_world *world)
 {
     skv_world_destroy(s->world);
     s->world = world;
+    s->particles = skv_world_particle_count(world);
     s->spacing = (double)skv_world_spacing(world);
     s->h = (double)skv_world_smoothing_radius(world);
     if (!s->lab)
@@ -166,10 +167,26 @@ skv_result skv_rig_write(const rig *s, skv_write *write, void *user, skv_error *
                           error);
 }
 
+/* The spacing of a plan whose water fills its shapes: that of the world is less, for a fill keeps a
+ * little away from walls. */
+static void draw_outline(rig *s, const rig_plan *plan)
+{
+    double share = plan->share > 0 ? plan->share : 1;
+    double particles = s->settings.common[PARAM_PARTICLES] * share;
+    *s->sketch = *plan;
+    s->spacing =
+        s->settings.spacing > 0 ? s->settings.spacing : sqrt(skv_plan_area(plan) / particles);
+    s->result = SKV_STOPPED;
+}
+
 void skv_rig_build(rig *s, const rig_plan *plan)
 {
     if (!skv_rig_ok(s))
         return;
+    if (s->outline) {
+        draw_outline(s, plan);
+        return;
+    }
     skv_scene *scene = load(s, plan, s->settings.spacing);
     skv_world *world = scene ? make_world(s, scene) : NULL;
     if (world) {
@@ -198,7 +215,11 @@ void skv_rig_rebuild(rig *s, const rig_plan *plan)
 void skv_rig_check_passage(rig *s, int own, double share)
 {
     double needed = SIDE_BY_SIDE * s->spacing, width = share * skv_rig_length(s, own);
-    if (!skv_rig_ok(s) || width >= needed)
+    if (!skv_rig_ok(s) && !s->outline)
+        return;
+    double more = s->settings.common[PARAM_PARTICLES] * needed * needed / (width * width);
+    s->enough = fmax(s->enough, 100 * ceil(1.02 * more / 100));
+    if (s->outline || width >= needed)
         return;
     const char *path = s->experiment->parameters[own].path;
     double value = skv_rig_value(s, own), fits = width / s->spacing;
@@ -209,12 +230,11 @@ void skv_rig_check_passage(rig *s, int own, double share)
                              path, value, fits, SIDE_BY_SIDE, 0.98 * width / SIDE_BY_SIDE, path);
         return;
     }
-    double more = s->settings.common[PARAM_PARTICLES] * needed * needed / (width * width);
     s->result =
         skv_fail(s->error, SKV_ERROR_VALUE,
                  "%s: %g m leave room for %.1f particles side by side, and %d are needed; take "
                  "particles=%.0f or more, or more of %s",
-                 path, value, fits, SIDE_BY_SIDE, 100 * ceil(1.02 * more / 100), path);
+                 path, value, fits, SIDE_BY_SIDE, s->enough, path);
 }
 
 double skv_rig_density(const rig *s)

@@ -44,6 +44,11 @@ struct rig {
     /* Where the last plan goes if only that is asked for: no frame is stepped, and it ends with
      * SKV_STOPPED where measuring begins, at the second wait at the latest. Else null. */
     rig_plan *sketch;
+    /* Whether not even the world of that plan is made: it ends with SKV_STOPPED where it would be,
+     * and only how many particles the passages need is looked at after that. */
+    bool outline;
+    double enough; /* particles, as the setting counts them, for the narrowest passage so far */
+    int particles; /* with which the world began */
     skv_result result;
     skv_error *error;
 };

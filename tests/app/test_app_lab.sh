@@ -11,11 +11,11 @@ start_app pool
 key space g
 await 'paused and page == "scenes"'
 
-# scroll_to NAME: turns the wheel until it shows.
+# scroll_to NAME: turns the wheel until it shows, and what is close below it: at the window's edge a click resizes that.
 scroll_to() {
     local before
     go 'middle("pages")'
-    until is "middle('$1')"; do
+    until is "middle('$1', y=1.5)"; do
         await "find('$1').y"
         before=$answer
         xdotool click 5
@@ -26,9 +26,11 @@ card='A column of water collapses on a dry floor: where its front is, and when.'
 scroll_to "$card"
 press "$card"
 await 'page == "experiment" and shows("1. Question") and not says("theory")'
+await 'says("It is measured with 4") and says("000 particles.")'
 press Measure Button
 await 'shows("Stop", "Button") or says(", theory ")'
 await 'says(", theory ") and shows("4. Compare") and shows("Measure", "Button")' 600 # it takes a while
+await 'says("Measured with 4")'
 scroll_to 'See Two Worlds Side by Side'
 press 'See Two Worlds Side by Side'
 await 'menus() == 1'

@@ -200,6 +200,13 @@ const trials = {
         const page = await begin(browser, phone, '?scene=pool&particles=500');
         await button(page, 'Scenes and experiments').click();
         await page.locator('.panel .list button').first().click();
+        await page.getByText('It is measured with 4\u00a0000 particles.').waitFor();
+        // As a person chose, not as the address says for this visit.
+        await page.evaluate(() => localStorage.setItem('skvalp', JSON.stringify({ particles: 1000 })));
+        await page.reload();
+        await button(page, 'Scenes and experiments').click();
+        await page.locator('.panel .list button').first().click();
+        await page.getByText('It is measured with 1\u00a0000 particles.').waitFor();
         await page.locator('.measurement').getByRole('button', { name: 'Measure' }).click();
         const compare = page.getByRole('heading', { name: '4. Compare' });
         const inSight = () => page.waitForFunction(() => {
@@ -209,6 +216,7 @@ const trials = {
             return heading?.top >= body.top && table?.bottom <= body.bottom + 1;
         });
         await compare.waitFor();
+        await page.getByText('Measured with 1\u00a0000 particles', { exact: true }).waitFor();
         await inSight();
         // Opened again, it begins with the question.
         await close(page);

@@ -136,7 +136,7 @@ async function testComparing(browser) {
 
 async function testLab(browser) {
     const page = await open(browser, { isolated: false });
-    const messages = await page.evaluate(() => window.trial.lab(0, { particles: '600' }));
+    const messages = await page.evaluate(() => window.trial.lab(0, 600));
     assert.equal(messages.at(-1).kind, 'done', messages.at(-1).error);
     assert.ok(messages.at(-1).rows.length > 0 && messages.at(-1).curves.length > 0);
     assert.ok(messages.length > 1, 'nothing is told while it runs');

@@ -11,7 +11,7 @@ interface Trial {
     pictures: (string | null)[];
     /** Resolves with the first state of which this holds. */
     until(holds: (state: State) => boolean): Promise<State>;
-    lab(index: number, settings: Record<string, string>): Promise<LabMessage[]>;
+    lab(index: number, particles: number): Promise<LabMessage[]>;
 }
 
 const canvas = document.createElement('canvas');
@@ -25,9 +25,9 @@ const trial: Partial<Trial> & Pick<Trial, 'states' | 'reports' | 'pictures' | 's
 Object.assign(window, { trial });
 trial.until = (holds) => trial.state && holds(trial.state) ? Promise.resolve(trial.state)
     : new Promise((resolve) => waiting.push({ holds, resolve }));
-trial.lab = (index, settings) => new Promise((resolve) => {
+trial.lab = (index, particles) => new Promise((resolve) => {
     const messages: LabMessage[] = [];
-    runExperiment(index, settings, (message) => {
+    runExperiment(index, particles, (message) => {
         messages.push(message);
         if (message.kind !== 'moment') {
             resolve(messages);

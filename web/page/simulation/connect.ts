@@ -7,7 +7,7 @@ import type { Connect, Listener, Simulation } from './protocol';
 const mostThreads = 4;
 
 /** The methods that answer; all others only leave a message. */
-const answering = new Set(['save', 'keep', 'share', 'catalogue']);
+const answering = new Set(['save', 'keep', 'share', 'catalogue', 'experimentParticles']);
 
 /** One is left to the page. */
 export function threadsHere() {

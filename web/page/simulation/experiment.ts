@@ -1,17 +1,17 @@
 // An experiment, from its beginning to its report, and what it tells meanwhile.
 import type { Library } from '../../src/library.js';
 import type { skv_curve } from '../../src/interface.js';
-import { made, table, using, withSettings } from '../../src/memory.js';
+import { made, table, using } from '../../src/memory.js';
 
 import { unitOf } from './catalogue';
-import type { Curve, LabMessage, Row, Settings } from './protocol';
+import type { Curve, LabMessage, Row } from './protocol';
 
 /** Between two messages, s. */
 const period = 1 / 12;
 const styles = ['dots', 'rings', 'line', 'theory'] as const;
 
-/** Runs it, which takes seconds to a minute. Throws what is wrong with the settings. */
-export function runExperiment(library: Library, index: number, settings: Settings,
+/** Runs it, which takes seconds to a minute. Throws where there is none. */
+export function runExperiment(library: Library, index: number, particles: number,
     tell: (message: LabMessage) => void, clock: () => number) {
     const { c, instance } = library;
     const floats = (address: number, count: number) =>
@@ -32,14 +32,12 @@ export function runExperiment(library: Library, index: number, settings: Setting
         last = clock(); // so that as much time goes into stepping
     };
 
-    const report = withSettings(library, settings, (list, count) =>
-        using(library, c.skv_default_lab_options(), (options) => instance.lend(observe, (user: number) => {
-            options.settings = list;
-            options.setting_count = count;
-            options.observe = instance.exports.skv_wasm_observe();
-            options.user = user;
-            return library.create((out, error) => c.skv_experiment_run(index, options, out, error));
-        })));
+    const report = using(library, c.skv_default_lab_options(), (options) => instance.lend(observe, (user: number) => {
+        options.particles = particles;
+        options.observe = instance.exports.skv_wasm_observe();
+        options.user = user;
+        return library.create((out, error) => c.skv_experiment_run(index, options, out, error));
+    }));
     const rows: Row[] = table(library, 'skv_lab_row', (i) => c.skv_report_row(report, i))
         .map(({ quantity, unit, measured, theory, ratio, tolerance, pass }) =>
             ({ quantity, unit: unitOf(library, unit), measured, theory, ratio, tolerance, pass }));
@@ -51,6 +49,6 @@ export function runExperiment(library: Library, index: number, settings: Setting
     });
     const text = (write: (report: number, write: number, user: number, error: any) => number) =>
         new TextDecoder().decode(made(library, (to, user, error) => write(report, to, user, error)));
-    tell({ kind: 'done', rows, curves, csv: text(c.skv_report_csv), svg: text(c.skv_report_plot) });
+    tell({ kind: 'done', particles: c.skv_experiment_particles(index, particles), rows, curves, csv: text(c.skv_report_csv), svg: text(c.skv_report_plot) });
     c.skv_report_destroy(report);
 }

@@ -121,7 +121,7 @@ test('a scene begins again with other settings', () => {
     expect(Number(trial.state.worlds[0].parameters['fluid.viscosity'])).toBeGreaterThan(0.001);
     simulation.openExperiment(0);
     expect(trial.take().every(({ error }) => error === null)).toBe(true);
-    expect(trial.state.worlds[0].particles).toBeGreaterThan(500);
+    expect(trial.state.worlds[0].particles).toBe(500); // 300 are chosen, and its narrowest passage needs more
 });
 
 test('after one that cannot be opened, what begins again is what is open', () => {

@@ -1,7 +1,7 @@
 // Runs an experiment in a worker of its own. Throws where there are no workers.
 import type { LabMessage, RunExperiment } from './protocol';
 
-export const runExperiment: RunExperiment = (index, settings, tell) => {
+export const runExperiment: RunExperiment = (index, particles, tell) => {
     const worker = new Worker(new URL('./lab.worker.ts', import.meta.url), { type: 'module' });
     worker.onerror = ({ message }) => tell({ kind: 'failed', error: message ?? '' });
     worker.onmessage = ({ data }: MessageEvent<LabMessage>) => {
@@ -10,6 +10,6 @@ export const runExperiment: RunExperiment = (index, settings, tell) => {
             worker.terminate();
         }
     };
-    worker.postMessage({ index, settings });
+    worker.postMessage({ index, particles });
     return () => worker.terminate();
 };

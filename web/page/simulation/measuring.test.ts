@@ -75,7 +75,7 @@ test('an experiment tells how it goes, and what came of it', () => {
     const messages: LabMessage[] = [];
     let now = 0;
     const keep = (message: LabMessage) => void messages.push(structuredClone(message));
-    runExperiment(library, 0, { particles: '600' }, keep, () => now++);
+    runExperiment(library, 0, 600, keep, () => now++);
     const last = messages.at(-1)!;
     expect(messages.length).toBeGreaterThan(10);
     expect(messages.slice(0, -1).every(({ kind }) => kind === 'moment')).toBe(true);
@@ -86,7 +86,8 @@ test('an experiment tells how it goes, and what came of it', () => {
     expect(last.curves.map(({ style }) => style)).toContain('theory');
     expect(last.svg).toMatch(/^<svg|^<\?xml/);
     expect(last.csv).toMatch(/^series,depth/);
-    expect(() => runExperiment(library, 0, { particles: 'x' }, keep, () => 0)).toThrow(/particles/);
+    expect(last.particles).toBe(600);
+    expect(() => runExperiment(library, 99, 0, keep, () => 0)).toThrow(/no experiment/);
 });
 
 test('the catalogue is complete, and plain', async () => {

@@ -23,15 +23,15 @@ export class Opening {
     #current: Wanted | null = null;
     #next: Wanted | null = null;
 
-    /** @param amount the number of particles for a scene that is opened without one; null: its own */
-    constructor(library: Library, stage: number, amount: (name: string) => number | null) {
+    /** @param amount the number of particles for a scene or an experiment that is opened without one; 0: its own */
+    constructor(library: Library, stage: number, amount: (of: string | number) => number) {
         this.#library = library;
         this.#stage = stage;
         this.#amount = amount;
     }
 
     scene(name: string, settings: Settings = {}) {
-        const amount = 'particles' in settings ? null : this.#amount(name);
+        const amount = 'particles' in settings ? 0 : this.#amount(name);
         const own: Settings = amount ? { particles: String(amount) } : {};
         this.#open({ source: { name }, settings: { ...own, ...settings } });
     }
@@ -54,7 +54,8 @@ export class Opening {
         const { c } = this.#library;
         const text = made(this.#library,
             (write, user, error) => c.skv_experiment_scene(index, write, user, error));
-        this.bytes(text, 'json', this.#library.view('skv_experiment', c.skv_experiment_info(index)).name);
+        const { name } = this.#library.view('skv_experiment', c.skv_experiment_info(index));
+        this.bytes(text, 'json', name, { particles: String(this.#amount(index)) });
     }
 
     /** What is open, from its start, with other settings. */

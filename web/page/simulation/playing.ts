@@ -69,7 +69,7 @@ export class Playing {
         this.#surroundings = surroundings;
         this.#chosen = particles;
         this.worlds = new Worlds(library, threads);
-        this.opening = new Opening(library, this.worlds.stage, (name) => this.#amount(name));
+        this.opening = new Opening(library, this.worlds.stage, (of) => this.#amount(of));
         this.#frames = new Frames(nextFrame, (seconds) => this.#pass(seconds));
         this.reader = new Reader(library);
         this.stopwatch = new Stopwatch(library, this.worlds);
@@ -77,11 +77,12 @@ export class Playing {
         this.style = c.skv_default_render_style();
     }
 
-    #amount(name: string) {
+    #amount(of: string | number) {
         const { library, threads, clock, painter } = this.#surroundings;
         this.#chosen ??= chooseAmount(library, threads, clock,
             (frame) => painter?.measure(frame, this.style, clock) ?? 0);
-        return library.c.skv_amount_of(name, this.#chosen);
+        return typeof of === 'number'
+            ? library.c.skv_experiment_particles(of, this.#chosen) : library.c.skv_amount_of(of, this.#chosen);
     }
 
     /** How many particles scenes begin with that would have 3000; 0: it is measured. */

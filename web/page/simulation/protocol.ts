@@ -27,6 +27,8 @@ export interface Simulation {
     openKept(bytes: Uint8Array, label: string): void;
     /** The set-up of an experiment, to play with. */
     openExperiment(index: number): void;
+    /** With how many an experiment begins where that many are chosen; 0: as it says itself. */
+    experimentParticles(index: number, chosen: number): Promise<number>;
     reset(): void;
     /** Back to the start, and all that was done since is played again. */
     replay(): void;
@@ -349,14 +351,14 @@ export interface Row {
 
 export type LabMessage =
     | { kind: 'moment'; share: number; curves: Curve[] }
-    | { kind: 'done'; rows: Row[]; curves: Curve[]; csv: string; svg: string }
+    | { kind: 'done'; particles: number; rows: Row[]; curves: Curve[]; csv: string; svg: string }
     /** Without words: its script did not come. */
     | { kind: 'failed'; error: string };
 
-/** lab.ts: runs an experiment in a worker of its own; what it returns ends that. */
+/** lab.ts: runs an experiment with as many particles as are chosen in a worker of its own; what it returns ends that. */
 export type RunExperiment = (
     index: number,
-    settings: Settings,
+    particles: number,
     tell: (message: LabMessage) => void,
 ) => () => void;
 

@@ -106,6 +106,10 @@ export class Simulator implements Simulation {
         this.#playing.attempt('open', () => this.#playing.opening.experiment(index));
     }
 
+    async experimentParticles(index: number, chosen: number) {
+        return this.#library.c.skv_experiment_particles(index, chosen);
+    }
+
     setParticles(count: number) {
         this.#playing.setParticles(Math.round(bounded(count, 0, steps.at(-1)!)));
     }

@@ -1,7 +1,7 @@
 // Lab: an experiment's card: question, prediction, measurement, comparison. Invariant: what theory says
 // is shown once something was measured, not before: who predicts shall not read it off.
 import type { ComponentChildren } from 'preact';
-import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Curve, Experiment, LabMessage, Row } from '../simulation/protocol';
 import { wordsOfFailure } from './errands';
 import { download } from './files';
@@ -9,8 +9,9 @@ import { Icon } from './Icon';
 import { predictions, runs, startExperiment, stopExperiment } from './labs';
 import { catalogue, showPanel, simulation, subject } from './model';
 import { Plot } from './Plot';
-import { short, withUnit } from './numbers';
-import { _, word } from './words';
+import { fixed, short, withUnit } from './numbers';
+import { preferences } from './preferences';
+import { _, say, word } from './words';
 
 function Part({ title, text, children }: { title: string; text: string; children?: ComponentChildren }) {
     return (
@@ -77,6 +78,16 @@ function shownCurves(latest: LabMessage | null | undefined): Curve[] {
     return latest.kind === 'done' ? curves : curves.filter(({ style }) => style !== 'theory');
 }
 
+/** With how many particles it is going to be measured. */
+function Amount({ index }: { index: number }) {
+    const { particles } = preferences.value;
+    const [count, setCount] = useState(0);
+    useEffect(() => void simulation.experimentParticles(index, particles).then(setCount), [index, particles]);
+    return (
+        <p class="caption">{count > 0 ? say(_('It is measured with %s particles.'), fixed(count, 0)) : '\u00a0'}</p>
+    );
+}
+
 function Measurement({ index, experiment }: { index: number; experiment: Experiment }) {
     const run = runs.value[index];
     const curves = shownCurves(run?.latest);
@@ -109,6 +120,7 @@ function Measurement({ index, experiment }: { index: number; experiment: Experim
                         {_('Play with the set-up')}
                     </button>
                 </p>
+                <Amount index={index} />
                 {run?.running && <progress aria-label={_('3. Measure')} value={run.share} />}
                 {curves.length > 0 ? (
                     <Plot
@@ -163,6 +175,7 @@ export default function Lab() {
                     {predictions.value[index] && (
                         <p class="quote">{`${_('Your prediction')}: ${predictions.value[index]}`}</p>
                     )}
+                    <p class="caption">{say(_('Measured with %s particles'), fixed(latest.particles, 0))}</p>
                     <Results rows={latest.rows} />
                     <p class="row">
                         <button

@@ -5,6 +5,7 @@ import { runExperiment } from '../simulation/lab';
 import type { LabMessage } from '../simulation/protocol';
 import { beginErrand } from './errands';
 import { measuring, paused, simulation } from './model';
+import { preferences } from './preferences';
 
 export interface Run {
     running: boolean;
@@ -57,5 +58,6 @@ export function startExperiment(index: number): void {
         else
             measuring.value = { index, share: message.share };
     };
-    stop = beginErrand(() => runExperiment(index, {}, hear), (error) => hear({ kind: 'failed', error }));
+    const { particles } = preferences.value;
+    stop = beginErrand(() => runExperiment(index, particles, hear), (error) => hear({ kind: 'failed', error }));
 }
