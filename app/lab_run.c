@@ -190,10 +190,9 @@ static void make_set_up(GTask *task, G_GNUC_UNUSED gpointer view, gpointer name,
                         G_GNUC_UNUSED GCancellable *stop)
 {
     GByteArray *bytes = g_byte_array_new();
-    const skv_experiment *experiment;
-    for (int i = 0; (experiment = skv_experiment_info(i)); i++)
-        if (g_str_equal(experiment->name, name))
-            skv_experiment_scene(i, add_bytes, bytes, NULL);
+    int found;
+    if (skv_experiment_find(name, &found, NULL) == SKV_OK)
+        skv_experiment_scene(found, add_bytes, bytes, NULL);
     g_task_return_pointer(task, bytes, (GDestroyNotify)g_byte_array_unref);
 }
 
@@ -202,13 +201,11 @@ static void on_set_up(GObject *view, GAsyncResult *result, G_GNUC_UNUSED gpointe
 {
     GByteArray *bytes = g_task_propagate_pointer(G_TASK(result), NULL);
     const void *data = bytes->len > 0 ? (const void *)bytes->data : "";
-    const skv_experiment *experiment;
     const char *name = g_task_get_task_data(G_TASK(result));
     skv_scene_options options = skv_default_scene_options();
-    int chosen = play_settings_number("particles", 0);
-    for (int i = 0; chosen > 0 && (experiment = skv_experiment_info(i)); i++)
-        if (g_str_equal(experiment->name, name))
-            options.particles = skv_experiment_particles(i, chosen);
+    int found, chosen = play_settings_number("particles", 0);
+    if (chosen > 0 && skv_experiment_find(name, &found, NULL) == SKV_OK)
+        options.particles = skv_experiment_particles(found, chosen);
     skv_stage_open_memory(play_view_stage(PLAY_VIEW(view)), data, bytes->len, "json", name,
                           &options);
     g_byte_array_unref(bytes);
