@@ -358,6 +358,15 @@ const trials = {
         assert.equal((await stateOf(page)).worlds[0].name, 'pool');
     },
 
+    async 'a page that is loaded anew stays, though a panel was entered last'(browser) {
+        const page = await begin(browser, small);
+        await page.evaluate(() => history.replaceState({ panel: true }, '')); // nothing of the page's lies behind
+        await page.reload();
+        await water(page);
+        await until(page, () => history.state?.panel !== true, 'nothing is entered');
+        assert.equal(new URL(page.url()).pathname, '/index.html');
+    },
+
     async 'a damaged link is refused in words'(browser) {
         const page = await browser.open('/index.html#1.AAAA', desk);
         await page.getByRole('alert').filter({ hasText: /damaged|cut short/ }).waitFor();

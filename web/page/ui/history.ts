@@ -16,6 +16,8 @@ function settle(): void {
 export function followHistory(): void {
     if (framed)
         return; // its entries would be the page's around it
+    if (isEntered()) // by a panel that was open when the page was loaded anew; what lies behind may be another page
+        history.replaceState(null, '');
     let due: number | undefined;
     effect(() => {
         void panel.value;
