@@ -267,18 +267,29 @@ void play_plot_show(PlayPlot *plot, const char *x_label, const char *y_label, do
     gtk_widget_queue_draw(GTK_WIDGET(plot));
 }
 
+static bool append(const char *text, size_t length, void *to)
+{
+    g_string_append_len(to, text, (gssize)length);
+    return true;
+}
+
 GString *play_plot_csv(PlayPlot *plot)
 {
-    GString *text = g_string_new(NULL);
-    g_string_append_printf(text, "series,%s,%s\n", plot->x_label, plot->y_label);
+    GString *text = g_string_new("series,");
+    skv_write_cell(plot->x_label, append, text);
+    g_string_append_c(text, ',');
+    skv_write_cell(plot->y_label, append, text);
+    g_string_append_c(text, '\n');
     char x[G_ASCII_DTOSTR_BUF_SIZE], y[G_ASCII_DTOSTR_BUF_SIZE];
     for (int i = 0; i < plot->count; i++) {
         const kept_curve *curve = &plot->curves[i];
         for (int k = 0; k < curve->count; k++) {
-            if (isfinite(curve->x[k]) && isfinite(curve->y[k]))
-                g_string_append_printf(text, "%s,%s,%s\n", curve->label,
-                                       g_ascii_formatd(x, sizeof x, "%.7g", curve->x[k]),
-                                       g_ascii_formatd(y, sizeof y, "%.7g", curve->y[k]));
+            if (!isfinite(curve->x[k]) || !isfinite(curve->y[k]))
+                continue;
+            skv_write_cell(curve->label, append, text);
+            g_string_append_printf(text, ",%s,%s\n",
+                                   g_ascii_formatd(x, sizeof x, "%.7g", curve->x[k]),
+                                   g_ascii_formatd(y, sizeof y, "%.7g", curve->y[k]));
         }
     }
     return text;

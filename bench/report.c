@@ -42,6 +42,11 @@ static void number(FILE *out, double value)
         fputc(',', out);
 }
 
+static bool take(const char *text, size_t length, void *out)
+{
+    return fwrite(text, 1, length, out) == length;
+}
+
 void bench_write_csv(FILE *out, const bench_report *report)
 {
     fputs("cpu,compiler,instruction_set,scene,law,viscosity,particles,threads,substeps,neighbours,"
@@ -55,9 +60,13 @@ void bench_write_csv(FILE *out, const bench_report *report)
     fputc('\n', out);
     for (int i = 0; i < report->count; i++) {
         const bench_row *row = &report->row[i];
-        fprintf(out, "%s,%s,%s,%s,%s,%s,%d,%d,%d", report->cpu, report->compiler,
-                report->instruction_set, row->what.scene, skv_law_name(row->what.law),
-                row->what.viscous ? "on" : "off", row->particles, row->threads, row->substeps);
+        skv_write_cell(report->cpu, take, out);
+        fputc(',', out);
+        skv_write_cell(report->compiler, take, out);
+        fputc(',', out);
+        fprintf(out, "%s,%s,%s,%s,%d,%d,%d", report->instruction_set, row->what.scene,
+                skv_law_name(row->what.law), row->what.viscous ? "on" : "off", row->particles,
+                row->threads, row->substeps);
         const double numbers[] = {row->neighbours,
                                   1e3 * row->fast.minimum,
                                   1e3 * row->fast.median,

@@ -96,6 +96,11 @@ SKV_API void skv_make_plain(char *text);
  * SKV_ERROR_FILE. It must not change or destroy what is being written. */
 typedef bool skv_write(const char *text, size_t length, void *user);
 
+/** Writes a text as one cell of a table of comma-separated values, as RFC 4180 has it: in quotes if
+ * it holds a comma, a quote or a line's end, its own quotes doubled. False if `write` says so.
+ * Thread-safe. */
+SKV_API bool skv_write_cell(const char *text, skv_write *write, void *user);
+
 /** Formats like snprintf in the C locale, whatever the program's locale is: at most `room` bytes
  * with the zero at the end; returns the length that the whole text has. Knows the conversions d i u
  * x X c s f e g and %, the flags - 0 + and # (of x), width, precision and the lengths hh h l ll z;

@@ -111,6 +111,12 @@ static void __attribute__((format(printf, 2, 3))) say(sink *out, const char *for
         out->failed = !out->write(text, length, out->user);
 }
 
+static void say_cell(sink *out, const char *text)
+{
+    if (!out->failed)
+        out->failed = !skv_write_cell(text, out->write, out->user);
+}
+
 /* Text inside an element. */
 static void say_escaped(sink *out, const char *text)
 {
@@ -286,10 +292,16 @@ skv_result skv_plot_write_svg(const skv_plot *p, skv_write *write, void *user, s
 skv_result skv_plot_write_csv(const skv_plot *p, skv_write *write, void *user, skv_error *error)
 {
     sink stream = {write, user, false}, *out = &stream;
-    say(out, "series,%s,%s\n", p->x_label, p->y_label);
+    say(out, "series,");
+    say_cell(out, p->x_label);
+    say(out, ",");
+    say_cell(out, p->y_label);
+    say(out, "\n");
     for (int c = 0; c < p->count; c++) {
-        for (int i = 0; i < p->curves[c].count; i++)
-            say(out, "%s,%.9g,%.9g\n", p->curves[c].label, p->curves[c].x[i], p->curves[c].y[i]);
+        for (int i = 0; i < p->curves[c].count; i++) {
+            say_cell(out, p->curves[c].label);
+            say(out, ",%.9g,%.9g\n", p->curves[c].x[i], p->curves[c].y[i]);
+        }
     }
     return end(out, error);
 }

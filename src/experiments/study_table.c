@@ -29,6 +29,18 @@ static void __attribute__((format(printf, 2, 3))) put(line *l, const char *forma
         l->length = LONGEST_LINE - 1;
 }
 
+static bool add(const char *text, size_t length, void *user)
+{
+    put(user, "%.*s", (int)length, text);
+    return true;
+}
+
+/* A text that may hold a comma. */
+static void put_cell(line *l, const char *text)
+{
+    skv_write_cell(text, add, l);
+}
+
 #define COLUMNS                                                                                    \
     "quantity,unit,measured,theory,ratio,tolerance,pass,starts,passed,"                            \
     "measured_deviation,ratio_deviation"
@@ -47,12 +59,12 @@ static void put_head(line *l, const skv_study *study)
 static void put_known(line *l, const skv_study *study, int run, const quantity *q)
 {
     skv_setting setting;
-    const char *quote = strchr(q->name, ',') ? "\"" : "";
     l->length = 0;
     put(l, "%s,%s,", skv_version(), study->experiment->info.name);
     for (int i = 0; skv_study_run_setting(study, run, i, &setting); i++)
         put(l, "%s,", setting.value);
-    put(l, "%s%s%s,%s", quote, q->name, quote, q->unit);
+    put_cell(l, q->name);
+    put(l, ",%s", q->unit);
 }
 
 static void put_number(line *l, double value)

@@ -402,29 +402,6 @@ static void reports_are_drawn_and_written(void **unused)
     skv_report_destroy(report);
 }
 
-static void odd_curves_are_drawn(void **unused)
-{
-    (void)unused;
-    skv_plot picture = {.title = "A & B < C", .x_label = "x", .y_label = "y"};
-    kept t = {0};
-    assert_int_equal(skv_plot_write_svg(&picture, kept_add, &t, NULL), SKV_OK);
-    assert_non_null(strstr(t.bytes, "A &amp; B &lt; C"));
-    skv_plot_point(&picture, 1, 1); /* belongs to no curve */
-    skv_plot_begin(&picture, "one point", SKV_CURVE_DOTS);
-    skv_plot_point(&picture, 1, -3);
-    skv_plot_point(&picture, (double)NAN, 2);
-    skv_plot_point(&picture, 2, (double)INFINITY);
-    assert_int_equal(picture.curves[0].count, 1);
-    kept_clear(&t);
-    assert_int_equal(skv_plot_write_svg(&picture, kept_add, &t, NULL), SKV_OK);
-    assert_null(strstr(t.bytes, "nan"));
-    for (int i = 0; i < MAX_CURVES; i++)
-        skv_plot_begin(&picture, "more", SKV_CURVE_LINE);
-    assert_true(picture.failed);
-    skv_plot_free(&picture);
-    kept_clear(&t);
-}
-
 static bool stop_at_half(const skv_lab_moment *moment, void *user)
 {
     *(double *)user = moment->share;
@@ -579,7 +556,6 @@ int main(void)
         cmocka_unit_test(theory_follows_the_parameters),
         cmocka_unit_test(a_flatter_tank_is_to_keep_more),
         cmocka_unit_test(reports_are_drawn_and_written),
-        cmocka_unit_test(odd_curves_are_drawn),
         cmocka_unit_test(an_experiment_can_be_stopped),
         cmocka_unit_test(an_experiment_can_be_watched),
         cmocka_unit_test(set_ups_can_be_played_with),

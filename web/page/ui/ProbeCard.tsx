@@ -8,6 +8,7 @@ import { Icon } from './Icon';
 import { showPanel, simulation, state, subject } from './model';
 import { Plot } from './Plot';
 import { readingText } from './numbers';
+import { tableOf } from './tables';
 import { _, quantityText, say, word } from './words';
 
 function curveOf(probe: Probe, channel: number, label: string, style: Curve['style']): Curve {
@@ -32,14 +33,6 @@ function curvesOf(probe: Probe, beside: Probe | undefined): Curve[] {
     return curves;
 }
 
-function saveCurves(curves: Curve[], x: string, y: string): void {
-    const lines = curves.flatMap(({ label, x: xs, y: ys }) =>
-        Array.from(xs, (at, i) => `${label},${Number(at.toPrecision(7))},${Number(ys[i].toPrecision(7))}`)
-            .filter((_line, i) => Number.isFinite(ys[i])),
-    );
-    download([`series,${x},${y}`, ...lines, ''].join('\n'), 'text/csv', 'readings.csv');
-}
-
 export default function ProbeCard() {
     const id = subject.value;
     const worlds = state.value?.worlds ?? [];
@@ -59,6 +52,7 @@ export default function ProbeCard() {
     const main = channelOf(probe);
     const yLabel = quantityText(main.name, main.unit);
     const curves = curvesOf(probe, beside);
+    const save = () => download(tableOf(curves, _('time (s)'), yLabel), 'text/csv', 'readings.csv');
     return (
         <>
             <h3>{`${id}  ${title}`}</h3>
@@ -75,7 +69,7 @@ export default function ProbeCard() {
                 ))}
             </dl>
             <div class="row">
-                <button type="button" class="text" onClick={() => saveCurves(curves, _('time (s)'), yLabel)}>
+                <button type="button" class="text" onClick={save}>
                     <Icon name="save" />
                     CSV
                 </button>
