@@ -6,17 +6,21 @@
 
 #include "base/assert.h"
 
+static bool is_plain(const char *text)
+{
+    for (; *text; text++)
+        if (*text == ',' || *text == '"' || *text == '\r' || *text == '\n')
+            return false;
+    return true;
+}
+
 bool skv_write_cell(const char *text, skv_write *write, void *user)
 {
     SKV_ASSERT_OR(text && write, false);
-    if (!text[strcspn(text, ",\"\r\n")])
+    if (is_plain(text))
         return write(text, strlen(text), user);
     bool written = write("\"", 1, user);
-    for (const char *at = text; written && *at;) {
-        size_t plain = strcspn(at, "\"");
-        bool quote = at[plain] == '"';
-        written = write(at, plain + quote, user) && (!quote || write("\"", 1, user));
-        at += plain + quote;
-    }
+    for (; written && *text; text++)
+        written = write(text, 1, user) && (*text != '"' || write("\"", 1, user));
     return written && write("\"", 1, user);
 }
