@@ -216,7 +216,20 @@ static char *say(const char *text)
     return said ? said : g_strdup(text);
 }
 
+/* As people write them: "to 1000 m/s²". */
+static char *spell_units(const char *text)
+{
+    static GRegex *squares;
+    if (!squares)
+        squares =
+            g_regex_new(" (kg/)?m(/s)?\\K\\^2", (GRegexCompileFlags)0, (GRegexMatchFlags)0, NULL);
+    return g_regex_replace_literal(squares, text, -1, 0, "²", (GRegexMatchFlags)0, NULL);
+}
+
 char *play_said(const char *english)
 {
-    return templates()->len > 0 ? say(english) : g_strdup(english);
+    char *said = templates()->len > 0 ? say(english) : g_strdup(english);
+    char *spelt = spell_units(said);
+    g_free(said);
+    return spelt;
 }

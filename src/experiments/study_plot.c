@@ -7,6 +7,7 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "base/unit.h"
 
 #include <string.h>
 
@@ -87,7 +88,9 @@ static void say_title(const panels *p, int run, char *title, size_t room)
 
 static void say_label(const char *name, const char *unit, char *text, size_t room)
 {
-    skv_format(text, room, *unit ? "%s (%s)" : "%s", name, unit);
+    char spelt[24];
+    skv_spell_unit(unit, spelt, sizeof spelt);
+    skv_format(text, room, *unit ? "%s (%s)" : "%s", name, spelt);
 }
 
 static void draw_points(const panels *p, int combination, int row, bool theory, skv_plot *plot)

@@ -2,11 +2,11 @@
  * number that was rounded. web/page/ui/numbers.ts does the same in the page's own thread. */
 #include "skvalp/numbers.h"
 
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/assert.h"
+#include "base/unit.h"
 
 #define NO_BREAK_SPACE "\u00a0"
 #define MINUS          "\u2212"
@@ -118,10 +118,7 @@ skv_unit skv_unit_of(const char *si, bool plain)
         if (strcmp(si, units[i].si) == 0)
             return units[i].known;
     skv_unit same = {"", 1, -1};
-    const char *power = strchr(si, '^');
-    bool square = power && power[1] == '2';
-    skv_format(same.name, sizeof same.name, "%.*s%s%s", square ? (int)(power - si) : INT_MAX, si,
-               square ? "²" : "", square ? power + 2 : "");
+    skv_spell_unit(si, same.name, sizeof same.name);
     return same;
 }
 

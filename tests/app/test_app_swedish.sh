@@ -55,7 +55,7 @@ done <<END
 $work/stor.png|stor.png: bilden har 9 000 x 40 bildpunkter; tillåtet är 16 till 8 192 åt vardera hållet
 $work/skadad.png|skadad.png: skadad PNG: en kontrollsumma är fel; spara den igen eller hämta ett annat exemplar
 $work/nyckel.json|nyckel.json:1: gravty: okänt fält; menade du gravity?
-$work/tal.json|tal.json:2: gravity.y: "tung" är inget tal; tillåtet är ett tal från −1 000 till 1 000 m/s^2
+$work/tal.json|tal.json:2: gravity.y: "tung" är inget tal; tillåtet är ett tal från −1 000 till 1 000 m/s²
 skvalp:1.abc|länk: den är skadad eller avklippt; kopiera hela
 END
 # What is worth saying of a scene that opens.

@@ -375,6 +375,23 @@ static void test_picture(void **state)
     skv_study_destroy(study);
 }
 
+/* Of what was measured and of what was swept: as the faces write them, not as tables do. */
+static void test_axes_have_units_for_people(void **state)
+{
+    (void)state;
+    static text picture;
+    skv_study *study = NULL;
+    const skv_setting sweep = {"gravity", "9.81,20"};
+    skv_study_plan plan = {
+        .experiment = number_of("hydrostatics"), .sweeps = &sweep, .sweep_count = 1};
+    assert_int_equal(skv_study_create(&plan, &study, NULL), SKV_OK);
+    assert_int_equal(skv_study_plot(study, take, &picture, NULL), SKV_OK);
+    assert_int_equal(count(picture.bytes, ">gravity (m/s²)<"), 7);
+    assert_int_equal(count(picture.bytes, ">volume kept (m²)<"), 1);
+    assert_int_equal(count(picture.bytes, "^"), 0);
+    skv_study_destroy(study);
+}
+
 static void test_pictures_that_cannot_be(void **state)
 {
     (void)state;
@@ -402,6 +419,7 @@ int main(void)
         cmocka_unit_test(test_damaged_tables_are_refused),
         cmocka_unit_test(test_starts_are_told_apart),
         cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_axes_have_units_for_people),
         cmocka_unit_test(test_pictures_that_cannot_be),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -116,7 +116,7 @@ test('what the library says of files and links is said in Swedish', async () => 
             'a.png: bilden har 9\u00a0000 x 40 bildpunkter; tillåtet är 16 till 8\u00a0192 åt vardera hållet'],
         ['a.json:1: gravty: unknown field; did you mean gravity?', 'a.json:1: gravty: okänt fält; menade du gravity?'],
         ['a.json:2: gravity.y: "a: b; c" is not a number; allowed is a number from -0.5 to 1000 m/s^2',
-            'a.json:2: gravity.y: "a: b; c" är inget tal; tillåtet är ett tal från −0,5 till 1\u00a0000 m/s^2'],
+            'a.json:2: gravity.y: "a: b; c" är inget tal; tillåtet är ett tal från −0,5 till 1\u00a0000 m/s²'],
         ['a.json:2: world: it is empty; allowed is { "name": value, ... }',
             'a.json:2: world: det är tomt; tillåtet är { "namn": värde, ... }'],
         ['link: it is damaged or cut short; copy all of it', 'länk: den är skadad eller avklippt; kopiera hela'],
@@ -130,6 +130,8 @@ test('what the library says of files and links is said in Swedish', async () => 
         expect(said(english)).toBe(swedish);
     await speak('en');
     expect(said(pairs[0][0])).toBe(pairs[0][0]);
+    expect(said('a^2.json: fluid.viscosity: it is empty; allowed is a number from 0 to 0.05 m^2/s')).toBe(
+        'a^2.json: fluid.viscosity: it is empty; allowed is a number from 0 to 0.05 m²/s');
 });
 
 test('texts over several lines, quoted signs and plurals are read', () => {

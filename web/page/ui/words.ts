@@ -31,8 +31,8 @@ export function word(text: string): string {
     return (typeof found === 'string' ? found : found?.[0]) ?? text;
 }
 
-/** A message of the library. */
-export const said = (text: string): string => sayer?.(text) ?? text;
+/** A message of the library, its units as people write them: "to 1000 m/s²". */
+export const said = (text: string): string => (sayer?.(text) ?? text).replace(/( (?:kg\/)?m(?:\/s)?)\^2/g, '$1²');
 
 /** A text of the page's own: xgettext finds these. */
 export const _ = word;
