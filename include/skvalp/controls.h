@@ -19,6 +19,7 @@ typedef struct skv_limits {
     int grip;                          /**< round a draggable point, pixels: a finger's width */
     int margin;                        /**< round the world, pixels: a lid's line and its shadow */
     const char *first_scene;           /**< that a newcomer sees */
+    int usual_amount;                  /**< of particles: the built-in scenes were made for it */
 } skv_limits;
 SKV_API const skv_limits *skv_control_limits(void);
 
@@ -100,8 +101,8 @@ SKV_API void skv_control_drag(skv_stage *stage, int side, uint32_t probe, int en
 /** The numbers of particles that people choose from, ascending; 0 past the last. */
 SKV_API int skv_amount_at(int i);
 /** With how many a scene begins where that many are chosen: those built in that say another number
- * than 3000 keep their share of it, files have just that many. 0, as it is, for states, replays and
- * links, and if 0 are chosen. */
+ * than skv_limits.usual_amount keep their share of it, files have just that many. 0, as it is, for
+ * states, replays and links, and if 0 are chosen. */
 SKV_API int skv_amount_of(const char *name_or_path, int chosen);
 
 /* ---- Comparing ------------------------------------------------------------------------------- */

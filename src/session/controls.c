@@ -13,6 +13,9 @@
 #define COUNT(table) ((int)(sizeof(table) / sizeof *(table)))
 #define AT(table, i) ((i) >= 0 && (i) < COUNT(table) ? &(table)[i] : NULL)
 
+/* Of particles. */
+#define USUAL_AMOUNT 3000
+
 static const skv_limits limits = {
     .least_brush = 0.004,
     .largest_brush = 0.25,
@@ -21,6 +24,7 @@ static const skv_limits limits = {
     .reach = 30 * 60,
     .grip = 22,
     .margin = 6,
+    .usual_amount = USUAL_AMOUNT,
     .first_scene = "dam-break",
 };
 
@@ -114,9 +118,7 @@ skv_going skv_control_going(const skv_stage *stage)
 
 /* ---- The number of particles ----------------------------------------------------------------- */
 
-#define STANDARD 3000 /* for which the built-in scenes were made */
-
-static const int amounts[] = {500, 1000, 2000, STANDARD, 5000, 10000, 20000};
+static const int amounts[] = {500, 1000, 2000, USUAL_AMOUNT, 5000, 10000, 20000};
 
 int skv_amount_at(int i)
 {
@@ -144,7 +146,7 @@ int skv_amount_of(const char *name_or_path, int chosen)
     skv_scene_destroy(scene);
     if (chosen <= 0 || (own == 0 && !is_scene(name_or_path)))
         return 0;
-    return own == 0 ? chosen : (int)(((int64_t)own * chosen + STANDARD / 2) / STANDARD);
+    return own == 0 ? chosen : (int)(((int64_t)own * chosen + USUAL_AMOUNT / 2) / USUAL_AMOUNT);
 }
 
 /* ---- The world and its tools ----------------------------------------------------------------- */

@@ -117,8 +117,13 @@ static void test_amounts(void **state)
 {
     (void)state;
     int count = 0;
-    for (int amount, before = 0; (amount = skv_amount_at(count)) > 0; count++, before = amount)
+    int usual = skv_control_limits()->usual_amount, times_usual = 0;
+    for (int amount, before = 0; (amount = skv_amount_at(count)) > 0; count++, before = amount) {
         assert_true(amount > before);
+        times_usual += amount == usual;
+    }
+    assert_int_equal(times_usual, 1);
+    assert_int_equal(skv_amount_of("fountain", usual), 1500);
     assert_int_equal(count, 7);
     assert_int_equal(skv_amount_at(-1), 0);
     assert_int_equal(skv_amount_of("pool", 0), 0);

@@ -4,8 +4,6 @@ import type { Library } from '../../src/library.js';
 import type { skv_frame } from '../../src/interface.js';
 import { using, withOptions } from '../../src/memory.js';
 
-import { steps } from './steps';
-
 /** s: half of a display's period is for stepping, three quarters are for that and drawing. */
 const forStepping = 0.008, forBoth = 0.0125;
 
@@ -13,10 +11,19 @@ const measured = 2000;
 /** The module's code is cold at first: the fastest frame tells, once it has not become faster. */
 const leastFrames = 6, unchangedFrames = 4, longest = 0.25;
 
-/** The largest step that a frame has time for. */
-export function largestWithin(secondsPerParticle: number, drawing = 0) {
+/** Few and far apart: a device that is measured twice gets the same one. */
+export function amountsOf({ c }: Library) {
+    const all: number[] = [];
+    for (let amount; (amount = c.skv_amount_at(all.length)) > 0;) {
+        all.push(amount);
+    }
+    return all;
+}
+
+/** The largest of them that a frame has time for. */
+export function largestWithin(amounts: number[], secondsPerParticle: number, drawing = 0) {
     const budget = Math.min(forStepping, forBoth - drawing);
-    return steps.findLast((count) => count * secondsPerParticle <= budget) ?? steps[0];
+    return amounts.findLast((count) => count * secondsPerParticle <= budget) ?? amounts[0];
 }
 
 /**
@@ -45,5 +52,5 @@ export function chooseAmount(library: Library, threads: number, clock: () => num
     const drawing = using(library, c.skv_world_frame(world), draw);
     c.skv_world_destroy(world);
     c.skv_scene_destroy(scene);
-    return largestWithin(best / count, drawing);
+    return largestWithin(amountsOf(library), best / count, drawing);
 }

@@ -5,6 +5,7 @@ import type { Library } from '../../src/library.js';
 import type { skv_field } from '../../src/interface.js';
 import { plain, table, using } from '../../src/memory.js';
 
+import { amountsOf } from './amount';
 import type { Catalogue, Field, Named } from './protocol';
 
 function typeOf(library: Library, type: number): Field['type'] {
@@ -72,6 +73,7 @@ export function makeCatalogue(library: Library): Catalogue {
         planets: table(library, 'skv_named_number', c.skv_planet_at).map(plain),
         keys: table(library, 'skv_key', c.skv_key_at).map(plain),
         refusals: texts(c.skv_refusal_words),
+        amounts: amountsOf(library),
         limits: plain(library.view('skv_limits', c.skv_control_limits())),
         parameters: parametersOf(library),
         sceneFields: fields(c.skv_scene_field),

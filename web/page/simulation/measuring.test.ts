@@ -97,7 +97,8 @@ test('the catalogue is complete, and plain', async () => {
     for (const list of Object.values(catalogue).filter(Array.isArray)) {
         expect(list.length).toBeGreaterThan(0);
     }
-    expect(catalogue.limits).toMatchObject({ frames_a_second: 60, first_scene: 'dam-break' });
+    expect(catalogue.limits).toMatchObject({ frames_a_second: 60, first_scene: 'dam-break', usual_amount: 3000 });
+    expect(catalogue.amounts).toEqual([500, 1000, 2000, 3000, 5000, 10000, 20000]);
     expect(catalogue.scenes.map(({ name }) => name)).toContain('dam-break');
     expect(catalogue.tools[0]).toMatchObject({ name: 'hand', key: '1' });
     expect(catalogue.dyes[0]).toBe('none');

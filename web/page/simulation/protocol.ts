@@ -309,6 +309,8 @@ export interface Catalogue {
     keys: Plain<skv_key>[];
     /** What to say of a refused number, and of a whole one. */
     refusals: string[];
+    /** The numbers of particles that people choose from. */
+    amounts: number[];
     limits: Plain<skv_limits>;
     /** What can be set while it runs, and what a scene or an experiment can be opened with. */
     parameters: Field[];

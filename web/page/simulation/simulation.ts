@@ -5,11 +5,11 @@
 import type { Library } from '../../src/library.js';
 import { table, written } from '../../src/memory.js';
 
+import { amountsOf } from './amount';
 import { makeCatalogue } from './catalogue';
 import { Playing, type Surroundings } from './playing';
 import { Pointers } from './pointers';
 import type { FileFormat, PointerMessage, Settings, Side, Simulation, Style } from './protocol';
-import { steps } from './steps';
 import { Tilt } from './tilt';
 
 /** Times what is felt; pixels. */
@@ -111,7 +111,7 @@ export class Simulator implements Simulation {
     }
 
     setParticles(count: number) {
-        this.#playing.setParticles(Math.round(bounded(count, 0, steps.at(-1)!)));
+        this.#playing.setParticles(Math.round(bounded(count, 0, amountsOf(this.#library).at(-1)!)));
     }
 
     change(settings: Settings) {

@@ -1,6 +1,5 @@
 // Pace: how fast it goes, what it costs, and what was chosen for that.
 import type { State } from '../simulation/protocol';
-import { standard, steps } from '../simulation/steps';
 import { chooseParticles } from './amounts';
 import { catalogue, simulation, state } from './model';
 import { fixed, quantity } from './numbers';
@@ -14,7 +13,7 @@ const SHARPEST = 2;
 function wordsOfChoices(now: State): string[] {
     const said = [];
     if (now.chosen !== null)
-        said.push(say(_('Scenes made for %s particles begin with %s on this device.'), fixed(standard, 0), fixed(now.chosen, 0)));
+        said.push(say(_('Scenes made for %s particles begin with %s on this device.'), fixed(catalogue.limits.usual_amount, 0), fixed(now.chosen, 0)));
     if (now.ratio < Math.min(window.devicePixelRatio, SHARPEST))
         said.push(_('Drawing is slow here: pictures are coarser than the screen.'));
     // Comes and goes: last, so that what is above it stays.
@@ -35,7 +34,7 @@ function Particles() {
                 value={particles}
                 onChange={(event) => chooseParticles(Number(event.currentTarget.value))}
             >
-                {[0, ...steps].map((count) => (
+                {[0, ...catalogue.amounts].map((count) => (
                     <option value={count} key={count}>
                         {count ? fixed(count, 0) : here}
                     </option>
