@@ -97,10 +97,13 @@ const trials = {
 
     async 'files are dropped, and a full storage keeps nothing'(browser) {
         const page = await begin(browser, small);
-        await drop(page, 'mine.json',
-            '{ "water": [{ "shape": "box", "y1": 0.3 }], "particles": 321 }');
+        await drop(page, 'mine.json', JSON.stringify({
+            particles: 321, water: [{ shape: 'box', y1: 0.3 }],
+            solid: [{ shape: 'line', points: [[0.2, 0.8], [0.8, 0.85]], thickness: 0.001 }],
+        }));
         await until(page, () => window.skvalp.state.value.worlds[0].name.startsWith('mine'),
             'a scene that was dropped');
+        await page.locator('.messages', { hasText: 'solid[0] is made 0.003 m thick, the least that holds water' }).waitFor();
         await drop(page, 'notes.txt', 'hello');
         await complaint(page, /no scene, picture, state or replay/);
         await drop(page, 'mine.json', '{ "particles": 1e99 }');

@@ -36,7 +36,7 @@ function choicesOf(library: Library, part: number): Named[] {
         .map(({ name, label, help }) => ({ name, title: label, help }));
 }
 
-function texts<T>(entry: (i: number) => T | null): T[] {
+export function texts<T>(entry: (i: number) => T | null): T[] {
     const all: T[] = [];
     for (let i = 0, text; (text = entry(i)) !== null; i++) {
         all.push(text);

@@ -112,6 +112,16 @@ test('states and replays are saved and open again', async () => {
     await expect(simulation.save('png')).rejects.toThrow();
 });
 
+test('what the library says of a scene is there while it is open', () => {
+    const trial = makeTrial();
+    const thin = '{"particles": 321, "water": [{"shape": "box", "y1": 0.3}], ' +
+        '"solid": [{"shape": "line", "points": [[0.2, 0.8], [0.8, 0.85]], "thickness": 0.001}]}';
+    trial.simulation.openBytes(new TextEncoder().encode(thin), 'json', 'thin.json');
+    expect(trial.state.worlds[0].notes).toEqual(['solid[0] is made 0.003 m thick, the least that holds water']);
+    trial.simulation.open('pool');
+    expect(trial.state.worlds[0].notes).toEqual([]);
+});
+
 test('a scene begins again with other settings', () => {
     const trial = makeTrial();
     const { simulation } = trial;

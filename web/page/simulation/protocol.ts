@@ -187,6 +187,8 @@ export interface WorldState {
     description: string;
     /** Changes when something else was opened. */
     opened: number;
+    /** What the library says of that scene: what it left out or changed. */
+    notes: string[];
     /** How that is to be shown; '' if it does not say. */
     view: string;
     overlays: string;

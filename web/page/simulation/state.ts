@@ -3,7 +3,7 @@ import type { Library } from '../../src/library.js';
 import type { Located, skv_picture, skv_probe } from '../../src/interface.js';
 import { using } from '../../src/memory.js';
 
-import { parametersOf } from './catalogue';
+import { parametersOf, texts } from './catalogue';
 import type { Legend, Probe, WorldState } from './protocol';
 import type { World, Worlds } from './worlds';
 
@@ -42,6 +42,7 @@ export class Reader {
             title: picture.title,
             description: picture.description,
             opened: picture.opened,
+            notes: picture.scene ? texts((i) => c.skv_scene_notice(picture.scene, i)) : [],
             view: picture.view,
             overlays: picture.overlays,
             time: frame.time,

@@ -69,8 +69,9 @@ function tell(said: Message, milliseconds: number): void {
     fading = window.setTimeout(() => (message.value = null), milliseconds);
 }
 
-export function toast(text: string): void {
-    tell({ text, fault: false }, 6000);
+/** @param notes that are to be read */
+export function toast(text: string, notes = 1): void {
+    tell({ text, fault: false }, 6000 * notes);
 }
 
 /** With a button, for which there is more time, as in the app. */

@@ -2,8 +2,8 @@
 import { effect } from '@preact/signals';
 import type { Report } from '../simulation/protocol';
 import { openScene } from './actions';
-import { catalogue, complain, state, toast, world } from './model';
-import { _ } from './words';
+import { catalogue, complain, message, state, toast, world } from './model';
+import { _, said } from './words';
 
 /** Who waits for what becomes of what was opened. */
 const waiting: ((error: string | null) => void)[] = [];
@@ -24,22 +24,26 @@ export function listenToReports(report: Report): void {
     }
 }
 
-let said = -1, shown = 0;
+let ended = -1, shown = 0;
 
-/** What was shared is seen as it was. */
+/** What was shared is seen as it was; what there is to say of a scene is said once. */
 effect(() => {
-    const { opened = 0, view, overlays = '' } = world.value ?? {};
-    if (view && shown !== opened)
-        void import('./Watching').then(({ adopt }) => adopt(view, overlays));
+    const { opened = 0, view, overlays = '', notes = [] } = world.value ?? {};
+    if (shown === opened)
+        return;
     shown = opened;
+    if (view)
+        void import('./Watching').then(({ adopt }) => adopt(view, overlays));
+    if (notes.length > 0 && !message.peek()?.offer)
+        toast(notes.map(said).join('; '), notes.length);
 });
 
 /** Of a recorded game that was played to its end is said whether it went as it went. */
 effect(() => {
     const now = state.value;
-    if (!now || said === now.worlds[0].opened || !(now.asRecorded || now.mismatch))
+    if (!now || ended === now.worlds[0].opened || !(now.asRecorded || now.mismatch))
         return;
-    said = now.worlds[0].opened;
+    ended = now.worlds[0].opened;
     if (now.asRecorded)
         toast(_('The end: it went exactly as it was recorded'));
     else
