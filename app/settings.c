@@ -16,6 +16,19 @@ void play_settings_load(void)
     g_key_file_load_from_file(file, path, G_KEY_FILE_NONE, NULL);
 }
 
+/* Another window may have written something meanwhile, which is not to get lost. */
+static void load_anew(void)
+{
+    GKeyFile *newer = g_key_file_new();
+    play_settings_load();
+    if (g_key_file_load_from_file(newer, path, G_KEY_FILE_NONE, NULL)) {
+        g_key_file_free(file);
+        file = newer;
+    } else {
+        g_key_file_free(newer);
+    }
+}
+
 static void save(void)
 {
     char *folder = g_path_get_dirname(path);
@@ -44,14 +57,14 @@ int play_settings_number(const char *key, int otherwise)
 
 void play_settings_set_text(const char *key, const char *value)
 {
-    play_settings_load();
+    load_anew();
     g_key_file_set_string(file, GROUP, key, value);
     save();
 }
 
 void play_settings_set_number(const char *key, int value)
 {
-    play_settings_load();
+    load_anew();
     g_key_file_set_integer(file, GROUP, key, value);
     save();
 }

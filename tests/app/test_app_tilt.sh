@@ -21,13 +21,15 @@ feel -1000 0
 start_app "$work/pool.json"
 await 'moment > 10 and water(0, 0, 100, 40) == 100'
 is 'gravity.x == 0 and gravity.y == -1' || fail "the sensor acts though it is off: $answer"
-# Switched on in the menu it acts at once: the right edge is down.
+# Switched on in the menu it acts at once: the right edge is down. What another window has kept meanwhile stays.
+printf 'ball=1\n' >>"$work/.config/skvalp/play.ini"
 key F10
 await 'menus() == 1'
 press 'Tilt by the Sensor'
 await 'closed() and gravity.x > 0.9 and abs(gravity.y) < 0.1'
 quit_app
 grep -q '^tilt=1' "$work/.config/skvalp/play.ini" || fail "that the sensor is on was not kept"
+grep -q '^ball=1' "$work/.config/skvalp/play.ini" || fail "what another window had kept is lost"
 
 # 2. On, and the screen turned: held upright, with its left edge up, the pool stays where it is; shaken
 # it splashes; tilted to the right it flows there.

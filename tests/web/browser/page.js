@@ -189,26 +189,32 @@ const trials = {
 
     async 'what was done goes on after the page was left, and what is damaged is refused in words'(browser) {
         const page = await begin(browser, small, '?scene=pool&particles=500');
+        const build = async (page) => {
+            await page.keyboard.press('2');
+            await page.mouse.move(150, 150);
+            await page.mouse.down();
+            await page.mouse.move(250, 160, { steps: 4 });
+            await page.mouse.up();
+            await until(page, () => window.skvalp.state.value.canUndo, 'a wall');
+        };
         const inStore = (mode, text) => page.evaluate(([mode, text]) => new Promise((resolve) => {
             const opening = indexedDB.open('skvalp');
             opening.onupgradeneeded = () => opening.result.createObjectStore('kept');
             opening.onsuccess = () => {
                 const transaction = opening.result.transaction('kept', mode), store = transaction.objectStore('kept');
-                const asked = text === null ? store.get('kept') : store.put({ title: '', bytes: new TextEncoder().encode(text) }, 'kept');
+                if (text !== null)
+                    store.clear();
+                const asked = text === null ? store.openCursor(null, 'prev') // the newest
+                    : store.put({ title: '', bytes: new TextEncoder().encode(text) }, 'kept');
                 transaction.oncomplete = () => {
                     opening.result.close();
-                    resolve(asked.result?.title ?? asked.result ?? '');
+                    resolve(asked.result?.value?.title ?? '');
                 };
             };
         }), [mode, text]);
         await page.keyboard.press('m');
         await page.locator('.chip').waitFor();
-        await page.keyboard.press('2');
-        await page.mouse.move(150, 150);
-        await page.mouse.down();
-        await page.mouse.move(250, 160, { steps: 4 });
-        await page.mouse.up();
-        await until(page, () => window.skvalp.state.value.canUndo, 'a wall');
+        await build(page);
         await page.keyboard.press(' ');
         await until(page, () => window.skvalp.state.value.paused, 'it waits');
         const { time } = (await stateOf(page)).worlds[0];
@@ -220,10 +226,23 @@ const trials = {
             }
         }
 
+        // Another tab, which is left later, keeps its own world beside it.
+        const other = await page.context().newPage();
+        await other.goto(page.url().replace(/\?.*/, '?scene=fountain&particles=500'));
+        await water(other);
+        await build(other);
+        await other.evaluate(() => window.dispatchEvent(new Event('pagehide')));
+        while (await inStore('readonly', null) !== 'Fountain') {
+            await page.waitForTimeout(50);
+        }
+        await other.close();
+
         await page.goto(page.url().replace(/\?.*/, ''));
         await water(page);
-        await page.getByText('Kept: Pool').waitFor();
+        await page.getByText('Kept: Fountain').waitFor();
         await button(page, 'Go On There').click();
+        await until(page, () => window.skvalp.state.value.worlds[0].name === 'fountain', 'the newest goes on');
+        await chooseFromMenu(page, 'Go On Where You Were');
         await until(page, ([time]) => {
             const { worlds: [world], paused, moment } = window.skvalp.state.value;
             return world.name === 'pool' && world.time === time && world.probes.length === 1 && paused && moment === 0;
@@ -438,6 +457,11 @@ const trials = {
         await page.waitForTimeout(500);
         const { moment, paused, worlds: [{ name }] } = await stateOf(page);
         assert.deepEqual([moment, paused, name], [0, true, 'pool']);
+        const kept = (changes) => page.evaluate((changes) => {
+            localStorage.skvalp = JSON.stringify({ ...JSON.parse(localStorage.skvalp), ...changes });
+            return JSON.parse(localStorage.skvalp);
+        }, changes);
+        await kept({ si: true }); // as another tab does
         await page.keyboard.press('t'); // which is kept, and nothing with it
         await until(page, () => window.skvalp.state.value.style.overlays.includes('tracers'), 'what was chosen');
         await page.goto(page.url().replace(/\?.*/, ''));
@@ -446,6 +470,7 @@ const trials = {
         await button(page, 'Pause').waitFor();
         const { style: { view, overlays }, worlds: [{ name: scene }] } = await stateOf(page);
         assert.deepEqual([view, overlays, scene], ['water', ['tracers'], 'dam-break']);
+        assert.ok((await kept({})).si, 'what another tab had kept is lost');
 
         page = await begun(small, '?scene=nowhere');
         await page.getByRole('alert').filter({ hasText: 'no scene of this name' }).waitFor();

@@ -53,18 +53,17 @@ function load(): Preferences {
     return loaded as unknown as Preferences;
 }
 
-let kept = load();
-/** What counts now: what is kept, but for what was said for this visit alone. */
-export const preferences = signal(kept);
+/** What counts now: what was kept, but for what was said for this visit alone. */
+export const preferences = signal(load());
 
 /** @param keeps whether it outlives the visit: what the address or a page around this one says does not */
 export function prefer(changes: Partial<Preferences>, keeps = true): void {
     preferences.value = { ...preferences.value, ...changes };
     if (!keeps)
         return;
-    kept = { ...kept, ...changes };
     try {
-        localStorage.setItem(KEY, JSON.stringify(kept));
+        // Another tab may have kept something meanwhile.
+        localStorage.setItem(KEY, JSON.stringify({ ...load(), ...changes }));
     } catch {
         // It holds until the page is left.
     }
