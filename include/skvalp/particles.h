@@ -119,6 +119,13 @@ SKV_API int skv_fill_count(const skv_terrain *terrain, float spacing, const skv_
  */
 SKV_API skv_result skv_world_settle(skv_world *world, skv_error *error);
 
+/** The same where it is known how the fluid was drawn: `inside` tells whether fluid is drawn at a
+ * point (null: as skv_world_settle). A surface that is drawn uneven by more than a spacing, as a
+ * wave, keeps that shape instead of being levelled, and begins in the balance that it would have if
+ * it were held. */
+SKV_API skv_result skv_world_settle_drawn(skv_world *world, skv_inside *inside, void *user,
+                                          skv_error *error);
+
 /** A particle to add. */
 typedef struct skv_particle {
     float x, y;   /**< m */

@@ -3,7 +3,8 @@
  * Cells are so large that each one inside a fresh lattice holds a particle. Those that touch, with
  * no wall between, are a region; those of it above each other are a column. What is beside a cell
  * of it is fluid, a wall, or air. A region rests if there is no air below or beside it, all the air
- * above it is at one level, and no fluid of it stands higher, below a roof.
+ * above it is at one level, and no fluid of it stands higher, below a roof. If its surface is drawn
+ * less even than particles can hide, it rests below that surface.
  *
  * Invariant: cells, and what is found of them, follow from the particles and their order alone.
  */
@@ -18,6 +19,8 @@
 #define WALL_REACH 4.0f /* spacings: from one cell's particle to the next one's */
 #define AIR        4.0f /* spacings: through a cell, another, and a row that is missing at a wall */
 #define ONE_LEVEL  3.0f /* spacings: two cells */
+#define EVEN       1.0f /* spacings: what particles can't show of a drawn surface */
+#define DRAWN_STEP 0.125f /* spacings: in which it is looked for */
 
 /* Beside a cell: above, below, and to either side. */
 enum { ABOVE, BELOW, SIDES = 2, NEIGHBOURS = 4 };
@@ -27,6 +30,7 @@ static const int row_step[NEIGHBOURS] = {1, -1, 0, 0};
 typedef struct cell {
     int column, row;        /* across gravity, and against it */
     int particle;           /* one of its */
+    int highest;            /* of its particles */
     int next;               /* in the same slot, as in `head` */
     int region;             /* -1 at first */
     unsigned air;           /* a bit for each side with air beside it */
@@ -38,9 +42,11 @@ typedef struct cell {
 
 typedef struct region {
     float top; /* its highest particle, along gravity; a roof may keep it from the air */
-    float highest, lowest; /* its free surface, along gravity */
-    float lowest_side;     /* the lowest place with air beside it */
-    bool falls;            /* there is air below some of it */
+    float highest, lowest;    /* its free surface, along gravity */
+    float lowest_side;        /* the lowest place with air beside it */
+    bool falls;               /* there is air below some of it */
+    int first, end;           /* columns; some of its cells are in each between */
+    skv_drawn_surface *drawn; /* null: it is even */
 } region;
 
 typedef struct regions {
@@ -107,6 +113,8 @@ static void put_into_cells(regions *b)
         int column = cell_number(b, across(b, i)), row = cell_number(b, height);
         cell *c = find(b, column, row);
         if (c) {
+            if (height > c->high)
+                c->highest = i;
             c->high = skv_maxf(c->high, height);
             c->low = skv_minf(c->low, height);
             b->cell_of[i] = (int)(c - b->cells);
@@ -116,6 +124,7 @@ static void put_into_cells(regions *b)
         b->cells[b->cell_count] = (cell){.column = column,
                                          .row = row,
                                          .particle = i,
+                                         .highest = i,
                                          .next = *slot,
                                          .region = -1,
                                          .high = height,
@@ -201,14 +210,20 @@ static void note_air(region *whole, const cell *c, int side)
 static void spread(regions *b, cell *first, int number)
 {
     region *whole = &b->regions[number];
-    *whole = (region){
-        .top = -INFINITY, .highest = -INFINITY, .lowest = INFINITY, .lowest_side = INFINITY};
+    *whole = (region){.top = -INFINITY,
+                      .highest = -INFINITY,
+                      .lowest = INFINITY,
+                      .lowest_side = INFINITY,
+                      .first = first->column,
+                      .end = first->column + 1};
     first->region = number;
     int waiting = 0;
     b->stack[waiting++] = (int)(first - b->cells);
     while (waiting) {
         const cell *c = &b->cells[b->stack[--waiting]];
         whole->top = skv_maxf(whole->top, c->high);
+        whole->first = c->column < whole->first ? c->column : whole->first;
+        whole->end = c->column >= whole->end ? c->column + 1 : whole->end;
         for (int side = 0; side < NEIGHBOURS; side++) {
             cell *beside = connected(b, c, side);
             if (!beside) {
@@ -222,7 +237,7 @@ static void spread(regions *b, cell *first, int number)
     }
 }
 
-static bool rests(const regions *b, const region *whole)
+static bool is_level(const regions *b, const region *whole)
 {
     float step = ONE_LEVEL * b->world->fluid.spacing;
     return !whole->falls && !(whole->top - whole->lowest > step) &&
@@ -270,63 +285,142 @@ static void measure_columns(const regions *b)
             measure_like_above(b, &b->cells[c]);
 }
 
+/* ---- Drawn surfaces -------------------------------------------------------------------------- */
+
+/* The height up to which fluid is drawn above a particle. */
+static float find_drawn_height(const regions *b, const skv_drawing *drawing, int particle)
+{
+    const skv_state *s = &b->world->state;
+    float step = DRAWN_STEP * b->world->fluid.spacing, up = 0;
+    while (up + step < ONE_LEVEL * b->world->fluid.spacing &&
+           drawing->inside(s->x[particle] + (up + step) * b->ux,
+                           s->y[particle] + (up + step) * b->uy, drawing->user))
+        up += step;
+    return along(b, particle) + up;
+}
+
+/* Whether there is air straight above a cell, though there may be fluid aside. */
+static bool is_open_above(const regions *b, const cell *c)
+{
+    const skv_state *s = &b->world->state;
+    float x = s->x[c->highest], y = s->y[c->highest], reach = AIR * b->world->fluid.spacing;
+    return c->air & 1u << ABOVE || (!find(b, c->column, c->row + 1) &&
+                                    !(skv_terrain_sweep(b->world->terrain, x, y, x + reach * b->ux,
+                                                        y + reach * b->uy, 0) < 1));
+}
+
+/* Whether a region rests below its drawn surface: where that is uneven but not steep, as that of a
+ * dam is; and below roofs only if its particles are level. */
+static bool rests_below(const regions *b, const region *whole, const skv_drawn_surface *drawn)
+{
+    if (!skv_drawn_is_uneven(drawn, EVEN * b->world->fluid.spacing))
+        return false;
+    return is_level(b, whole) || (!whole->falls && skv_drawn_is_gentle(drawn));
+}
+
+/* Finds the surfaces of regions. A region's columns follow one another, for its cells touch: all
+ * regions together have no more columns than cells. */
+static void find_drawn_surfaces(const regions *b, const skv_drawing *drawing, int count,
+                                const skv_lies *lies)
+{
+    skv_drawn_place *places = lies->places;
+    for (int r = 0; r < count; r++) {
+        const region *whole = &b->regions[r];
+        lies->surfaces[r] =
+            (skv_drawn_surface){b->size, whole->first, whole->end - whole->first, places};
+        places += lies->surfaces[r].count;
+    }
+    for (const cell *c = b->cells; c < b->cells + b->cell_count; c++)
+        if (is_open_above(b, c))
+            skv_drawn_note(&lies->surfaces[c->region], c->column, across(b, c->highest),
+                           find_drawn_height(b, drawing, c->highest));
+    for (int r = 0; r < count; r++)
+        if (rests_below(b, &b->regions[r], &lies->surfaces[r])) {
+            skv_drawn_bridge(&lies->surfaces[r]);
+            b->regions[r].drawn = &lies->surfaces[r];
+        }
+}
+
 /* ---- Particles ------------------------------------------------------------------------------- */
 
-static void judge(const regions *b, skv_lies *lies)
+static void judge(const regions *b, const skv_lies *lies)
 {
     float half = 0.5f * b->world->fluid.spacing;
     for (int i = 0; i < b->world->state.count; i++) {
         const cell *c = cell_of(b, i);
         const region *whole = &b->regions[c->region];
-        bool resting = rests(b, whole);
+        bool resting = whole->drawn || is_level(b, whole);
         lies->lie[i] = (uint8_t)(resting ? SKV_RESTS : c->carried ? SKV_LEANS : SKV_HANGS);
         /* Below a roof the level outside counts. */
-        float level = resting && whole->highest > c->high ? whole->highest : c->high;
-        float whole_depth = level + half - (c->low - half), depth = level + half - along(b, i);
+        float level = (resting && whole->highest > c->high ? whole->highest : c->high) + half;
+        float slope;
+        lies->drawn[i] = whole->drawn;
+        if (whole->drawn)
+            skv_drawn_look(whole->drawn, across(b, i), &level, &slope);
+        float whole_depth = level - (c->low - half), depth = level - along(b, i);
         float weight = 0.5f * (whole_depth * whole_depth - depth * depth);
         lies->weight[i] = lies->lie[i] == SKV_HANGS ? 0 : skv_maxf(weight, 0);
     }
 }
 
-skv_result skv_world_find_lies(const skv_world *world, skv_lies *lies, skv_error *error)
+static void find_lies(regions *b, const skv_drawing *drawing, const skv_lies *lies)
 {
-    int count = world->state.count;
+    int count = 0;
+    put_into_cells(b);
+    connect_cells(b);
+    look_for_air(b);
+    for (int c = 0; c < b->cell_count; c++)
+        if (b->cells[c].region < 0)
+            spread(b, &b->cells[c], count++);
+    if (drawing->inside)
+        find_drawn_surfaces(b, drawing, count, lies);
+    measure_columns(b);
+    judge(b, lies);
+}
+
+skv_result skv_world_find_lies(const skv_world *world, const skv_drawing *drawing, skv_lies *lies,
+                               skv_error *error)
+{
+    size_t most = (size_t)world->state.count;
     float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
-    for (int i = 0; i < count; i++) {
-        lies->lie[i] = SKV_HANGS;
-        lies->weight[i] = 0;
-    }
-    if (!(g > 0) || count == 0)
+    *lies = (skv_lies){.lie = skv_calloc(most, sizeof *lies->lie), /* SKV_HANGS */
+                       .weight = skv_calloc(most, sizeof *lies->weight),
+                       .drawn = skv_calloc(most, sizeof *lies->drawn),
+                       .surfaces = skv_calloc(most, sizeof *lies->surfaces),
+                       .places = skv_calloc(most, sizeof *lies->places)};
+    bool enough = lies->lie && lies->weight && lies->drawn && lies->surfaces && lies->places;
+    if (enough && !(g > 0))
         return SKV_OK;
-    float spacing = world->fluid.spacing;
+    lies->ux = -world->gravity_x / g;
+    lies->uy = -world->gravity_y / g;
     regions b = {.world = world,
-                 .ux = -world->gravity_x / g,
-                 .uy = -world->gravity_y / g,
-                 .size = CELL_SIZE * spacing,
+                 .ux = lies->ux,
+                 .uy = lies->uy,
+                 .size = CELL_SIZE * world->fluid.spacing,
                  .mask = 1023};
-    while (b.mask < (unsigned)count)
+    while (b.mask < (unsigned)most)
         b.mask = 2 * b.mask + 1;
-    size_t most = (size_t)count;
     b.head = skv_calloc((size_t)b.mask + 1, sizeof *b.head);
     b.cells = skv_calloc(most, sizeof *b.cells);
     b.regions = skv_calloc(most, sizeof *b.regions);
     b.stack = skv_calloc(most, sizeof *b.stack);
     b.cell_of = skv_calloc(most, sizeof *b.cell_of);
-    bool enough = b.head && b.cells && b.regions && b.stack && b.cell_of;
-    if (enough) {
-        put_into_cells(&b);
-        connect_cells(&b);
-        look_for_air(&b);
-        for (int c = 0, number = 0; c < b.cell_count; c++)
-            if (b.cells[c].region < 0)
-                spread(&b, &b.cells[c], number++);
-        measure_columns(&b);
-        judge(&b, lies);
-    }
+    enough = enough && b.head && b.cells && b.regions && b.stack && b.cell_of;
+    if (enough)
+        find_lies(&b, drawing, lies);
     skv_free(b.head);
     skv_free(b.cells);
     skv_free(b.regions);
     skv_free(b.stack);
     skv_free(b.cell_of);
     return enough ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");
+}
+
+void skv_lies_destroy(skv_lies *lies)
+{
+    skv_free(lies->lie);
+    skv_free(lies->weight);
+    skv_free((void *)lies->drawn);
+    skv_free(lies->surfaces);
+    skv_free(lies->places);
 }

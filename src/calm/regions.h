@@ -3,6 +3,7 @@
 #ifndef SKV_CALM_REGIONS_H
 #define SKV_CALM_REGIONS_H
 
+#include "calm/drawn.h"
 #include "world/world_internal.h"
 
 /* How a particle lies. */
@@ -13,13 +14,27 @@ typedef enum skv_lie {
 } skv_lie;
 
 typedef struct skv_lies {
+    float ux, uy;  /* upwards; 0 without gravity */
     uint8_t *lie;  /* skv_lie, of each particle */
     float *weight; /* the integral of the depth, from the bottom of a particle's column up to it,
                       m^2; 0 for what hangs */
+    /* Of each particle that rests below a surface that is drawn uneven; else null. */
+    const skv_drawn_surface **drawn;
+    skv_drawn_surface *surfaces; /* of regions */
+    skv_drawn_place *places;     /* of surfaces */
 } skv_lies;
 
-/* Finds out, for gravity as it is, and writes to arrays with room for all particles. Without
- * gravity all of them hang. */
-skv_result skv_world_find_lies(const skv_world *world, skv_lies *lies, skv_error *error);
+/* Where fluid is drawn, which may be finer than its particles; null: nobody knows. */
+typedef struct skv_drawing {
+    skv_inside *inside;
+    void *user;
+} skv_drawing;
+
+/* Finds out, for gravity as it is. Without gravity all of them hang. The lies are to be destroyed,
+ * even on failure. */
+skv_result skv_world_find_lies(const skv_world *world, const skv_drawing *drawing, skv_lies *lies,
+                               skv_error *error);
+
+void skv_lies_destroy(skv_lies *lies);
 
 #endif

@@ -9,7 +9,8 @@
  * own: a stiff fluid hardly moves once its neighbours are in its way. They end when all is calm.
  *
  * Only fluid that rests has its weight meanwhile. What is going to flow or to fall is relaxed
- * without any, and so keeps its shape; it takes on the weight at last.
+ * without any, and so keeps its shape; it takes on the weight at last. Fluid that rests below an
+ * uneven surface is held up by a force with the potential of that surface's height.
  *
  * Invariant: time, velocities and the order of the particles stay; the same world gives the same
  * places on any number of threads.
@@ -98,6 +99,17 @@ static void keep_beginning(const settling *s, bool back)
     }
 }
 
+/* The slope of the surface that is drawn above a particle, to the right of upwards. */
+static float find_slope(const settling *s, int i)
+{
+    const skv_state *p = &s->world->state;
+    const skv_drawn_surface *drawn = s->lies.drawn[i];
+    float height, slope = 0;
+    if (drawn)
+        skv_drawn_look(drawn, p->x[i] * s->lies.uy - p->y[i] * s->lies.ux, &height, &slope);
+    return slope;
+}
+
 /* Takes a round. Pressures cost a seventh, so only the last one has them. Where it turns out to
  * have been the last when it is over, it is taken `again`. */
 static skv_result take_round(const settling *s, bool last, bool again, skv_error *error)
@@ -108,9 +120,9 @@ static skv_result take_round(const settling *s, bool last, bool again, skv_error
         keep_beginning(s, again);
     float x = world->gravity_x * s->constants.dt, y = world->gravity_y * s->constants.dt;
     for (int i = 0; i < p->count; i++) {
-        float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0;
-        p->vx[i] = s->kept * p->vx[i] + weighs * x;
-        p->vy[i] = s->kept * p->vy[i] + weighs * y;
+        float weighs = s->lies.lie[i] == SKV_RESTS ? 1 : 0, slope = find_slope(s, i);
+        p->vx[i] = s->kept * p->vx[i] + weighs * (x - slope * y);
+        p->vy[i] = s->kept * p->vy[i] + weighs * (y + slope * x);
     }
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
     skv_solver_step step = skv_world_describe_step(world, &s->constants, forces);
@@ -239,6 +251,12 @@ static void finish(const settling *s)
 
 skv_result skv_world_settle(skv_world *world, skv_error *error)
 {
+    return skv_world_settle_drawn(world, NULL, NULL, error);
+}
+
+skv_result skv_world_settle_drawn(skv_world *world, skv_inside *inside, void *user,
+                                  skv_error *error)
+{
     SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
     skv_state *p = &world->state;
     size_t count = (size_t)p->count;
@@ -248,19 +266,16 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
     s.work = measure_work(world);
-    float *numbers = skv_calloc((3 + BEGINNINGS) * count, sizeof *numbers);
-    s.lies.lie = skv_calloc(count, sizeof *s.lies.lie);
-    skv_result result = SKV_OK;
-    if (!numbers || !s.lies.lie)
+    float *numbers = skv_calloc((2 + BEGINNINGS) * count, sizeof *numbers);
+    world->busy = SKV_READ;
+    skv_result result = skv_world_find_lies(world, &(skv_drawing){inside, user}, &s.lies, error);
+    world->busy = SKV_IDLE;
+    if (!numbers) {
         result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");
-    if (result == SKV_OK) {
+    } else if (result == SKV_OK) {
         s.vx = numbers;
         s.vy = numbers + count;
-        s.lies.weight = numbers + 2 * count;
-        s.before = numbers + 3 * count;
-        result = skv_world_find_lies(world, &s.lies, error);
-    }
-    if (result == SKV_OK) {
+        s.before = numbers + 2 * count;
         memcpy(s.vx, p->vx, count * sizeof(float));
         memcpy(s.vy, p->vy, count * sizeof(float));
         memset(p->vx, 0, count * sizeof(float));
@@ -272,6 +287,6 @@ skv_result skv_world_settle(skv_world *world, skv_error *error)
         finish(&s);
     }
     skv_free(numbers);
-    skv_free(s.lies.lie);
+    skv_lies_destroy(&s.lies);
     return result;
 }

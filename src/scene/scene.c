@@ -80,8 +80,9 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
         result = tend_fluid(scene, world, error);
     if (result == SKV_OK)
         result = skv_scene_set_acting(scene, world, error);
+    water.thinning = 0; /* which is not drawn */
     if (result == SKV_OK && scene->settle)
-        result = skv_world_settle(world, error);
+        result = skv_world_settle_drawn(world, skv_water_inside, &water, error);
     return result;
 }
 

@@ -177,6 +177,64 @@ static void a_dam_keeps_its_face(void **unused)
     expect_face("{\"water\": [{\"shape\": \"box\", \"x1\": 0.4}]}");
 }
 
+/* The pool with a surface of 81 points: `height` of `amplitude` times a cosine of `waves` lengths,
+ * or of a straight line if there are none. */
+static void draw_wave(char text[8000], double height, double amplitude, double waves)
+{
+    int used = sprintf(text, "{\"water\": [{\"shape\": \"polygon\", \"points\": [[0, 0]");
+    for (int i = 0; i <= 80; i++) {
+        double share = i / 80.0;
+        double up = waves > 0 ? cos(6.283185307179586 * waves * share) : 2 * share - 1;
+        used += sprintf(text + used, ", [%.4f, %.5f]", 1.6 * share, height + amplitude * up);
+    }
+    sprintf(text + used, ", [1.6, 0]]}]}");
+}
+
+/* How far the highest places, in bands of a spacing and a half, go along with the wave: its
+ * amplitude, m. */
+static double measure_wave(const skv_world *world, double waves)
+{
+    skv_particles p = skv_world_particles(world);
+    int bands = (int)(1.6 / (1.5 * skv_world_spacing(world)));
+    double highest[256] = {0}, product = 0, square = 0;
+    assert_true(bands < 256);
+    for (int i = 0; i < p.count; i++) {
+        int band = (int)fmin(p.x[i] / 1.6 * bands, bands - 1);
+        highest[band] = fmax(highest[band], p.y[i]);
+    }
+    for (int i = 0; i < bands; i++) {
+        double share = (i + 0.5) / bands;
+        double up = waves > 0 ? cos(6.283185307179586 * waves * share) : 2 * share - 1;
+        product += highest[i] * up;
+        square += up * up;
+    }
+    return product / square;
+}
+
+/* A surface that is drawn out of balance by more than a spacing stays so, and swings. Less, which
+ * particles can't show, is levelled. */
+static void a_wave_stays_as_it_is_drawn(void **unused)
+{
+    (void)unused;
+    const struct {
+        double amplitude, waves; /* m */
+        int particles;
+        bool stays;
+    } cases[] = {{0.02, 4, 1000, true},   {0.02, 4, 3000, true},  {0.02, 1, 1500, true},
+                 {0.03, 0, 900, true},    {0.02, 0, 2000, true},  {0.06, 2, 1100, true},
+                 {0.005, 3, 1000, false}, {0.003, 0, 2000, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[8000];
+        draw_wave(text, 0.45, cases[i].amplitude, cases[i].waves);
+        skv_world *world = open_scene(text, cases[i].particles, "0", true, 1);
+        double now = measure_wave(world, cases[i].waves) / cases[i].amplitude;
+        double speed = unrest(world);
+        if (cases[i].stays ? !(now > 0.8 && speed > 0.04) : !(fabs(now) < 0.1 && speed < 0.02))
+            fail_msg("case %d: %.2f of its height, then %.3f m/s", (int)i, now, speed);
+        skv_world_destroy(world);
+    }
+}
+
 /* The centre of the particles above a height, the diameter of a disc that is as wide, and their
  * number. */
 static int measure_above(const skv_world *world, float height, double *x, double *y,
@@ -278,6 +336,32 @@ static void a_host_may_settle(void **unused)
     }
 }
 
+static bool drawn_slope(float x, float y, void *user)
+{
+    return y < 0.3f + *(const float *)user * x;
+}
+
+/* A host tells how fluid was drawn: else the same slope is levelled. */
+static void a_host_may_say_how_it_is_drawn(void **unused)
+{
+    (void)unused;
+    float slope = 0.04f;
+    for (int told = 0; told < 2; told++) {
+        skv_world *world = fixture_tank_with(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0.04f);
+        skv_fill_def def = skv_default_fill_def();
+        def.inside = drawn_slope;
+        def.user = &slope;
+        assert_int_equal(skv_world_fill(world, &def, NULL, NULL), SKV_OK);
+        assert_int_equal(told ? skv_world_settle_drawn(world, drawn_slope, &slope, NULL)
+                              : skv_world_settle_drawn(world, NULL, NULL, NULL),
+                         SKV_OK);
+        double half = measure_wave(world, 0), drawn = 0.8 * (double)slope;
+        if (told ? !(half > 0.7 * drawn) : !(half < 0.2 * drawn))
+            fail_msg("told %d: %.4f of %.4f m", told, half, drawn);
+        skv_world_destroy(world);
+    }
+}
+
 static bool count_question(void *user)
 {
     ++*(int *)user;
@@ -334,10 +418,12 @@ int main(void)
         cmocka_unit_test(pools_begin_at_rest),
         cmocka_unit_test(any_vessel_begins_at_rest),
         cmocka_unit_test(a_dam_keeps_its_face),
+        cmocka_unit_test(a_wave_stays_as_it_is_drawn),
         cmocka_unit_test(what_is_in_the_air_stays_and_keeps_its_speed),
         cmocka_unit_test(gravity_may_point_anywhere),
         cmocka_unit_test(settling_is_deterministic),
         cmocka_unit_test(a_host_may_settle),
+        cmocka_unit_test(a_host_may_say_how_it_is_drawn),
         cmocka_unit_test(fine_pictures_get_fewer_rounds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
