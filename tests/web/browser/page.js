@@ -39,6 +39,8 @@ const trials = {
         await button(page, 'Play').waitFor();
         const second = await page.locator('canvas').first().screenshot();
         assert.notDeepEqual(first, second, 'the picture has not changed');
+        assert.match(await page.locator('canvas.canvas').evaluate((canvas) => getComputedStyle(canvas).objectFit),
+            /contain|scale-down/, 'a picture that is not drawn in its new size yet is stretched');
         const { moment } = await stateOf(page);
         await page.keyboard.press('.');
         await page.waitForFunction((before) => window.skvalp.state.value.moment === before + 1, moment);
