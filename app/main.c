@@ -5,6 +5,7 @@
 
 #include "actions.h"
 #include "quit.h"
+#include "thumbnails.h"
 #include "window.h"
 #include "words.h"
 
@@ -73,5 +74,6 @@ int main(int argc, char **argv)
     g_signal_connect(application, "activate", G_CALLBACK(on_activate), (gpointer)scene);
     int status = g_application_run(G_APPLICATION(application), 1, argv);
     g_object_unref(application);
+    play_thumbnails_finish();
     return status;
 }

@@ -1,5 +1,6 @@
 /* Thumbnails: a small world of each scene, played for a moment and drawn without a display.
- * Invariant: nothing of it happens on the thread of the interface. */
+ * Invariant: nothing of it happens on the thread of the interface, and nothing after
+ * play_thumbnails_finish. */
 #include "thumbnails.h"
 
 #include <skvalp/scene.h>
@@ -24,6 +25,27 @@ typedef struct ready {
     PlayShowThumbnail *show;
     gpointer user;
 } ready;
+
+/* How many threads work or are going to; the program waits for them before it ends. */
+static GMutex lock;
+static GCond fewer;
+static int working;
+
+static void count_working(int change)
+{
+    g_mutex_lock(&lock);
+    working += change;
+    g_cond_signal(&fewer);
+    g_mutex_unlock(&lock);
+}
+
+void play_thumbnails_finish(void)
+{
+    g_mutex_lock(&lock);
+    while (working > 0)
+        g_cond_wait(&fewer, &lock);
+    g_mutex_unlock(&lock);
+}
 
 static gboolean on_ready(gpointer data)
 {
@@ -74,9 +96,8 @@ static GdkTexture *draw(skv_offscreen *offscreen, const char *name, const skv_re
     return texture;
 }
 
-static void run(GTask *task, G_GNUC_UNUSED gpointer source, gpointer data, GCancellable *stop)
+static void make_all(const job *work, GCancellable *stop)
 {
-    const job *work = data;
     skv_offscreen *offscreen;
     if (skv_offscreen_create(WIDTH, HEIGHT, &offscreen, NULL) != SKV_OK)
         return; /* names and descriptions do */
@@ -90,7 +111,13 @@ static void run(GTask *task, G_GNUC_UNUSED gpointer source, gpointer data, GCanc
         g_idle_add(on_ready, made);
     }
     skv_offscreen_destroy(offscreen);
+}
+
+static void run(GTask *task, G_GNUC_UNUSED gpointer source, gpointer data, GCancellable *stop)
+{
+    make_all(data, stop);
     g_task_return_boolean(task, TRUE);
+    count_working(-1);
 }
 
 static void free_job(gpointer data)
@@ -107,6 +134,7 @@ void play_thumbnails_make(const char *const *names, const skv_render_style *styl
     *work = (job){g_strdupv((char **)names), *style, show, user};
     GTask *task = g_task_new(NULL, stop, NULL, NULL);
     g_task_set_task_data(task, work, free_job);
+    count_working(1);
     g_task_run_in_thread(task, run);
     g_object_unref(task);
 }

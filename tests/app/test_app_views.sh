@@ -129,10 +129,13 @@ start_app pool
 await 'worlds[0].opened == 1 and worlds[0].particles == 1000'
 quit_app
 
-# 8. Where nothing can be remembered it goes on all the same.
+# 8. Where nothing can be remembered it goes on all the same; and it ends well though the gallery's pictures
+# are being made.
 rm -rf "$work/.config"
 printf 'no folder' >"$work/.config"
 start_app pool
 await 'moment > 0'
+key g
+await 'page == "scenes"'
 quit_app
 echo "views: seen, zoomed, tilted by the ball, full screen and back, chosen from the gallery, 360 px"
