@@ -3,8 +3,8 @@
  * Cells are so large that each one inside a fresh lattice holds a particle. Those that touch, with
  * no wall between, are a region; those of it above each other are a column. What is beside a cell
  * of it is fluid, a wall, or air. A region rests if there is no air below or beside it, all the air
- * above it is at one level, and no fluid of it stands higher, below a roof. If its surface is drawn
- * less even than particles can hide, it rests below that surface.
+ * above it is at one level, and no fluid of it stands higher, below a roof. It also rests below a
+ * surface that is drawn uneven, by more than particles can hide, but nowhere steep.
  *
  * Invariant: cells, and what is found of them, follow from the particles and their order alone.
  */
@@ -172,23 +172,25 @@ static cell *connected(const regions *b, const cell *c, int side)
     return c->beside[side] ? &b->cells[c->beside[side] - 1] : NULL;
 }
 
+/* Whether there is air at a side of a particle, with no wall before it, if no fluid is there. */
+static bool is_free(const regions *b, int particle, int side)
+{
+    const skv_state *s = &b->world->state;
+    float reach = AIR * b->world->fluid.spacing, x = s->x[particle], y = s->y[particle];
+    float up = reach * (float)row_step[side], aside = reach * (float)column_step[side];
+    float to_x = x + up * b->ux + aside * b->uy, to_y = y + up * b->uy - aside * b->ux;
+    return !(skv_terrain_sweep(b->world->terrain, x, y, to_x, to_y, 0) < 1);
+}
+
 /* Looks for air beside every cell, from each of its particles: a hole in a wall may be narrower
  * than a cell. */
 static void look_for_air(const regions *b)
 {
-    const skv_state *s = &b->world->state;
-    float reach = AIR * b->world->fluid.spacing;
-    for (int i = 0; i < s->count; i++) {
+    for (int i = 0; i < b->world->state.count; i++) {
         cell *c = cell_of(b, i);
-        for (int side = 0; side < NEIGHBOURS; side++) {
-            if (c->air & 1u << side || connected(b, c, side))
-                continue;
-            float up = reach * (float)row_step[side], aside = reach * (float)column_step[side];
-            float to_x = s->x[i] + up * b->ux + aside * b->uy;
-            float to_y = s->y[i] + up * b->uy - aside * b->ux;
-            if (!(skv_terrain_sweep(b->world->terrain, s->x[i], s->y[i], to_x, to_y, 0) < 1))
+        for (int side = 0; side < NEIGHBOURS; side++)
+            if (!(c->air & 1u << side) && !connected(b, c, side) && is_free(b, i, side))
                 c->air |= 1u << side;
-        }
     }
 }
 
@@ -302,11 +304,8 @@ static float find_drawn_height(const regions *b, const skv_drawing *drawing, int
 /* Whether there is air straight above a cell, though there may be fluid aside. */
 static bool is_open_above(const regions *b, const cell *c)
 {
-    const skv_state *s = &b->world->state;
-    float x = s->x[c->highest], y = s->y[c->highest], reach = AIR * b->world->fluid.spacing;
-    return c->air & 1u << ABOVE || (!find(b, c->column, c->row + 1) &&
-                                    !(skv_terrain_sweep(b->world->terrain, x, y, x + reach * b->ux,
-                                                        y + reach * b->uy, 0) < 1));
+    return c->air & 1u << ABOVE ||
+           (!find(b, c->column, c->row + 1) && is_free(b, c->highest, ABOVE));
 }
 
 /* Whether a region rests below its drawn surface: where that is uneven but not steep, as that of a
