@@ -336,6 +336,39 @@ static void a_host_may_settle(void **unused)
     }
 }
 
+/* Mean height of the highest places between two uprights, in bands of a spacing and a half. */
+static double measure_top(const skv_world *world, double x0, double x1)
+{
+    skv_particles p = skv_world_particles(world);
+    int bands = (int)((x1 - x0) / (1.5 * skv_world_spacing(world)));
+    double highest[64] = {0}, sum = 0;
+    assert_true(bands > 0 && bands < 64);
+    for (int i = 0; i < p.count; i++) {
+        int band = (int)floor((p.x[i] - x0) / (x1 - x0) * bands);
+        if (band >= 0 && band < bands)
+            highest[band] = fmax(highest[band], p.y[i]);
+    }
+    for (int i = 0; i < bands; i++)
+        sum += highest[i];
+    return sum / bands;
+}
+
+/* Also those that a roof divides: arms of a U-tube, drawn 40 mm apart, two spacings. */
+static void levels_of_arms_stay_as_they_are_drawn(void **unused)
+{
+    (void)unused;
+    skv_world *world =
+        open_scene("{\"solid\": [{\"shape\": \"box\", \"x0\": 0.4, \"x1\": 1.2, \"y0\": 0.2}],"
+                   " \"water\": [{\"shape\": \"box\", \"x1\": 0.4, \"y1\": 0.52},"
+                   " {\"shape\": \"box\", \"x0\": 0.4, \"x1\": 1.2, \"y1\": 0.2},"
+                   " {\"shape\": \"box\", \"x0\": 1.2, \"y1\": 0.48}]}",
+                   1400, "0", true, 1);
+    double apart = measure_top(world, 0, 0.4) - measure_top(world, 1.2, 1.6);
+    assert_near(skv_world_spacing(world), 0.02, 0.002);
+    assert_near(apart, 0.04, 0.008);
+    skv_world_destroy(world);
+}
+
 static bool drawn_slope(float x, float y, void *user)
 {
     return y < 0.3f + *(const float *)user * x;
@@ -423,6 +456,7 @@ int main(void)
         cmocka_unit_test(gravity_may_point_anywhere),
         cmocka_unit_test(settling_is_deterministic),
         cmocka_unit_test(a_host_may_settle),
+        cmocka_unit_test(levels_of_arms_stay_as_they_are_drawn),
         cmocka_unit_test(a_host_may_say_how_it_is_drawn),
         cmocka_unit_test(fine_pictures_get_fewer_rounds),
     };
