@@ -81,8 +81,9 @@ const noTrial = 64;
  * @param {string[]} folders that the browser sees
  * @param {Record<string, (browser: Awaited<ReturnType<import('./harness.js').launch>>) => Promise<void>>} trials
  * @param {string[]} long names of those that are left to SKV_LONG_TESTS=1, or asked for by SKV_TRIAL
+ * @param {Parameters<typeof run>[2]} [options]
  */
-export async function carryOut(folders, trials, long = []) {
+export async function carryOut(folders, trials, long = [], options) {
     const only = process.env.SKV_TRIAL ?? '';
     const all = only !== '' || process.env.SKV_LONG_TESTS === '1';
     const left = Object.entries(trials).filter(([name]) => name.includes(only) && (all || !long.includes(name)));
@@ -91,7 +92,7 @@ export async function carryOut(folders, trials, long = []) {
         process.exitCode = noTrial;
     }
     while (left.length > 0 && process.exitCode !== 1) {
-        await run(folders, (browser) => carryOutSome(browser, left, failures));
+        await run(folders, (browser) => carryOutSome(browser, left, failures), options);
     }
     if (failures.length > 0) {
         console.error(`failed: ${failures.join('; ')}`);
