@@ -6,6 +6,7 @@
 #include "base/ieee.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #define SKV_PI 3.141592653589793
 
@@ -35,6 +36,16 @@ static inline double skv_max(double a, double b)
 static inline bool skv_within(double value, double lo, double hi)
 {
     return value >= lo && value <= hi;
+}
+
+/* From -1/2 up to 1/2, as if by chance, by a number alone. */
+static inline float skv_scatter(uint32_t number)
+{
+    number *= 0x9e3779b1u;
+    number ^= number >> 16;
+    number *= 0x85ebca6bu;
+    number ^= number >> 13;
+    return (float)(number & 0xffff) / 65536.0f - 0.5f;
 }
 
 /* e^x for |x| <= 700, relative error below 1e-14. */

@@ -26,6 +26,15 @@
 /* MOST_WORK is particles times rounds of one length: many particles get fewer rounds. */
 enum { LEAST_ROUNDS = 20, MOST_WORK = 5000000 };
 
+/* A lattice that bears weight becomes disordered, which takes the first 150 rounds. Where not all
+ * rounds can be had it is shaken at once, by up to so many spacings: then half of them do as well,
+ * and fewer than SHAKEN_ROUNDS are spared none. With a few rounds order is calmer. */
+#define SHAKE 0.3f
+enum { SHAKEN_ROUNDS = 250, LEAST_SHAKEN = 120 };
+/* The last share of these rounds that takes more of the velocity, and how many times as much. */
+#define COOLED  0.2f
+#define COOLING 2.5f
+
 /* Near a thin wall each pair is asked whether it sees the other. Where the radius is longer than
  * distances reach, that takes long ways through the picture. With a radius of 150 pixels, three
  * times their reach, and a wall between most pairs, a particle costs as much as 65 others. */
@@ -60,6 +69,7 @@ typedef struct settling {
     double calm;    /* m/s, in the substeps that are taken */
     float kept;     /* share of the velocity, from one round to the next */
     double work;    /* of a round: particles, weighed by what they cost */
+    bool shaken;
     skv_constants constants;
 } settling;
 
@@ -177,18 +187,42 @@ static double measure_work(const skv_world *world)
     return p->count + SIGHT_COST * skv_max(reaches - 1, 0) * near;
 }
 
+/* The rounds of one length that can be had. */
+static int most_rounds(const settling *s)
+{
+    double most = skv_max(MOST_WORK / s->work, LEAST_ROUNDS);
+    return (int)(s->shaken ? skv_max(most / 2, skv_min(most, SHAKEN_ROUNDS)) : most);
+}
+
+/* Puts what rests out of order, if it would not get as many rounds as wanted. */
+static void shake(settling *s, int wanted)
+{
+    skv_world *world = s->world;
+    skv_state *p = &world->state;
+    int most = most_rounds(s);
+    s->shaken = most < wanted && most >= LEAST_SHAKEN;
+    float way = 2 * SHAKE * world->fluid.spacing;
+    for (int i = 0; s->shaken && i < p->count; i++)
+        if (s->lies.lie[i] == SKV_RESTS)
+            skv_boundary_move(&world->boundary, &p->x[i], &p->y[i], way * skv_scatter(2 * p->id[i]),
+                              way * skv_scatter(2 * p->id[i] + 1), &p->clearance[i]);
+}
+
 /* Relaxes in substeps of one length. */
 static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
 {
     double softness = softness_of(s, substeps);
-    int most = (int)skv_max(MOST_WORK / s->work, LEAST_ROUNDS);
+    int most = most_rounds(s);
     rounds = rounds < most ? rounds : most;
     s->constants = skv_make_constants(&s->fluid, 1.0f / 60 / (float)substeps);
     sink(s, SKV_RESTS, softness - s->carried);
     s->carried = softness;
     skv_result result = SKV_OK;
     bool last = false;
+    int cools = s->shaken ? (int)((1 - COOLED) * (float)rounds) : rounds;
     for (int r = 0; result == SKV_OK && !last; r++) {
+        if (r == cools)
+            s->kept = 1 - COOLING * (1 - s->kept);
         bool again = r >= LEAST_ROUNDS && is_calm(s);
         last = again || r + 1 == rounds;
         result = skv_pool_asks_to_stop(s->world->pool)
@@ -214,6 +248,8 @@ static skv_result relax_all(settling *s, skv_error *error)
     int last = world->load.wanted,
         first = skv_substep_rule(&s->fluid, skv_load_of_depth(g, depth, 0));
     first = first < last ? first : last;
+    if (most == &aided)
+        shake(s, most->last);
     double calm = most->calm * sqrt((double)(FALL * depth));
     float lost = most->lost * (float)s->fluid.iterations;
     skv_result result = SKV_OK;

@@ -79,15 +79,6 @@ static walk make_walk(const skv_terrain *terrain, float spacing, const skv_fill_
                   .limit = def->limit >= 0 && def->limit < limit ? def->limit : limit};
 }
 
-static float jitter(uint32_t number)
-{
-    number *= 0x9e3779b1u;
-    number ^= number >> 16;
-    number *= 0x85ebca6bu;
-    number ^= number >> 13;
-    return ((float)(number & 0xffff) / 65536.0f - 0.5f) * JITTER;
-}
-
 static bool grow(walk *w)
 {
     int capacity = w->capacity ? 2 * w->capacity : 1024;
@@ -128,8 +119,8 @@ static void visit(walk *w, float x, float y)
     }
     if (w->keep) {
         uint32_t id = w->next_id + (uint32_t)w->placed.added;
-        x += w->spacing * jitter(2 * id);
-        y += w->spacing * jitter(2 * id + 1);
+        x += w->spacing * (skv_scatter(2 * id) * JITTER);
+        y += w->spacing * (skv_scatter(2 * id + 1) * JITTER);
         if (w->others && skv_is_occupied(w->others, x, y)) {
             w->placed.occupied++;
             return;

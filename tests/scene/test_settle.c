@@ -73,6 +73,7 @@ static void pools_begin_at_rest(void **unused)
         {pool, 1000, "0", 0.02},
         {pool, 2960, "0", 0.02},
         {pool, 9946, "0", 0.02},
+        {pool, 20000, "0", 0.017}, /* which get a quarter of the rounds that would make them calm */
         {pool, 300, "6", 0.02},
         {pool, 2960, "10", 0.02},
         {pool, 9946, "18", 0.02},
