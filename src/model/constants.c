@@ -169,9 +169,9 @@ int skv_clavet_swells(const skv_fluid_def *f)
 {
     if (f->law != SKV_LAW_CLAVET)
         return 0;
-    return clavet_push(f, SKV_CLAVET_WIDEST) > 0      ? 1
-           : clavet_push(f, SKV_CLAVET_NARROWEST) < 0 ? -1
-                                                      : 0;
+    return clavet_push(f, SKV_CLAVET_WIDEST) > 0         ? 1
+           : !(clavet_push(f, SKV_CLAVET_NARROWEST) > 0) ? -1
+                                                         : 0;
 }
 
 /* A share that is meant for one frame, for a time dt instead. */

@@ -15,7 +15,7 @@
 
 void skv_scene_note(skv_scene *scene, const char *format, ...)
 {
-    char text[200];
+    char text[256];
     va_list arguments;
     va_start(arguments, format);
     size_t length = skv_format_list(text, sizeof text, format, arguments);
@@ -59,6 +59,29 @@ static bool find_calm(const skv_world_def *def, skv_parameter parameter, double 
     return found;
 }
 
+/* Says of all numbers that are not the law's own what they do together, for none of them alone can
+ * mend it. */
+static void note_together(skv_scene *scene, const skv_world_def *standard, const char *what)
+{
+    char given[160] = "", own[64] = "", text[2][32];
+    size_t given_used = 0, own_used = 0;
+    for (size_t i = 0; i < sizeof clavet_numbers / sizeof *clavet_numbers; i++) {
+        int parameter = (int)clavet_numbers[i];
+        double value = skv_parameter_load(&scene->def, parameter);
+        double usual = skv_parameter_load(standard, parameter);
+        if (value == usual)
+            continue;
+        const char *comma = given_used > 0 ? ", " : "";
+        skv_format_float(value, text[0]);
+        skv_format_float(usual, text[1]);
+        given_used += skv_format(given + given_used, sizeof given - given_used, "%s%s %s", comma,
+                                 skv_world_field(parameter)->path, text[0]);
+        own_used += skv_format(own + own_used, sizeof own - own_used, "%s%s", comma, text[1]);
+    }
+    skv_scene_note(scene, "with %s the clavet fluid %s; the defaults %s can be had", given, what,
+                   own);
+}
+
 static void note_clavet(skv_scene *scene)
 {
     int swells = skv_clavet_swells(&scene->def.fluid);
@@ -81,7 +104,7 @@ static void note_clavet(skv_scene *scene)
                        skv_world_field(parameter)->path, text[0], what, text[1], text[2]);
         return;
     }
-    skv_scene_note(scene, "the clavet fluid %s; its default numbers do not let it", what);
+    note_together(scene, &standard, what);
 }
 
 /* ---- Channels -------------------------------------------------------------------------------- */

@@ -243,10 +243,41 @@ static void what_a_note_offers_can_be_had(void **unused)
     }
 }
 
+/* Of two numbers that no third one mends, the note says both, and the two that can be had. */
+static void a_note_names_all_that_is_bad_together(void **unused)
+{
+    (void)unused;
+    static const struct {
+        skv_setting given[2];
+        const char *note;
+    } cases[] = {
+        {{{"fluid.clavet_stiffness", "0"}, {"fluid.clavet_rest_density", "1"}},
+         "with fluid.clavet_stiffness 0, fluid.clavet_rest_density 1 the clavet fluid swells and "
+         "bursts; the defaults 0.004, 10 can be had"},
+        {{{"fluid.clavet_near_stiffness", "0"}, {"fluid.clavet_stiffness", "0"}},
+         "with fluid.clavet_near_stiffness 0, fluid.clavet_stiffness 0 the clavet fluid collapses; "
+         "the defaults 0.04, 0.004 can be had"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        skv_setting settings[] = {{"fluid.law", "clavet"}, cases[i].given[0], cases[i].given[1]};
+        skv_scene_options options = skv_default_scene_options();
+        options.settings = settings;
+        options.setting_count = 3;
+        skv_scene *scene;
+        skv_error error;
+        assert_int_equal(skv_scene_load("pool", &options, &scene, &error), SKV_OK);
+        assert_non_null(skv_scene_notice(scene, 0));
+        assert_string_equal(skv_scene_notice(scene, 0), cases[i].note);
+        assert_null(skv_scene_notice(scene, 1));
+        skv_scene_destroy(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_a_note_offers_can_be_had),
+        cmocka_unit_test(a_note_names_all_that_is_bad_together),
         cmocka_unit_test(all_that_is_accepted_stays_bounded),
         cmocka_unit_test(all_that_is_set_while_it_runs_stays_bounded),
     };
