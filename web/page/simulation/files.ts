@@ -27,7 +27,7 @@ export function csvOf(library: Library, worlds: Worlds) {
     const unwatched = probes().filter(({ samples }) => samples === 0).map(({ id }) => id);
     unwatched.forEach((id) => c.skv_stage_watch_probe(worlds.stage, id, true));
     worlds.look();
-    const head = ['t'];
+    const head = ['t [s]'];
     const rows = new Map<number, (number | undefined)[]>();
     for (const { def, samples, times, history } of probes()) {
         const read = (address: number) => new Float64Array(instance.copy(address, 8 * samples).buffer);

@@ -31,7 +31,7 @@ test('a probe reads what it reads natively, to the last bit', async () => {
     trial.si = true;
     expect(trial.state.worlds[0].probes[0].channels[0]).toMatchObject({ unit: 'Pa m', size: 1, decimals: -1 });
     const table = new TextDecoder().decode(await simulation.save('csv')).trim().split('\n');
-    expect(table[0]).toBe('t,pressure probe pressure [Pa m],pressure probe density g depth [Pa m]');
+    expect(table[0]).toBe('t [s],pressure probe pressure [Pa m],pressure probe density g depth [Pa m]');
     expect(table).toHaveLength(32); // the head, too
     expect(Number(table.at(-1)!.split(',')[1])).toBe(pressure);
     simulation.moveProbe(1, 0.5, 0.1, 0.5, 0.1);
