@@ -189,7 +189,8 @@ static void test_quick(void **state)
 {
     if (!long_tests())
         skip();
-    program_result result = SKVALP(*state, "bench", "--quick", "--csv", "quick.csv");
+    program_result result =
+        SKVALP(*state, "bench", "--quick", "--threads", "1", "--csv", "quick.csv");
     assert_int_equal(result.status, 0);
     assert_non_null(strstr(result.out, "Table 4.1 of the thesis"));
     assert_non_null(strstr(result.out, "Table 4.2 of the thesis"));
