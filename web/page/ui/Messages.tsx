@@ -11,7 +11,7 @@ export function Messages() {
             {said && (
                 <div class={`message ${said.fault ? 'fault' : ''}`}>
                     {said.fault && <Icon name="warning" />}
-                    <p>{said.text}</p>
+                    <p>{[said.text, ...(said.notes ?? [])].join('; ')}</p>
                     {said.offer && (
                         <button type="button" class="text suggested" onClick={said.offer.act}>
                             {said.offer.name}

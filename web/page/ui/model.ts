@@ -59,6 +59,8 @@ export interface Message {
     fault: boolean;
     /** What can be done about it. */
     offer?: { name: string; act: () => void };
+    /** What there is to say of the scene meanwhile. */
+    notes?: string[];
 }
 export const message = signal<Message | null>(null);
 let fading = 0;
@@ -77,6 +79,15 @@ export function toast(text: string, notes = 1): void {
 /** With a button, for which there is more time, as in the app. */
 export function propose(text: string, name: string, act: () => void): void {
     tell({ text, fault: false, offer: { name, act } }, 20_000);
+}
+
+/** What there is to say of a scene: a message with a button takes it up, and stays. */
+export function remark(notes: string[]): void {
+    const told = message.peek();
+    if (told?.offer)
+        tell({ ...told, notes }, 20_000);
+    else if (notes.length > 0)
+        toast(notes.join('; '), notes.length);
 }
 
 /** What is wrong, as the page or the library says it. */

@@ -2,7 +2,7 @@
 import { effect } from '@preact/signals';
 import type { Report } from '../simulation/protocol';
 import { openScene } from './actions';
-import { catalogue, complain, message, state, toast, world } from './model';
+import { catalogue, complain, remark, state, toast, world } from './model';
 import { _, said } from './words';
 
 /** Who waits for what becomes of what was opened. */
@@ -34,8 +34,7 @@ effect(() => {
     shown = opened;
     if (view)
         void import('./Watching').then(({ adopt }) => adopt(view, overlays));
-    if (notes.length > 0 && !message.peek()?.offer)
-        toast(notes.map(said).join('; '), notes.length);
+    remark(notes.map(said));
 });
 
 /** Of a recorded game that was played to its end is said whether it went as it went. */
