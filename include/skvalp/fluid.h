@@ -40,7 +40,7 @@ typedef struct skv_fluid_def {
     float clavet_rest_density;   /**< rho0, dimensionless */
     float wall_friction;         /**< share of the tangential speed lost at a wall in 1/60 s */
     float wall_softness;         /**< share of the penetration corrected in 1/60 s */
-    float contact_distance;      /**< in spacings: closer than this to a wall is contact */
+    float contact_distance;      /**< in spacings: closer to a wall that drags is contact */
     bool wall_images;            /**< walls by images, which do not drag; calibrated law */
     float adhesion;              /**< share of their pull that holds fluid up against gravity */
 } skv_fluid_def;

@@ -51,8 +51,9 @@ bool skv_has_images(const skv_fluid_def *f)
 
 float skv_contact_distance(const skv_fluid_def *f)
 {
-    /* Images hold particles off by themselves; contact is for what is thrown in. */
-    return (skv_has_images(f) ? 0.5f : 1) * f->contact_distance * f->spacing;
+    /* Images hold particles off by themselves. What contact adds to that is work from nowhere,
+     * which drives fluid along walls. Only what is inside a wall is pushed out. */
+    return skv_has_images(f) ? 0 : f->contact_distance * f->spacing;
 }
 
 /* The share of a correction that an iteration applies. It takes 0.49 omega eta^2 of the liveliest

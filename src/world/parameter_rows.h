@@ -81,7 +81,7 @@ NUMBER(FLUID_WALL_FRICTION, "fluid.wall_friction", fluid.wall_friction, "", 0, 1
 NUMBER(FLUID_WALL_SOFTNESS, "fluid.wall_softness", fluid.wall_softness, "", 0.1, 1, 1, true,
        "share of a penetration corrected in 1/60 s")
 NUMBER_BY_LAW(FLUID_CONTACT_DISTANCE, "fluid.contact_distance", fluid.contact_distance, "", 0, 1,
-              0.2, 0.3, true, "contact with a wall begins so many spacings away")
+              0.2, 0.3, true, "contact with a wall that drags begins so many spacings away")
 FLAG(FLUID_WALL_IMAGES, "fluid.wall_images", fluid.wall_images, true, false,
      "calibrated law: walls that do not drag, by images")
 NUMBER(FLUID_ADHESION, "fluid.adhesion", fluid.adhesion, "", 0, 1, 0, true,

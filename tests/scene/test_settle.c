@@ -212,6 +212,27 @@ static double measure_wave(const skv_world *world, double waves)
     return product / square;
 }
 
+/* How much of a wave is left when a scene begins, and writes how fast its fluid gets. By chance a
+ * lattice leans by some hundredths of a spacing, so a wave that is to be levelled is measured in
+ * eight numbers of particles. */
+static double share_of_wave(double amplitude, double waves, int particles, bool stays,
+                            double *speed)
+{
+    enum { LEANING = 8 };
+    const int starts = stays ? 1 : LEANING;
+    double share = 0;
+    *speed = 0;
+    for (int k = 0; k < starts; k++) {
+        char text[8000];
+        draw_wave(text, 0.45, amplitude, waves);
+        skv_world *world = open_scene(text, particles + k * particles / 100, "0", true, 1);
+        share += measure_wave(world, waves) / amplitude / starts;
+        *speed = fmax(*speed, unrest(world));
+        skv_world_destroy(world);
+    }
+    return share;
+}
+
 /* A surface that is drawn out of balance by more than a spacing stays so, and swings. Less, which
  * particles can't show, is levelled. */
 static void a_wave_stays_as_it_is_drawn(void **unused)
@@ -225,14 +246,10 @@ static void a_wave_stays_as_it_is_drawn(void **unused)
                  {0.03, 0, 900, true},    {0.02, 0, 2000, true},  {0.06, 2, 1100, true},
                  {0.005, 3, 1000, false}, {0.003, 0, 2000, false}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char text[8000];
-        draw_wave(text, 0.45, cases[i].amplitude, cases[i].waves);
-        skv_world *world = open_scene(text, cases[i].particles, "0", true, 1);
-        double now = measure_wave(world, cases[i].waves) / cases[i].amplitude;
-        double speed = unrest(world);
+        double speed, now = share_of_wave(cases[i].amplitude, cases[i].waves, cases[i].particles,
+                                          cases[i].stays, &speed);
         if (cases[i].stays ? !(now > 0.8 && speed > 0.04) : !(fabs(now) < 0.1 && speed < 0.02))
             fail_msg("case %d: %.2f of its height, then %.3f m/s", (int)i, now, speed);
-        skv_world_destroy(world);
     }
 }
 

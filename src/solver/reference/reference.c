@@ -157,6 +157,7 @@ static skv_result reserve_arrays(skv_reference *f, int count, skv_error *error)
         SKV_ARRAY(f->near_density, room, 0),
         SKV_ARRAY(f->gradient_x, room, 0),
         SKV_ARRAY(f->gradient_y, room, 0),
+        SKV_ARRAY(f->hanging, room, 0),
         SKV_ARRAY(f->lambda, room, 0),
         SKV_ARRAY(f->near_lambda, room, 0),
         SKV_ARRAY(f->wall_density, room, 0),

@@ -43,6 +43,7 @@ typedef struct skv_reference {
 
     double *density, *near_density;  /* sum W, sum q^3, walls included; dimensionless */
     double *gradient_x, *gradient_y; /* sum F r^, walls included, less what the bulk has */
+    double *hanging;                 /* share of a wall's pull that one is let fall from */
     double *lambda, *near_lambda;    /* P and N of the pressure law, m */
 
     /* What walls add to these sums: the solid, or the images before it. */

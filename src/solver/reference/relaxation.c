@@ -36,6 +36,30 @@ static surroundings look_around(const skv_reference *f, int i)
     return sums;
 }
 
+/* What fluid gains in a substep that rests where pairs of i are taken. */
+static void find_fall(const skv_reference *f, int i, double *gx, double *gy)
+{
+    const double dt = (double)f->constants->dt;
+    *gx = *gy = 0;
+    skv_apply_forces(f, f->x[i] - f->behind_x[i], f->y[i] - f->behind_y[i], gx, gy);
+    *gx += dt * f->gravity_x;
+    *gy += dt * f->gravity_y;
+}
+
+/* How much of a wall's pull i is let fall from: all of it where it hangs, none where it rests below
+ * a surface, or water would be driven along walls that lean over it. It hangs if what its gradient
+ * exceeds the bulk's unevenness by points against what has it fall; from twice that unevenness on
+ * wholly. Rises smoothly, so rounding decides nothing. */
+static double find_hanging(const skv_reference *f, int i)
+{
+    double gx, gy;
+    find_fall(f, i, &gx, &gy);
+    double down = f->gradient_x[i] * gx + f->gradient_y[i] * gy;
+    if (!(down < 0))
+        return 0;
+    return skv_min(-down / (sqrt(gx * gx + gy * gy) * (double)f->constants->tension_from), 1);
+}
+
 /* Keeps of the gradient, for the tension, what exceeds the unevenness of the bulk. Only loose fluid
  * has a surface that matters: what was pressed in the last substep fades. */
 static void keep_gradient(skv_reference *f, int i, double gx, double gy)
@@ -49,6 +73,8 @@ static void keep_gradient(skv_reference *f, int i, double gx, double gy)
     share *= skv_max(1 - f->warm_lambda[i] / (double)c->tension_until, 0);
     f->gradient_x[i] = share * gx;
     f->gradient_y[i] = share * gy;
+    if (c->images)
+        f->hanging[i] = find_hanging(f, i);
 }
 
 void skv_pass_density(skv_reference *f)
@@ -132,23 +158,20 @@ static void gauge(skv_reference *f, int i, double virial)
     f->pressure[i] += (double)c->pressure_scale * (double)c->h * virial;
 }
 
-/* Takes from a wall's push, where it is a pull, what would hold a particle up against the direction
- * in which external forces would have it fall, or drops would hang from ceilings for ever; but for
- * the share `adhesion` of it. (nx, ny) points out of the wall. Leaving out all of the pull heats
- * the fluid where its surface meets a wall, since it has no energy then. */
-static void let_fall(const skv_reference *f, int i, double nx, double ny, double adhesion,
+/* Takes from a wall's push, where it is a pull, a share of what would hold a particle up against
+ * the direction in which external forces would have it fall, or drops would hang from ceilings for
+ * ever. (nx, ny) points out of the wall. Leaving out all of the pull heats the fluid where its
+ * surface meets a wall, since it has no energy then. */
+static void let_fall(const skv_reference *f, int i, double nx, double ny, double share,
                      double *push_x, double *push_y)
 {
-    const double dt = (double)f->constants->dt;
-    double gx = 0, gy = 0; /* what fluid gains that rests where pairs are taken */
-    skv_apply_forces(f, f->x[i] - f->behind_x[i], f->y[i] - f->behind_y[i], &gx, &gy);
-    gx += dt * f->gravity_x;
-    gy += dt * f->gravity_y;
+    double gx, gy;
+    find_fall(f, i, &gx, &gy);
     double down = *push_x * gx + *push_y * gy, square = gx * gx + gy * gy;
     if (!(*push_x * nx + *push_y * ny < 0 && down < 0))
         return;
-    *push_x -= (1 - adhesion) * down / square * gx;
-    *push_y -= (1 - adhesion) * down / square * gy;
+    *push_x -= share * down / square * gx;
+    *push_y -= share * down / square * gy;
 }
 
 /* The solid's part, P F1 + N F2: a wall pushes with the particle's own pressure, once; twice, as if
@@ -160,7 +183,7 @@ static void add_solid(skv_reference *f, int i, double virial)
     double push_x = lambda * f->f1x[i] + near_lambda * f->f2x[i];
     double push_y = lambda * f->f1y[i] + near_lambda * f->f2y[i];
     if (lambda < (double)c->loose_lambda)
-        let_fall(f, i, f->f1x[i], f->f1y[i], 0, &push_x, &push_y);
+        let_fall(f, i, f->f1x[i], f->f1y[i], 1, &push_x, &push_y);
     f->dx[i] += push_x;
     f->dy[i] += push_y;
     skv_book_reaction(f, i, push_x, push_y);
@@ -179,7 +202,8 @@ static void add_imaged(skv_reference *f, int i, double out)
     out += 2 * (lambda * skv_kernel_force(c->kernel, own) + near_lambda * own * own);
     double push_x = lambda * f->f1x[i] + near_lambda * f->f2x[i] + out * f->facing_x[i];
     double push_y = lambda * f->f1y[i] + near_lambda * f->f2y[i] + out * f->facing_y[i];
-    let_fall(f, i, f->facing_x[i], f->facing_y[i], (double)c->adhesion, &push_x, &push_y);
+    double share = (1 - (double)c->adhesion) * f->hanging[i];
+    let_fall(f, i, f->facing_x[i], f->facing_y[i], share, &push_x, &push_y);
     f->dx[i] += push_x;
     f->dy[i] += push_y;
     skv_book_reaction(f, i, push_x, push_y);

@@ -5,8 +5,8 @@
  * them, and sums are added up in a fixed order; so all tables give the same bits.
  * Here are the passes over single particles; those over pairs are in pair_passes.h.
  */
+#include "solver/rows/hanging.h"
 #include "solver/rows/pair_passes.h"
-#include "solver/rows/wall_push.h"
 
 #include <limits.h>
 
@@ -192,14 +192,12 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
- * unevenness of the bulk, times the tension's strength, which fades with what has pressed them in
- * the last substep. In the sums' place; notes of each eight whether one has any, and where they
- * are. */
+ * unevenness of the bulk, which fades with what has pressed them in the last substep. In the sums'
+ * place; notes of each eight whether one has any, and where they are. */
 static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
-    const v8 scale = v8_set(c->tension_scale), bulk = v8_set(c->tension_from);
-    const v8 until = v8_set(c->tension_until);
+    const v8 bulk = v8_set(c->tension_from), until = v8_set(c->tension_until);
     const float *warm_lambda = s->set[s->current].warm_lambda;
     begin_graded(s, row);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
@@ -210,8 +208,7 @@ static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
             gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
             v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
             v8 loose = v8_max(v8_sub(one, v8_div(v8_load(warm_lambda + i), until)), zero);
-            share = v8_div(v8_mul(scale, v8_max(v8_sub(size, bulk), zero)), size);
-            share = v8_mul(share, loose);
+            share = v8_mul(v8_div(v8_max(v8_sub(size, bulk), zero), size), loose);
         }
         v8_store(s->gradient_x + i, v8_mul(share, gx));
         v8_store(s->gradient_y + i, v8_mul(share, gy));
@@ -383,29 +380,21 @@ V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float 
     }
 }
 
-/* One function: it is long, and rarely needed. */
-static __attribute__((noinline)) void add_forces(const skv_rows *s, float x, float y, float *u,
-                                                 float *v)
-{
-    skv_apply_external_forces(s->acting.forces, s->acting.force_count, x, y, u, v);
-}
-
 /* Adds the wall's push. */
 V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
                         void *impulse)
 {
-    const skv_row_particles *p = &s->set[s->current];
     int i = wall->particle;
-    float lambda = s->lambda[i], near_lambda = s->near_lambda[i], dx, dy;
-    float gx = 0, gy = 0; /* what fluid gains that rests there */
-    if (s->acting.force_count > 0)
-        add_forces(s, p->x[i], p->y[i], &gx, &gy);
-    gx += s->acting.gravity_x;
-    gy += s->acting.gravity_y;
+    float lambda = s->lambda[i], near_lambda = s->near_lambda[i], dx, dy, gx, gy;
+    find_fall(s, i, &gx, &gy);
     if (!c->images) {
+        /* A wall pushes with the particle's own pressure, once; twice, as if it were a mirrored
+         * fluid, heats the fluid. */
         const skv_wall_sample *solid = &wall->at.wall;
-        skv_wall_push(lambda, near_lambda, solid->f1x, solid->f1y, solid->f2x, solid->f2y, gx, gy,
-                      c->loose_lambda, &dx, &dy);
+        dx = lambda * solid->f1x + near_lambda * solid->f2x;
+        dy = lambda * solid->f1y + near_lambda * solid->f2y;
+        if (lambda < c->loose_lambda)
+            let_fall(gx, gy, solid->f1x, solid->f1y, 1, &dx, &dy);
         /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
         if (s->gauged)
             s->own_move.outward[i] +=
@@ -419,7 +408,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
         out += 2 * (lambda * skv_kernel_forcef(SKV_KERNEL_SMOOTH, q) + near_lambda * (q * q));
         dx = rest * image->f1x + out * image->nx;
         dy = rest * image->f1y + out * image->ny;
-        skv_wall_let_fall(gx, gy, image->nx, image->ny, c->adhesion, &dx, &dy);
+        let_fall(gx, gy, image->nx, image->ny, (1 - c->adhesion) * s->hanging[i], &dx, &dy);
     }
     add_move(s, i, c, dx, dy, impulse);
 }
@@ -542,6 +531,8 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
                    skv_impulse_sum *walls)
 {
     skv_impulse given = {0};
+    if (iteration == 0 && c->images)
+        find_hanging(s, row, c);
     for_walls(s, row, c, boundary, samples, add_push, &given);
     if (iteration == c->iterations - 1 && skv_resists_slip(c))
         for_walls(s, row, c, boundary, samples, add_slip_friction, &given);

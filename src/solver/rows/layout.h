@@ -38,7 +38,7 @@
  *    .x                         own density          P
  *    .y                         own near density     N
  *    .u                         own gradient x       gradient x      gauge pressure  read
- *    .v                         own gradient y       gradient y
+ *    .v                         own gradient y       gradient y     hanging
  *    .clearance                 next density                         next move x
  *    .warm_lambda               next near density                   next move y
  *    .number                    next gradient x                      next outward
@@ -161,6 +161,7 @@ struct skv_rows {
     skv_row_moves own_move, next_move; /* of the displacement */
     float *lambda, *near_lambda;       /* P and N of the pressure law */
     float *gradient_x, *gradient_y;    /* that the tension evens out */
+    float *hanging;                    /* share of a wall's pull that one is let fall from */
     float *image;                      /* D of images, wall_image.h */
     float *ahead_x, *ahead_y;          /* how far the density looks ahead of the places */
     float *pressure;                   /* gauge */

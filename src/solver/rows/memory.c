@@ -235,6 +235,7 @@ void skv_rows_lend_buffers(skv_rows *rows)
     rows->near_lambda = rows->own.near_density;
     rows->gradient_x = rows->own.gradient_x;
     rows->gradient_y = rows->own.gradient_y;
+    rows->hanging = rows->gradient_y;
     /* ... so that the next row's are free for the displacement. */
     rows->next_move = (skv_row_moves){older->clearance, older->warm_lambda, number};
     rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};

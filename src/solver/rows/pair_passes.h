@@ -325,6 +325,7 @@ static void density(const skv_rows *s, int row, bool later, const skv_constants 
 /* What the displacement reads of the partners. */
 typedef struct partners {
     const float *lambda, *near_lambda, *gradient_x, *gradient_y;
+    float scale;       /* of tension */
     float sigma, beta; /* of viscosity */
 } partners;
 
@@ -333,15 +334,15 @@ typedef struct partners {
 VARIANT void tension(const partners *others, int j, const pushes *t, const wide *dx, const wide *dy,
                      const wide *q2, const wide *ratio, wide *ex, wide *ey, wide *along)
 {
-    const wide two = wide_set(2);
+    const wide scale = wide_set(others->scale), twice = wide_set(2 * others->scale);
     wide gx = wide_each(part_load(others->gradient_x + j)),
          gy = wide_each(part_load(others->gradient_y + j));
     EACH(k) ex[k] = wide_sub(t->gradient_x[k], gx);
     EACH(k) ey[k] = wide_sub(t->gradient_y[k], gy);
     EACH(k) along[k] = wide_add(wide_mul(ex[k], dx[k]), wide_mul(ey[k], dy[k]));
-    EACH(k) along[k] = wide_mul(wide_mul(two, ratio[k]), along[k]);
-    EACH(k) ex[k] = wide_mul(ex[k], q2[k]);
-    EACH(k) ey[k] = wide_mul(ey[k], q2[k]);
+    EACH(k) along[k] = wide_mul(wide_mul(twice, ratio[k]), along[k]);
+    EACH(k) ex[k] = wide_mul(ex[k], wide_mul(scale, q2[k]));
+    EACH(k) ey[k] = wide_mul(ey[k], wide_mul(scale, q2[k]));
 }
 
 /* Adds the impulse of pairs that approach each other to their displacement, which is dx, dy times
@@ -536,8 +537,9 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
                               const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
-    const partners others = {s->lambda,     s->near_lambda,      s->gradient_x,
-                             s->gradient_y, c->viscosity_linear, c->viscosity_quadratic};
+    const partners others = {
+        s->lambda,        s->near_lambda,      s->gradient_x,         s->gradient_y,
+        c->tension_scale, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const unsigned plain = with & ~WITH_GRADIENT;
     const bool kept = keep != NULL, outward = with & WITH_GAUGE || images;
