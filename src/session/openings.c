@@ -232,6 +232,8 @@ static void take_over(skv_worker *worker, skv_player *player, const skv_player_d
     double speed = worker->pace.speed;
     worker->pace = skv_pace_start();
     worker->pace.speed = speed;
+    if (worker->def.own_thread) /* what has passed beside it is not the new world's */
+        atomic_store(&worker->elapsed, 0);
     skv_worker_show(worker, def->changed != NULL);
 }
 

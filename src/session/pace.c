@@ -30,9 +30,9 @@ static double fitting(const skv_pace *pace, double budget)
     return fmin(fmax(fit, 1), MOST_FRAMES);
 }
 
-double skv_pace_budget(bool beside, double seconds, double drawing)
+double skv_pace_budget(bool beside, double interval, double drawing)
 {
-    return beside ? fmax(BUDGET, seconds) : fmax(BUDGET - drawing, drawing / 2);
+    return beside ? fmax(BUDGET, interval) : fmax(BUDGET - drawing, drawing / 2);
 }
 
 static void measure(skv_pace *pace, double seconds, double wished, double stepped)

@@ -17,9 +17,9 @@ typedef struct skv_pace {
 skv_pace skv_pace_start(void);
 
 /* s that stepping may take at once: two frames. A thread beside the face may go on for as long as
- * it takes to draw, `seconds` after the last time; where the face waits for the steps, `drawing`
- * goes off that, but a third of the time at least is the world's. */
-double skv_pace_budget(bool beside, double seconds, double drawing);
+ * it takes to draw, `interval` between two pictures of the face; where the face waits for the
+ * steps, `drawing` goes off that, but a third of the time at least is the world's. */
+double skv_pace_budget(bool beside, double interval, double drawing);
 
 /* Lets real time pass; the frames to step now. `budget`: seconds that stepping may take. */
 int skv_pace_pass(skv_pace *pace, double seconds, double budget);

@@ -362,6 +362,7 @@ void skv_session_advance(skv_session *session, double seconds, double drawing)
     skv_pointer_event event;
     if (skv_keyboard_pass(&session->keyboard, passed, &event))
         skv_session_pointer(session, &event);
+    worker->interval = passed;
     atomic_fetch_add(&worker->elapsed, (long long)(passed * 1e9 + 0.5));
     stir(session);
 }

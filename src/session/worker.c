@@ -354,7 +354,7 @@ static void pass_time(skv_worker *worker)
         skv_pace_rest(&worker->pace);
         return;
     }
-    double budget = skv_pace_budget(worker->def.own_thread, seconds, worker->pace.drawing);
+    double budget = skv_pace_budget(worker->def.own_thread, worker->interval, worker->pace.drawing);
     int frames = skv_pace_pass(&worker->pace, seconds, budget);
     play(worker, frames, worker->pace.speed * worker->pace.factor);
 }

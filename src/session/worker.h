@@ -39,14 +39,15 @@ typedef struct skv_worker {
 
     /* Between the threads. */
     skv_gallery gallery;
-    atomic_llong elapsed; /* ns that have passed and were not taken yet */
-    atomic_uint posted;   /* rises with everything that may concern the worker */
-    atomic_uint settled;  /* up to which of these all is done and can be seen */
-    atomic_int drawing;   /* us that the last picture took to draw */
-    atomic_uint played;   /* frames of those granted */
-    atomic_int openings;  /* asked for and not begun */
-    atomic_int savings;   /* of files and links, asked for and not done */
-    skv_threads *threads; /* where both wait for the counters above */
+    atomic_llong elapsed;    /* ns that have passed and were not taken yet */
+    atomic_uint posted;      /* rises with everything that may concern the worker */
+    atomic_uint settled;     /* up to which of these all is done and can be seen */
+    atomic_int drawing;      /* us that the last picture took to draw */
+    _Atomic double interval; /* s between the face's last two pictures */
+    atomic_uint played;      /* frames of those granted */
+    atomic_int openings;     /* asked for and not begun */
+    atomic_int savings;      /* of files and links, asked for and not done */
+    skv_threads *threads;    /* where both wait for the counters above */
     /* For a link, for a second world, for the first's link. Who takes one out owns it; null: none,
      * or taken out. */
     _Atomic(skv_shared *) shared[SKV_SHARES];
