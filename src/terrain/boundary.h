@@ -71,6 +71,11 @@ static inline float skv_boundary_move(const skv_boundary *b, float *x, float *y,
     return share;
 }
 
+/* How near a way along a wall may come, in margins. It begins at the margin itself, and with 1
+ * rounding would decide how far it goes on a wall that bends a little. With 0.5 jets that leave an
+ * orifice are slower by a hundredth. */
+#define SKV_MARGIN_ALONG 0.9f
+
 /* How much of a way along a wall a corner leaves, 1: all, 0: nothing, at a point in the world's
  * axes with the wall's normal there. In a corner the wall bends towards the way, which would end at
  * once or not at all by how its start was rounded: the two walls stop it together. What bends as a
@@ -87,9 +92,7 @@ static inline float skv_boundary_straight(const skv_boundary *b, float x, float 
 
 /* The same; but with `on` what is left of the way after it has met a wall goes on along it, which
  * it writes to (along_x, along_y): fluid that comes to a wall at a slant loses what it had into the
- * wall, and no more. Along a wall a way may come nearer by a tenth of the margin: it begins at the
- * margin itself, and on a wall that bends a little rounding would decide how far it goes. Half of
- * the margin slows jets that leave an orifice by a hundredth. */
+ * wall, and no more. */
 static inline float skv_boundary_slide(const skv_boundary *b, bool on, float *x, float *y, float dx,
                                        float dy, float *along_x, float *along_y, float *distance)
 {
@@ -108,7 +111,7 @@ static inline float skv_boundary_slide(const skv_boundary *b, bool on, float *x,
     left_x -= in * nx;
     left_y -= in * ny;
     skv_boundary nearer = *b;
-    nearer.margin = 0.9f * b->margin;
+    nearer.margin = SKV_MARGIN_ALONG * b->margin;
     float share = skv_boundary_move(&nearer, x, y, left_x, left_y, distance);
     *along_x = share * left_x;
     *along_y = share * left_y;

@@ -1,4 +1,4 @@
-/* Closed vessels whose walls lean over the water: it comes to rest in them, at any slope. What
+/* Closed tubes whose walls lean over the water, by 20 to 45 degrees: it comes to rest in them. What
  * circulates in them has no source of energy but the walls. */
 #include "support/fixture.h"
 #include "support/long.h"
