@@ -12,6 +12,10 @@
  * pairs approach, and take half of the rest each: all of them together would reverse it with 1. */
 #define SKV_MOST_VISCOUS 0.5f
 
+/* The near density of one's own mass in the mean mass of what is around: so none that has
+ * neighbours, of which even one at q = 1e-3 outweighs it a thousand times, but alone all. */
+#define SKV_OWN_SHARE 1e-12f
+
 /* Constants of a substep. Lengths in m, times in s. */
 typedef struct skv_constants {
     float h, inv_h;

@@ -1,5 +1,5 @@
-/* What walls do to the fluid, added up: changes of the particles' displacement, and their moments
- * about the origin.
+/* What walls do to the fluid, added up: changes of the particles' displacement, times their mass
+ * over the first fluid's, and their moments about the origin.
  *
  * In fixed point, for integers have the same sum in every order: threads add up what they come
  * upon, and the result does not depend on how many they are.

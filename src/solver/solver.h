@@ -44,6 +44,9 @@ typedef struct skv_solver_particles {
      * substep: the sum of its P over dt^2, m/s^2. The next one starts from there. Not written with
      * the clavet law, which does not know it. */
     float *warm_lambda;
+    /* Over that of the first fluid's, whose density and spacing the constants have: above 0. Null:
+     * all 1. */
+    const float *mass;
     const uint32_t *id;
     const uint8_t *part; /* skv_part; null: all move */
 } skv_solver_particles;
@@ -51,7 +54,7 @@ typedef struct skv_solver_particles {
 /* What walls have done to the fluid, of which the nearest point lies in a box. */
 typedef struct skv_reaction {
     double x0, y0, x1, y1; /* the box, m */
-    double dx, dy;         /* sums of the walls' displacements of particles, m ... */
+    double dx, dy;         /* sums of the walls' displacements of particles times mass, m ... */
     double moment;         /* ... and of their moments about the box's centre, m^2 */
 } skv_reaction;
 
@@ -92,7 +95,7 @@ typedef struct skv_solver_type {
     /* Makes room for a step; allocates only when it has to. On failure nothing has changed. */
     skv_result (*reserve)(skv_solver *solver, const skv_solver_step *step, skv_error *error);
     /* Takes the substeps, for which there is room. Returns what walls have given the particles that
-     * are not held, in m, and the moment about the origin in m^2. */
+     * are not held, as displacements times mass, in m, and the moment about the origin in m^2. */
     skv_impulse (*advance)(skv_solver *solver, const skv_solver_step *step);
     /* Wall seconds of each pass since the last call with `reset`. */
     void (*profile)(skv_solver *solver, bool reset, double *seconds);

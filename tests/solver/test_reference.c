@@ -78,6 +78,8 @@ static skv_reference *make(skv_law law, bool images, uint32_t seed)
     skv_reference *f = (skv_reference *)solver;
     f->constants = &constants;
     f->count = N;
+    for (int i = 0; i < N; i++)
+        f->mass[i] = 1;
     f->id = id;
     randomise(f, images);
     skv_neighbours_build(&f->neighbours, place_x, place_y, N, 1.02f * constants.h);

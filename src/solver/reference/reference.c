@@ -59,6 +59,7 @@ static void take_substep(skv_reference *f)
             run(f, DISPLACEMENT, skv_pass_tension);
         if (f->first && skv_is_viscous(c))
             run(f, VISCOSITY, skv_pass_viscosity); /* approaching pairs exchange impulses: 3 */
+        run(f, DISPLACEMENT, skv_pass_divide);     /* what is heavy gives way less */
         if (f->last && skv_resists_slip(c))
             run(f, DISPLACEMENT, skv_pass_slip); /* what a wall holds of the slip along it */
         run(f, DISPLACEMENT, skv_pass_move);     /* x += dx, stopped at walls */
@@ -98,6 +99,7 @@ static void load(skv_reference *f, const skv_solver_particles *p)
         f->vy[i] = (double)p->vy[i];
         f->clearance[i] = (double)p->clearance[i];
         f->warm_lambda[i] = dt * dt * (double)p->warm_lambda[i];
+        f->mass[i] = p->mass ? (double)p->mass[i] : 1;
     }
 }
 
@@ -147,6 +149,7 @@ static skv_result reserve_arrays(skv_reference *f, int count, skv_error *error)
         SKV_ARRAY(f->clearance, room, 0),
         SKV_ARRAY(f->pressure, room, 0),
         SKV_ARRAY(f->warm_lambda, room, 0),
+        SKV_ARRAY(f->mass, room, 0),
         SKV_ARRAY(f->moved_x, room, 0),
         SKV_ARRAY(f->moved_y, room, 0),
         SKV_ARRAY(f->behind_x, room, 0),
@@ -155,6 +158,7 @@ static skv_result reserve_arrays(skv_reference *f, int count, skv_error *error)
         SKV_ARRAY(f->dy, room, 0),
         SKV_ARRAY(f->density, room, 0),
         SKV_ARRAY(f->near_density, room, 0),
+        SKV_ARRAY(f->mean_mass, room, 0),
         SKV_ARRAY(f->gradient_x, room, 0),
         SKV_ARRAY(f->gradient_y, room, 0),
         SKV_ARRAY(f->hanging, room, 0),

@@ -35,16 +35,19 @@ typedef struct skv_reference {
     double *vx, *vy;     /* velocity before and after the substep, m/s */
     double *clearance;   /* lower bound of the distance to the nearest wall, m */
     double *pressure;    /* gauge, Pa m */
+    double *mass;        /* over the first fluid's */
     double *warm_lambda; /* what the pressure term pushes: of the last substep, then of this, m */
 
     double *moved_x, *moved_y;   /* displacement in this substep so far, m */
     double *behind_x, *behind_y; /* how far behind the position pairs are taken, m */
-    double *dx, *dy;             /* the displacement that passes collect until it is carried out */
+    double *dx, *dy; /* the displacement that passes collect until it is carried out; from pairs
+                        and walls times the mass, until it is divided by it */
 
     double *density, *near_density;  /* sum W, sum q^3, walls included; dimensionless */
-    double *gradient_x, *gradient_y; /* sum F r^, walls included, less what the bulk has */
+    double *mean_mass;               /* of what is around: skv_pass_density */
+    double *gradient_x, *gradient_y; /* sum F r^, walls included, less what the bulk has; of mass */
     double *hanging;                 /* share of a wall's pull that one is let fall from */
-    double *lambda, *near_lambda;    /* P and N of the pressure law, m */
+    double *lambda, *near_lambda;    /* P and N of the pressure law, of mass, m */
 
     /* What walls add to these sums: the solid, or the images before it. */
     double *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
@@ -76,7 +79,8 @@ skv_pass skv_pass_predict;
  * which a late push calms. */
 skv_pass skv_pass_lag;
 
-/* Algorithm 3: pairs that approach each other exchange impulses. In dx, dy. */
+/* Algorithm 3: pairs that approach each other exchange impulses, at most those of the lighter one's
+ * mass. In dx, dy. */
 skv_pass skv_pass_viscosity;
 
 /* Algorithm 8: the velocity is the displacement of the substep over its time. */
@@ -88,7 +92,9 @@ void skv_apply_forces(const skv_reference *fluid, double x, double y, double *vx
 /* relaxation.c */
 
 /* Algorithm 6, lines 3-9: densities from neighbours and walls, and in the first iteration their
- * gradient, which the tension needs. */
+ * gradient, which the tension needs. And the mean mass of the neighbours, which says how far they
+ * give way: the reciprocal of that of their reciprocals, each weighted with its near density. What
+ * a wall adds is of the particle's own kind. */
 skv_pass skv_pass_density;
 
 /* Algorithm 6, lines 10-11: P and N of a particle from its densities, by the fluid's law. */
@@ -101,6 +107,9 @@ skv_pass skv_pass_displacement;
 /* The calibrated law's surface tension (docs/model.md): adds to dx, dy and the gauge pressure what
  * evens out the gradients. */
 skv_pass skv_pass_tension;
+
+/* Divides dx, dy by the mass: so far they are what pairs and walls give. */
+skv_pass skv_pass_divide;
 
 /* walls.c */
 
@@ -117,7 +126,7 @@ skv_pass skv_pass_move;
  * push out of it, carried out at once. */
 skv_pass skv_pass_contact;
 
-/* Books (dx, dy), in m, which a wall has done to particle i. */
+/* Books (dx, dy) times its mass, in m, which a wall has given particle i. */
 void skv_book_reaction(skv_reference *fluid, int i, double dx, double dy);
 
 #endif

@@ -13,7 +13,8 @@
 /* Sums over a particle's surroundings. */
 typedef struct surroundings {
     double density, near_density;
-    double gx, gy; /* sum of F r^ */
+    double lightness; /* sum of q^3 over mass */
+    double gx, gy;    /* sum of F r^ */
 } surroundings;
 
 static surroundings look_around(const skv_reference *f, int i)
@@ -30,6 +31,7 @@ static surroundings look_around(const skv_reference *f, int i)
         sums.density += skv_kernel_density(kernel, q) + skv_kernel_density(kernel, image) +
                         (q * q + image * image) * ahead;
         sums.near_density += q * q * q + image * image * image;
+        sums.lightness += (q * q * q + image * image * image) / f->mass[j];
         sums.gx += force * pair.ux;
         sums.gy += force * pair.uy;
     }
@@ -70,11 +72,21 @@ static void keep_gradient(skv_reference *f, int i, double gx, double gy)
     gy -= f->f1y[i] + flat * f->facing_y[i];
     double size = sqrt(gx * gx + gy * gy), bulk = (double)c->tension_from;
     double share = size > bulk ? (size - bulk) / size : 0;
-    share *= skv_max(1 - f->warm_lambda[i] / (double)c->tension_until, 0);
+    share *= skv_max(1 - f->warm_lambda[i] / (f->mass[i] * (double)c->tension_until), 0);
     f->gradient_x[i] = share * gx;
     f->gradient_y[i] = share * gy;
     if (c->images)
         f->hanging[i] = find_hanging(f, i);
+    f->gradient_x[i] *= f->mass[i];
+    f->gradient_y[i] *= f->mass[i];
+}
+
+/* From q^3 over mass, summed up over the neighbours, and q of the own image. */
+static void find_mean_mass(skv_reference *f, int i, double lightness, double own)
+{
+    const double share = (double)SKV_OWN_SHARE, mass = f->mass[i];
+    lightness = lightness + f->wall_near[i] / mass + own * own * own / mass + share / mass;
+    f->mean_mass[i] = (f->near_density[i] + share) / lightness;
 }
 
 void skv_pass_density(skv_reference *f)
@@ -85,21 +97,24 @@ void skv_pass_density(skv_reference *f)
         double own = skv_own_image_of(f, i);
         f->density[i] = sums.density + f->wall_density[i] + skv_kernel_density(c->kernel, own);
         f->near_density[i] = sums.near_density + f->wall_near[i] + own * own * own;
+        find_mean_mass(f, i, sums.lightness, own);
         if (f->first && !c->clavet)
             keep_gradient(f, i, sums.gx, sums.gy);
     }
 }
 
-/* The pressure term's P, which is remembered. The warm start: where the density is too high anyway,
- * a share of the last substep's push comes first. What is left to find is less, and so is the
- * density that finds it. */
+/* The pressure term's P, which is remembered: as much as what is around gives way to, for a light
+ * particle among heavy ones else flew off, and pressure goes on across where two fluids meet. The
+ * warm start: where the density is too high anyway, a share of the last substep's push comes first.
+ * What is left to find is less, and so is the density that finds it. */
 static double press(skv_reference *f, int i, double response)
 {
     const skv_constants *c = f->constants;
     double excess = skv_max(f->density[i] - (double)c->rest_density, 0);
-    double lambda = (double)c->lambda_scale * excess / response, before = f->warm_lambda[i];
+    double lambda = f->mean_mass[i] * (double)c->lambda_scale * excess / response;
+    double before = f->warm_lambda[i];
     if (f->first) {
-        double start = (double)c->warm_start * skv_min(before, (double)c->warm_limit);
+        double start = (double)c->warm_start * skv_min(before, f->mass[i] * (double)c->warm_limit);
         lambda += skv_min(start, (double)c->warm_most * lambda);
         before = 0;
     }
@@ -108,7 +123,7 @@ static double press(skv_reference *f, int i, double response)
 }
 
 /* A relaxation step of the constraint that the density is at most that at rest; cohesion, and near
- * pressure, which both vanish in the lattice at rest. */
+ * pressure, which both vanish in the lattice at rest, and so may be of the own mass. */
 static void find_calibrated(skv_reference *f, int i)
 {
     const skv_constants *c = f->constants;
@@ -122,21 +137,21 @@ static void find_calibrated(skv_reference *f, int i)
     /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly answers.
      */
     double response = skv_max((double)c->response_slope * density, (double)c->response_floor);
-    double pressed = press(f, i, response);
-    f->lambda[i] = pressed - (pull + SKV_NEAR_WEIGHT * share * crowd) / response;
-    f->near_lambda[i] = crowd / response;
+    double pressed = press(f, i, response), mass = f->mass[i];
+    f->lambda[i] = pressed - mass * ((pull + SKV_NEAR_WEIGHT * share * crowd) / response);
+    f->near_lambda[i] = mass * (crowd / response);
 }
 
 /* The thesis' law, made symmetric. Its limiter: a Jacobi iteration overshoots where many strong
  * pairs meet. Scaling P and N of one particle keeps pairs opposite; capping N alone was tried and
- * failed. */
+ * failed. At rest P and N balance each other, so both are of the mean mass. */
 static void find_clavet(skv_reference *f, int i)
 {
     const skv_constants *c = f->constants;
     double lambda = (double)c->lambda_scale * (f->density[i] - (double)c->rest_density);
     double near_lambda = (double)c->near_lambda_scale * f->near_density[i];
     double strength = f->density[i] * near_lambda, limit = (double)c->lambda_limit;
-    double scale = strength > limit ? limit / strength : 1;
+    double scale = f->mean_mass[i] * (strength > limit ? limit / strength : 1);
     f->lambda[i] = scale * lambda;
     f->near_lambda[i] = scale * near_lambda;
 }
@@ -182,7 +197,7 @@ static void add_solid(skv_reference *f, int i, double virial)
     double lambda = f->lambda[i], near_lambda = f->near_lambda[i];
     double push_x = lambda * f->f1x[i] + near_lambda * f->f2x[i];
     double push_y = lambda * f->f1y[i] + near_lambda * f->f2y[i];
-    if (lambda < (double)c->loose_lambda)
+    if (lambda < (double)c->loose_lambda * f->mass[i])
         let_fall(f, i, f->f1x[i], f->f1y[i], 1, &push_x, &push_y);
     f->dx[i] += push_x;
     f->dy[i] += push_y;
@@ -271,5 +286,13 @@ void skv_pass_tension(skv_reference *f)
         f->dy[i] += scale * sum_y;
         if (!skv_has_image(f, i))
             gauge(f, i, scale * virial);
+    }
+}
+
+void skv_pass_divide(skv_reference *f)
+{
+    for (int i = 0; i < f->count; i++) {
+        f->dx[i] /= f->mass[i];
+        f->dy[i] /= f->mass[i];
     }
 }

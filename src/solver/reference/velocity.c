@@ -68,6 +68,7 @@ void skv_pass_viscosity(skv_reference *f)
             if (!(approach > 0))
                 continue;
             double share = pair.q * skv_min(per_step + per_way * approach, most);
+            share *= skv_min(f->mass[i], f->mass[j]);
             f->dx[i] -= share * approach / 2 * pair.ux;
             f->dy[i] -= share * approach / 2 * pair.uy;
         }

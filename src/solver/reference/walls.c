@@ -90,7 +90,7 @@ void skv_pass_slip(skv_reference *f)
             slip * (double)skv_slip_taken(c->slip_friction, c->wall_drag, (float)f->image[i]);
         f->dx[i] -= held * tx;
         f->dy[i] -= held * ty;
-        skv_book_reaction(f, i, -held * tx, -held * ty);
+        skv_book_reaction(f, i, -held * f->mass[i] * tx, -held * f->mass[i] * ty);
     }
 }
 
@@ -103,7 +103,7 @@ static void meet_wall(skv_reference *f, int i, bool on)
                                              (float)f->dy[i], &along_x, &along_y, &distance);
     double lost_x = (made - 1) * f->dx[i] + (double)along_x;
     double lost_y = (made - 1) * f->dy[i] + (double)along_y;
-    skv_book_reaction(f, i, lost_x, lost_y);
+    skv_book_reaction(f, i, f->mass[i] * lost_x, f->mass[i] * lost_y);
     f->dx[i] += lost_x;
     f->dy[i] += lost_y;
     f->clearance[i] = (double)distance;
@@ -157,7 +157,7 @@ void skv_pass_contact(skv_reference *f)
         double push = softness * depth;
         f->dx[i] = push * nx - rub * tx;
         f->dy[i] = push * ny - rub * ty;
-        skv_book_reaction(f, i, f->dx[i], f->dy[i]);
+        skv_book_reaction(f, i, f->mass[i] * f->dx[i], f->mass[i] * f->dy[i]);
         move_one(f, i, false);
     }
 }
