@@ -61,6 +61,7 @@ typedef struct skv_emitter {
     float vx, vy; /**< m/s, each -20..20; both 0: closed */
     float width;  /**< m: the length of the line, above 0, and at most 1000 spacings */
     int dye;      /**< colour of what comes, 0..SKV_DYES */
+    int fluid;    /**< number of the fluid that comes, as skv_world_liquid; 0: the first */
 } skv_emitter;
 
 /** A drain: particles in an area are taken out between substeps. */

@@ -49,6 +49,27 @@ typedef struct skv_fluid_def {
 SKV_API skv_fluid_def skv_default_fluid_def(skv_law law);
 SKV_API void skv_fluid_def_init(skv_fluid_def *def, size_t size, skv_law law);
 
+/** Fluids that a world may have, the first included. */
+#define SKV_MAX_FLUIDS 8
+/** Bytes of a fluid's name, its end included. */
+#define SKV_FLUID_NAME 32
+
+/** What one fluid of a world has for itself beside others; all else is as skv_fluid_def says.
+ * Initialise with skv_default_liquid. */
+typedef struct skv_liquid {
+    uint32_t cookie;
+    char name[SKV_FLUID_NAME]; /**< UTF-8 without control characters, another for each fluid of a
+                                    world; "water" is the first */
+    float density;             /**< kg/m^2 of the sheet, 0.01..20 times that of the first */
+    float viscosity;           /**< m^2/s; it does not act yet: the first fluid's does on all */
+    int color;                 /**< 0xrrggbb, as it looks in deep layers; -1: by its number */
+} skv_liquid;
+
+/** A liquid like the default fluid, which still needs a name of its own; and the same for binders
+ * ("Definitions" in skvalp/base.h). */
+SKV_API skv_liquid skv_default_liquid(void);
+SKV_API void skv_liquid_init(skv_liquid *def, size_t size);
+
 /** Liquids by name: density in kg/m^3 and kinematic viscosity in m^2/s at 20 degrees Celsius. */
 typedef struct skv_material {
     const char *name;

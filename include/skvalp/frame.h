@@ -26,6 +26,8 @@ typedef struct skv_frame {
     float smoothing_radius;     /**< h, m */
     float density;              /**< at rest, kg/m^2 of the sheet */
     float gravity_x, gravity_y; /**< m/s^2 */
+    const skv_liquid *fluids;   /**< by number, the first included */
+    int fluid_count;            /**< of them; 0: who shows particles of his own knows none */
 } skv_frame;
 
 /** The world as it is, without a copy: its arrays and terrain, which are valid as long as

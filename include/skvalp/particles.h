@@ -47,6 +47,8 @@ typedef struct skv_particles {
     const skv_particle_id *id; /**< ascending */
     const uint8_t *dye;        /**< colours, 0..SKV_DYES; 0: none. Who shows particles of his own
                                   may leave it null: none has any */
+    const uint8_t *fluid;      /**< numbers of their fluids, as skv_world_liquid; may be null, too:
+                                  all are of the first */
 } skv_particles;
 SKV_API skv_particles skv_world_particles(const skv_world *world);
 
@@ -81,6 +83,7 @@ typedef struct skv_fill_def {
     int limit;          /**< at most so many particles are added; negative, the default: no limit */
     float vx, vy;       /**< their velocity, m/s, each -1000..1000; default 0 */
     int dye;            /**< their colour, 0..SKV_DYES; default 0 */
+    int fluid;          /**< number of their fluid, as skv_world_liquid; default 0 */
 } skv_fill_def;
 
 /** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
@@ -167,6 +170,12 @@ SKV_API skv_result skv_world_set_dyes(skv_world *world, int first, int count, co
  * SKV_ERROR_VALUE if there is no such dye. */
 SKV_API skv_result skv_world_dye_area(skv_world *world, const skv_area *area, int dye, int *dyed,
                                       skv_error *error);
+
+/** Makes particles [first, first+count) such of other fluids: fluids[0] is the number of the
+ * fluid that `first` is to be of. Wakes those that change. SKV_ERROR_VALUE, and nothing changed,
+ * for a number that no fluid of the world has or a particle that does not exist. */
+SKV_API skv_result skv_world_set_fluids(skv_world *world, int first, int count,
+                                        const uint8_t *fluids, skv_error *error);
 
 /** Removes the particles with these ids; those that are gone already are passed over. Fluid that
  * sleeps beside them wakes. Writes how many were removed to *removed (null is allowed). On failure,

@@ -54,6 +54,7 @@ typedef struct skv_dab {
     float x0, y0, x1, y1, radius; /**< m: of a brush on a straight way */
     float vx, vy;                 /**< of water that is poured, m/s */
     int dye;                      /**< of water that is poured or dyed */
+    int fluid;                    /**< number of the fluid that is poured, as skv_world_liquid */
 } skv_dab;
 
 #define SKV_MOST_STROKES 16

@@ -20,13 +20,17 @@ typedef struct skv_stats {
     int particles;
     int escaped;                   /**< outside the world, or inside a wall deeper than h */
     int not_finite;                /**< particles with a NaN or infinity */
-    double kinetic_energy;         /**< J per metre of depth: sum of m v^2 / 2, m = density s^2 */
+    double kinetic_energy;         /**< J per metre of depth: sum of m v^2 / 2, m = density s^2 of
+                                        the particle's own fluid */
     double potential_energy;       /**< J per metre of depth, against the world's origin */
     double momentum_x, momentum_y; /**< kg/s */
     double rms_speed, max_speed;   /**< m/s */
     double centre_x, centre_y;     /**< of mass, m */
 } skv_stats;
 SKV_API skv_stats skv_world_stats(const skv_world *world);
+
+/** The same of one fluid's particles, by its number (skv_world_liquid); zeros past the last. */
+SKV_API skv_stats skv_world_fluid_stats(const skv_world *world, int fluid);
 
 /** How the particles of a world are packed. */
 typedef struct skv_packing {
@@ -50,8 +54,8 @@ typedef struct skv_wall_impulse {
 } skv_wall_impulse;
 SKV_API skv_wall_impulse skv_world_wall_impulse(const skv_world *world);
 
-/** 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order, and its dye if it has
- * one. */
+/** 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order, its dye if it has
+ * one, and its fluid if it is not the first. */
 SKV_API uint64_t skv_world_hash(const skv_world *world);
 
 /** Writes the indices (into the arrays of skv_world_particles) of the particles in an area,

@@ -63,6 +63,10 @@ typedef struct skv_world_def {
     int capacity;    /**< particles to make room for at creation; the world grows beyond it */
     skv_logger *log; /**< as by skv_world_set_log, from the first moment on; default null */
     void *log_user;
+    /** The fluids beside `fluid`, which has the number 0: so many of the list have the numbers from
+     * 1 on. Default: none. */
+    int liquid_count;
+    skv_liquid liquids[SKV_MAX_FLUIDS - 1];
 } skv_world_def;
 
 /** The defaults, and the same for binders ("Definitions" in skvalp/base.h). */
@@ -138,6 +142,9 @@ SKV_API int64_t skv_world_substep_count(const skv_world *world);  /**< substeps 
 SKV_API float skv_world_spacing(const skv_world *world);          /**< s, m */
 SKV_API float skv_world_smoothing_radius(const skv_world *world); /**< h, m */
 SKV_API const skv_fluid_def *skv_world_fluid(const skv_world *world);
+/** A fluid of the world by its number, the first one's as its fluid is at present; null past the
+ * last. Valid as long as the world is. */
+SKV_API const skv_liquid *skv_world_liquid(const skv_world *world, int number);
 SKV_API void skv_world_gravity(const skv_world *world, float *gx, float *gy);
 SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
 

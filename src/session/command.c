@@ -7,6 +7,7 @@
 #include "skvalp/parameters.h"
 #include "skvalp/particles.h"
 #include "world/forces.h"
+#include "world/liquids.h"
 
 #include <string.h>
 
@@ -129,6 +130,7 @@ static skv_result pour(const skv_command *command, skv_world *world, skv_error *
     fill.vx = dab->vx;
     fill.vy = dab->vy;
     fill.dye = dab->dye;
+    fill.fluid = dab->fluid;
     fill.area = &area;
     fill.aligned = true;
     return skv_world_fill(world, &fill, NULL, error);
@@ -155,16 +157,9 @@ static bool code_water(skv_command *command, const skv_command *last, skv_coder 
     return true;
 }
 
-static void code_dye(int *dye, skv_coder *coder)
-{
-    uint64_t number = (uint64_t)*dye;
-    skv_exchange(&coder->port, &number, 1);
-    *dye = (int)number;
-}
-
 static bool code_dyed_water(skv_command *command, const skv_command *last, skv_coder *coder)
 {
-    code_dye(&command->water.dye, coder);
+    skv_exchange_contents(&coder->port, &command->water.dye, &command->water.fluid);
     return code_water(command, last, coder);
 }
 
@@ -231,7 +226,7 @@ static bool code_source(skv_command *command, const skv_command *last, skv_coder
     skv_code_float(coder, &source->vx, last->source.vx, SKV_UNIT_SPEED);
     skv_code_float(coder, &source->vy, last->source.vy, SKV_UNIT_SPEED);
     skv_code_float(coder, &source->width, last->source.width, SKV_UNIT_LENGTH);
-    code_dye(&source->dye, coder);
+    skv_exchange_contents(&coder->port, &source->dye, &source->fluid);
     return true;
 }
 

@@ -90,6 +90,7 @@ static bool reserve(skv_canvas *canvas, int count)
         SKV_ARRAY(canvas->vx, room, 0),       SKV_ARRAY(canvas->vy, room, 0),
         SKV_ARRAY(canvas->pressure, room, 0), SKV_ARRAY(canvas->clearance, room, 0),
         SKV_ARRAY(canvas->id, room, 0),       SKV_ARRAY(canvas->dye, room, 0),
+        SKV_ARRAY(canvas->fluid, room, 0),
     };
     if (!skv_arrays_grow(&canvas->block, arrays, (int)(sizeof arrays / sizeof *arrays)))
         return false;
@@ -110,6 +111,8 @@ static void copy_particles(skv_canvas *canvas, const skv_particles *from)
     memcpy(canvas->clearance, from->clearance, bytes);
     memcpy(canvas->id, from->id, bytes);
     memcpy(canvas->dye, from->dye, (size_t)from->count);
+    if (from->fluid)
+        memcpy(canvas->fluid, from->fluid, (size_t)from->count);
 }
 
 static void paint_world(skv_canvas *canvas, const skv_world *world)
@@ -126,7 +129,10 @@ static void paint_world(skv_canvas *canvas, const skv_world *world)
                                        .pressure = canvas->pressure,
                                        .clearance = canvas->clearance,
                                        .id = canvas->id,
-                                       .dye = canvas->dye};
+                                       .dye = canvas->dye,
+                                       .fluid = frame->particles.fluid ? canvas->fluid : NULL};
+    memcpy(canvas->fluids, frame->fluids, (size_t)frame->fluid_count * sizeof *frame->fluids);
+    frame->fluids = canvas->fluids;
     canvas->terrain = skv_terrain_share(frame->terrain);
     frame->terrain = canvas->terrain;
 }

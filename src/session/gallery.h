@@ -28,7 +28,8 @@ typedef struct skv_canvas {
     void *block; /* of the particles' arrays */
     float *x, *y, *vx, *vy, *pressure, *clearance;
     skv_particle_id *id;
-    uint8_t *dye;
+    uint8_t *dye, *fluid;
+    skv_liquid fluids[SKV_MAX_FLUIDS];
     int room;
     double *samples; /* of the probes' histories */
     size_t sample_room;

@@ -56,10 +56,10 @@ float skv_acting_head(const skv_acting *acting, float width, float height)
     return head + skv_emitted_head(acting);
 }
 
-skv_result skv_exchange_acting(skv_port *port, skv_acting *acting, skv_error *error)
+skv_result skv_exchange_acting(skv_port *port, skv_acting *acting, int fluids, skv_error *error)
 {
     skv_result result = skv_exchange_hands(port, acting, error);
     if (result == SKV_OK)
         result = skv_exchange_forces(port, acting, error);
-    return result == SKV_OK ? skv_exchange_flow(port, acting, error) : result;
+    return result == SKV_OK ? skv_exchange_flow(port, acting, fluids, error) : result;
 }

@@ -53,7 +53,8 @@ float skv_acting_head(const skv_acting *acting, float width, float height);
 /* That of the fastest jet alone. */
 float skv_emitted_head(const skv_acting *acting);
 
-/* Writes or reads all of it but names; what has been read is checked. */
-skv_result skv_exchange_acting(skv_port *port, skv_acting *acting, skv_error *error);
+/* Writes or reads all of it but names; what has been read is checked for a world with so many
+ * fluids. */
+skv_result skv_exchange_acting(skv_port *port, skv_acting *acting, int fluids, skv_error *error);
 
 #endif

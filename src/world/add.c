@@ -145,7 +145,7 @@ static skv_placed add_where_free(skv_world *world, const skv_particle *particles
             if (ids)
                 ids[i] = world->next_id;
             skv_occupy(taken, p->x, p->y);
-            skv_world_append(world, p->x, p->y, p->vx, p->vy, 0);
+            skv_world_append(world, p->x, p->y, p->vx, p->vy, 0, 0);
         }
     }
     return placed;
@@ -190,7 +190,7 @@ skv_result skv_world_add_particle(skv_world *world, float x, float y, float vx, 
     skv_result result = skv_world_make_room(world, 1, error);
     if (result != SKV_OK)
         return result;
-    skv_world_append(world, x, y, vx, vy, 0);
+    skv_world_append(world, x, y, vx, vy, 0, 0);
     skv_world_note_added(world, 1);
     return SKV_OK;
 }

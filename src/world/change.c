@@ -93,7 +93,7 @@ bool skv_emitter_goes_on(const skv_emitter *a, const skv_emitter *b)
 skv_result skv_world_check_emitters(const skv_world *world, const skv_emitter *emitters, int count,
                                     skv_error *error)
 {
-    skv_result result = skv_check_emitters(emitters, count, error);
+    skv_result result = skv_check_emitters(emitters, count, world->fluid_count, error);
     if (result != SKV_OK)
         return result;
     for (int i = 0; i < count; i++) {

@@ -6,13 +6,14 @@
 #include "base/fields.h"
 #include "world/area.h"
 #include "world/dye.h"
+#include "world/liquids.h"
 #include "world/world_internal.h"
 
 #include <math.h>
 
 #define MOUTH 1.0f /* h: how far the emitter's velocity is kept up */
 
-skv_result skv_check_emitters(const skv_emitter *emitters, int count, skv_error *error)
+skv_result skv_check_emitters(const skv_emitter *emitters, int count, int fluids, skv_error *error)
 {
     if (count < 0 || count > SKV_MAX_EMITTERS)
         return skv_fail(error, SKV_ERROR_LIMIT, "%d emitters; allowed is 0..%d", count,
@@ -27,6 +28,8 @@ skv_result skv_check_emitters(const skv_emitter *emitters, int count, skv_error 
                             "of 0.0001..100 m are allowed",
                             i);
         skv_result result = skv_check_dye(e->dye, error);
+        if (result == SKV_OK)
+            result = skv_check_fluid(e->fluid, fluids, error);
         if (result != SKV_OK)
             return result;
     }
@@ -132,9 +135,7 @@ static void exchange_emitter(skv_port *port, skv_emitter *e, skv_stream *stream)
     float *const numbers[] = {&e->x, &e->y, &e->vx, &e->vy, &e->width};
     for (int i = 0; i < 5; i++)
         skv_exchange_float(port, numbers[i]);
-    uint64_t dye = (uint64_t)e->dye;
-    skv_exchange(port, &dye, 1);
-    e->dye = (int)dye;
+    skv_exchange_contents(port, &e->dye, &e->fluid);
     skv_exchange_double(port, &stream->travelled);
     skv_exchange_double(port, &stream->way);
     uint64_t odd = stream->odd;
@@ -158,7 +159,7 @@ static void exchange_totals(skv_port *port, skv_flow *flow)
     }
 }
 
-skv_result skv_exchange_flow(skv_port *port, skv_acting *a, skv_error *error)
+skv_result skv_exchange_flow(skv_port *port, skv_acting *a, int fluids, skv_error *error)
 {
     bool sane = skv_exchange_count(port, &a->emitter_count, SKV_MAX_EMITTERS);
     for (int i = 0; i < a->emitter_count; i++) {
@@ -177,6 +178,6 @@ skv_result skv_exchange_flow(skv_port *port, skv_acting *a, skv_error *error)
     if (!sane)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "snapshot: it holds emitters or drains that no world has");
-    skv_result result = skv_check_emitters(a->emitters, a->emitter_count, error);
+    skv_result result = skv_check_emitters(a->emitters, a->emitter_count, fluids, error);
     return result == SKV_OK ? skv_check_drains(a->drains, a->drain_count, error) : result;
 }

@@ -4,7 +4,8 @@
 
 #include "world/acting.h"
 
-skv_result skv_check_emitters(const skv_emitter *emitters, int count, skv_error *error);
+/* Of a world with so many fluids. */
+skv_result skv_check_emitters(const skv_emitter *emitters, int count, int fluids, skv_error *error);
 skv_result skv_check_drains(const skv_drain *drains, int count, skv_error *error);
 
 /* change.c: the same, and whether they are too wide for a world's fluid. */
@@ -42,6 +43,6 @@ bool skv_emitter_is_wide(const skv_emitter *emitter, float spacing, char *text, 
 void skv_emitter_place(const skv_emitter *emitter, const skv_emitter_rows *rows, double way,
                        bool odd, int column, float *x, float *y);
 
-skv_result skv_exchange_flow(skv_port *port, skv_acting *acting, skv_error *error);
+skv_result skv_exchange_flow(skv_port *port, skv_acting *acting, int fluids, skv_error *error);
 
 #endif

@@ -12,6 +12,7 @@
 #include "world/add.h"
 #include "world/area.h"
 #include "world/dye.h"
+#include "world/liquids.h"
 
 #include <math.h>
 #include <string.h>
@@ -180,8 +181,8 @@ static skv_result settle(skv_world *world, const walk *w, skv_error *error)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a fill");
     skv_result result = skv_world_make_room(world, w->placed.added, error);
     for (int i = 0; i < w->placed.added && result == SKV_OK; i++)
-        skv_world_append(world, w->x[i], w->x[w->capacity + i], w->def->vx, w->def->vy,
-                         w->def->dye);
+        skv_world_append(world, w->x[i], w->x[w->capacity + i], w->def->vx, w->def->vy, w->def->dye,
+                         w->def->fluid);
     if (result == SKV_OK)
         skv_world_note_added(world, w->placed.added);
     return result;
@@ -204,6 +205,8 @@ skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed 
     w.next_id = world->next_id;
     skv_occupancy others = {0};
     skv_result result = skv_check_dye(def->dye, error);
+    if (result == SKV_OK)
+        result = skv_check_fluid(def->fluid, world->fluid_count, error);
     if (result == SKV_OK && world->state.count > 0) {
         const skv_region box = {.x0 = w.x0, .y0 = w.y0, .x1 = w.x1, .y1 = w.y1, .radius = -1};
         result = skv_world_find_taken(

@@ -108,7 +108,7 @@ static void emit_row(skv_world *world, int number, const skv_emitter_rows *rows)
             continue;
         skv_events_add(&world->events, SKV_EVENT_EMITTED, world->next_id,
                        world->acting.emitter_ids[number]);
-        skv_world_append(world, r.x[k], r.y[k], e->vx, e->vy, e->dye);
+        skv_world_append(world, r.x[k], r.y[k], e->vx, e->vy, e->dye, e->fluid);
         left--;
     }
     if (count < rows->columns)

@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/defs.h"
 #include "base/fields.h"
+#include "world/liquids.h"
 #include "world/world_internal.h"
 
 #include <string.h>
@@ -181,6 +182,8 @@ skv_world_def skv_default_world_def(void)
 {
     skv_world_def def = {.cookie = SKV_COOKIE(WORLD_COOKIE, skv_world_def)};
     def.fluid.cookie = SKV_COOKIE(FLUID_COOKIE, skv_fluid_def);
+    for (int i = 0; i < SKV_MAX_FLUIDS - 1; i++)
+        def.liquids[i].cookie = skv_liquid_cookie;
     for (int i = 0; i < SKV_P_COUNT; i++) {
         if (places[i].offset != NO_MEMBER)
             store(&def, i, places[i].standard[0]);
@@ -194,6 +197,21 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
     if (law == SKV_LAW_CLAVET)
         change_law(&def, law);
     return def.fluid;
+}
+
+skv_liquid skv_default_liquid(void)
+{
+    const skv_fluid_def fluid = skv_default_fluid_def(SKV_LAW_CALIBRATED);
+    return (skv_liquid){.cookie = skv_liquid_cookie,
+                        .density = fluid.density,
+                        .viscosity = fluid.viscosity,
+                        .color = SKV_NO_COLOR};
+}
+
+void skv_liquid_init(skv_liquid *def, size_t size)
+{
+    const skv_liquid standard = skv_default_liquid();
+    skv_def_init(def, size, &standard, sizeof standard);
 }
 
 void skv_world_def_init(skv_world_def *def, size_t size)
@@ -213,7 +231,10 @@ const skv_world_def *skv_open_world_def(const skv_world_def *def, skv_world_def 
     *own = skv_default_world_def();
     const uint32_t fluid = own->fluid.cookie;
     def = skv_def_open(def, own, sizeof *own);
-    return def && def->fluid.cookie == fluid ? def : NULL;
+    bool whole = def && def->fluid.cookie == fluid;
+    for (int i = 0; whole && i < def->liquid_count && i < SKV_MAX_FLUIDS - 1; i++)
+        whole = def->liquids[i].cookie == skv_liquid_cookie;
+    return whole ? def : NULL;
 }
 
 /* Whether a field allows a number. */
@@ -244,7 +265,7 @@ skv_result skv_check_world_def(const skv_world_def *def, skv_error *error)
         if (result != SKV_OK)
             return result;
     }
-    return SKV_OK;
+    return skv_check_liquids(def, error);
 }
 
 /* ---- Access by path -------------------------------------------------------------------------- */
@@ -314,6 +335,9 @@ skv_world_def skv_world_describe(const skv_world *world)
 {
     skv_world_def def = skv_default_world_def();
     def.fluid = world->fluid;
+    def.liquid_count = world->fluid_count - 1;
+    for (int i = 0; i < def.liquid_count; i++)
+        def.liquids[i] = world->liquids[i + 1];
     def.gravity_x = world->gravity_x;
     def.gravity_y = world->gravity_y;
     def.substeps = world->substeps;
@@ -332,9 +356,13 @@ skv_world_def skv_world_describe(const skv_world *world)
 static skv_result follow(skv_world *world, int parameter, const skv_world_def *def,
                          skv_error *error)
 {
-    if (is_fluids(parameter) || parameter == SKV_P_FLUID_MATERIAL)
-        skv_world_change_fluid(world, &def->fluid);
-    else if (parameter == SKV_P_EMISSION_LIMIT || parameter == SKV_P_EMISSION_REPLACES)
+    if (is_fluids(parameter) || parameter == SKV_P_FLUID_MATERIAL) {
+        skv_result result = skv_check_liquids(def, error);
+        if (result == SKV_OK)
+            skv_world_change_fluid(world, &def->fluid);
+        return result;
+    }
+    if (parameter == SKV_P_EMISSION_LIMIT || parameter == SKV_P_EMISSION_REPLACES)
         skv_world_put_emission(world, def);
     else
         return skv_world_set_gravity(world, def->gravity_x, def->gravity_y, error);

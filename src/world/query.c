@@ -24,41 +24,61 @@ static bool has_escaped(const skv_world *world, float x, float y)
     return !leaving && skv_terrain_distance(terrain, x, y) < -world->h;
 }
 
-skv_stats skv_world_stats(const skv_world *world)
+/* Of the particles of one fluid, or of all for a negative number. A weight is a particle's mass
+ * over that of the first fluid's. */
+static skv_stats gather(const skv_world *world, int fluid)
 {
     skv_stats stats = {0};
-    SKV_ASSERT_OR(world, stats);
     const skv_state *s = &world->state;
-    double mass =
-        (double)world->fluid.density * (double)world->fluid.spacing * (double)world->fluid.spacing;
-    double speeds_squared = 0;
-    stats.particles = s->count;
+    double first = (double)world->fluid.density, weights[SKV_MAX_FLUIDS];
+    double mass_of_first = first * (double)world->fluid.spacing * (double)world->fluid.spacing;
+    double speeds_squared = 0, energies = 0, weight_of_all = 0;
+    for (int i = 0; i < world->fluid_count; i++)
+        weights[i] = (double)world->liquids[i].density / first;
     for (int i = 0; i < s->count; i++) {
+        if (fluid >= 0 && skv_fluid_of(s, i) != fluid)
+            continue;
+        stats.particles++;
         if (!finite_particle(s, i)) {
             stats.not_finite++;
             continue;
         }
+        double weight = weights[skv_fluid_of(s, i)], mass = weight * mass_of_first;
         double vx = (double)s->vx[i], vy = (double)s->vy[i];
         double x = (double)s->x[i], y = (double)s->y[i];
         double speed_squared = vx * vx + vy * vy;
         speeds_squared += speed_squared;
+        energies += weight * speed_squared;
+        weight_of_all += weight;
         stats.max_speed = skv_max(sqrt(speed_squared), stats.max_speed);
         stats.momentum_x += mass * vx;
         stats.momentum_y += mass * vy;
         stats.potential_energy -=
             mass * ((double)world->gravity_x * x + (double)world->gravity_y * y);
-        stats.centre_x += x;
-        stats.centre_y += y;
+        stats.centre_x += weight * x;
+        stats.centre_y += weight * y;
         stats.escaped += has_escaped(world, s->x[i], s->y[i]);
     }
-    stats.kinetic_energy = mass * speeds_squared / 2;
-    int finite = s->count - stats.not_finite;
+    stats.kinetic_energy = mass_of_first * energies / 2;
+    int finite = stats.particles - stats.not_finite;
     if (finite > 0) {
         stats.rms_speed = sqrt(speeds_squared / finite);
-        stats.centre_x /= finite;
-        stats.centre_y /= finite;
+        stats.centre_x /= weight_of_all;
+        stats.centre_y /= weight_of_all;
     }
     return stats;
+}
+
+skv_stats skv_world_stats(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, (skv_stats){0});
+    return gather(world, -1);
+}
+
+skv_stats skv_world_fluid_stats(const skv_world *world, int fluid)
+{
+    SKV_ASSERT_OR(world && fluid >= 0, (skv_stats){0});
+    return gather(world, fluid);
 }
 
 static uint64_t hash_byte(uint64_t hash, unsigned byte)
@@ -87,6 +107,8 @@ uint64_t skv_world_hash(const skv_world *world)
         hash = hash_float(hash, s->vy[i]);
         if (s->dye[i])
             hash = hash_byte(hash, s->dye[i]);
+        if (skv_fluid_of(s, i))
+            hash = hash_byte(hash, 16u * (unsigned)skv_fluid_of(s, i));
     }
     return hash;
 }

@@ -7,6 +7,7 @@
  */
 #include "world/ramp.h"
 
+#include "world/fluids.h"
 #include "world/world_internal.h"
 
 static float *number(skv_fluid_def *fluid, int i)
@@ -44,6 +45,7 @@ void skv_world_put_fluid(skv_world *world, const skv_fluid_def *fluid, skv_ramp 
     world->fluid = *fluid;
     world->ramp = ramp;
     world->constants_stale = true;
+    skv_liquids_follow(world);
     skv_fluid_def present = skv_ramp_fluid(fluid, &ramp);
     world->boundary.contact_distance = skv_contact_distance(&present);
 }

@@ -4,6 +4,7 @@
 #include "base/defs.h"
 #include "base/memory.h"
 #include "terrain/terrain.h"
+#include "world/fluids.h"
 #include "world/parameters.h"
 #include "world/snapshot.h"
 
@@ -38,6 +39,7 @@ static skv_result check_match(const skv_world *world, const skv_snapshot *s, skv
 static void take_facts(skv_world *world, const skv_snapshot *s)
 {
     skv_world_put_fluid(world, &s->def.fluid, s->ramp);
+    skv_world_put_liquids(world, &s->def);
     world->gravity_x = s->def.gravity_x;
     world->gravity_y = s->def.gravity_y;
     world->depth = s->def.depth;
@@ -69,6 +71,8 @@ static void take_sleep(skv_world *world, const skv_snapshot *s)
 static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *error)
 {
     skv_result result = skv_world_reserve(world, s->count, error);
+    if (result == SKV_OK && s->with_fluids)
+        result = skv_world_admit_fluids(world, error);
     if (result != SKV_OK)
         return result;
     skv_snapshot_particles(s, &world->state);

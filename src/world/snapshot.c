@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/envelope.h"
 #include "terrain/terrain.h"
+#include "world/liquids.h"
 #include "world/names.h"
 #include "world/parameters.h"
 
@@ -20,12 +21,13 @@ enum {
     WITH_LOAD = 4,
     WITH_WARM = 8,
     WITH_NAMES = 16,
-    WITH_RAMP = 32 /* of a world on its way, so that others are read by older libraries */
+    WITH_RAMP = 32,  /* of a world on its way, so that others are read by older libraries */
+    WITH_FLUIDS = 64 /* of a world with several fluids, likewise */
 };
 
 static const skv_envelope kind = {"snapshot", 'V', 1, 1,
                                   WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
-                                      WITH_NAMES | WITH_RAMP};
+                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -70,8 +72,12 @@ static void put_facts(skv_writer *w, const skv_world *world)
         for (int i = 0; i < SKV_RAMP_NUMBERS; i++)
             skv_put_float(w, world->ramp.now[i]);
     }
+    if (world->fluid_count > 1) {
+        skv_world_def def = skv_world_describe(world);
+        skv_exchange_liquids(&(skv_port){.to = w}, &def);
+    }
     skv_acting acting = world->acting;
-    skv_exchange_acting(&(skv_port){.to = w}, &acting, NULL);
+    skv_exchange_acting(&(skv_port){.to = w}, &acting, world->fluid_count, NULL);
     skv_exchange_names(&(skv_port){.to = w}, &acting, NULL);
 }
 
@@ -120,8 +126,11 @@ static void put_particles(skv_writer *w, const skv_world *world)
     const skv_state *s = &world->state;
     skv_put(w, (uint64_t)s->count, 4);
     skv_put(w, 0, 4); /* that many arrays a solver had, once */
+    unsigned holds = SKV_SAVED | SKV_SAVED_WITH_WARM;
+    if (world->fluid_count > 1)
+        holds |= SKV_SAVED_WITH_FLUIDS;
 #define PUT(type, name, saved)                                                                     \
-    for (int i = 0; (saved) != SKV_SAVED_NOWHERE && i < s->count; i++)                             \
+    for (int i = 0; (holds & (saved)) && i < s->count; i++)                                        \
         put_##type(w, s->name[i]);
     SKV_STATE_ARRAYS(PUT)
 #undef PUT
@@ -133,6 +142,7 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
     skv_envelope_put(w, &kind,
                      WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
                          (world->ramp.left > 0 ? WITH_RAMP : 0u) |
+                         (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
                          (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
@@ -187,7 +197,9 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_load = flags & WITH_LOAD;
     s->with_names = flags & WITH_NAMES;
     s->with_ramp = flags & WITH_RAMP;
-    s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u);
+    s->with_fluids = flags & WITH_FLUIDS;
+    s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
+               (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u);
     return SKV_OK;
 }
 
@@ -264,14 +276,16 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->next_id = (uint32_t)skv_get(r, 4);
     s->watched = skv_get_double(r);
     uint64_t stepped = skv_get(r, 4);
-    bool loads = s->def.substeps >= 1 && read_load(r, s) && read_ramp(r, s);
+    bool loads = s->def.substeps >= 1 && read_load(r, s) && read_ramp(r, s) &&
+                 (!s->with_fluids || skv_exchange_liquids(&(skv_port){.from = r}, &s->def));
     /* More substeps than a frame may have are never owed. */
     if (!skv_within(s->time, 0, 1e12) || steps > INT64_MAX / 2 || !skv_within(s->due, 0, 1000) ||
         !skv_within((double)s->filled, 0, 1e6) || !skv_within(s->watched, 0, 1e3) ||
         stepped > SKV_MAX_PARTICLES || !loads)
         return skv_fail(error, SKV_ERROR_VALUE, "snapshot: it holds values that no world has");
     s->stepped = (int)stepped;
-    skv_result result = skv_exchange_acting(&(skv_port){.from = r}, &s->acting, error);
+    skv_result result =
+        skv_exchange_acting(&(skv_port){.from = r}, &s->acting, s->def.liquid_count + 1, error);
     if (result == SKV_OK && s->with_names)
         return skv_exchange_names(&(skv_port){.from = r}, &s->acting, error);
     skv_acting_rename(&s->acting);
@@ -343,7 +357,7 @@ static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_befo
            isfinite(*one->pressure) && skv_within((double)*one->warm_lambda, 0, MOST_WARM_LAMBDA) &&
            isfinite(*one->anchor_x) && isfinite(*one->anchor_y) && *one->id > id_before &&
            *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS && *one->dye <= SKV_DYES &&
-           (s->def.sleep || *one->unrest != SKV_CALM);
+           *one->fluid <= s->def.liquid_count && (s->def.sleep || *one->unrest != SKV_CALM);
 }
 
 /* Bytes of a particle, behind which the reference solver once had two arrays of its own. */
@@ -384,7 +398,7 @@ void skv_snapshot_particles(const skv_snapshot *s, skv_state *state)
 {
     skv_reader r = s->particles;
 #define READ(type, name, saved)                                                                    \
-    for (int i = 0; i < s->count; i++)                                                             \
+    for (int i = 0; state->name && i < s->count; i++)                                              \
         state->name[i] = (s->holds & (saved)) ? get_##type(&r) : 0;
     SKV_STATE_ARRAYS(READ)
 #undef READ

@@ -14,13 +14,14 @@
 
 /* In which snapshots an attribute is; one that does not hold it is read as 0. */
 typedef enum skv_saved {
-    SKV_SAVED_NOWHERE,      /* found again, from 0 */
-    SKV_SAVED = 1,          /* in all */
-    SKV_SAVED_WITH_WARM = 2 /* in those with warm starts, docs/snapshot.md */
+    SKV_SAVED_NOWHERE,        /* found again, from 0 */
+    SKV_SAVED = 1,            /* in all */
+    SKV_SAVED_WITH_WARM = 2,  /* in those with warm starts, docs/snapshot.md */
+    SKV_SAVED_WITH_FLUIDS = 4 /* in those of worlds with several fluids */
 } skv_saved;
 
-/* X(type, name, saved): one element per particle, SI units. */
-#define SKV_STATE_ARRAYS(X)                                                                        \
+/* X(type, name, saved): one element per particle, SI units. First those of every world. */
+#define SKV_COMMON_ARRAYS(X)                                                                       \
     X(float, x, SKV_SAVED) /* position, m */                                                       \
     X(float, y, SKV_SAVED)                                                                         \
     X(float, vx, SKV_SAVED) /* velocity, m/s */                                                    \
@@ -36,13 +37,29 @@ typedef enum skv_saved {
     X(uint8_t, part, SKV_SAVED_NOWHERE) /* skv_part, of solver.h; what sleep has planned */        \
     X(uint8_t, dye, SKV_SAVED)          /* its colour; 0: none */
 
+/* Those of worlds with several fluids; null in others, so that one fluid takes no memory more. */
+#define SKV_FLUID_ARRAYS(X) X(uint8_t, fluid, SKV_SAVED_WITH_FLUIDS) /* number of its fluid */
+
+#define SKV_STATE_ARRAYS(X) SKV_COMMON_ARRAYS(X) SKV_FLUID_ARRAYS(X)
+
 typedef struct skv_state {
     int count, capacity;
-    void *block; /* the one allocation behind all of the arrays */
+    bool several; /* fluids: it has their arrays */
+    void *block;  /* the one allocation behind all of the arrays */
 #define SKV_DECLARE_ARRAY(type, name, saved) type *name;
     SKV_STATE_ARRAYS(SKV_DECLARE_ARRAY)
 #undef SKV_DECLARE_ARRAY
 } skv_state;
+
+/* Gives it the arrays of several fluids, in which all particles are of the first; nothing changes
+ * on failure. */
+skv_result skv_state_admit_fluids(skv_state *state, skv_error *error);
+
+/* The number of a particle's fluid. */
+static inline int skv_fluid_of(const skv_state *state, int particle)
+{
+    return state->several ? state->fluid[particle] : 0;
+}
 
 /* Makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_state_reserve(skv_state *state, int count, skv_error *error);

@@ -5,6 +5,7 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "skvalp/frame.h"
+#include "world/fluids.h"
 #include "world/parameters.h"
 #include "world/world_internal.h"
 
@@ -24,13 +25,22 @@ skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
     return result;
 }
 
+skv_result skv_world_admit_fluids(skv_world *world, skv_error *error)
+{
+    if (world->state.several)
+        return SKV_OK;
+    skv_result result = skv_state_admit_fluids(&world->state, error);
+    world->array_moves += result == SKV_OK;
+    return result;
+}
+
 void skv_world_revise(skv_world *world)
 {
     if (++world->revision == 0)
         world->revision = 1;
 }
 
-void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye)
+void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye, int fluid)
 {
     skv_state *s = &world->state;
     int i = s->count++;
@@ -46,6 +56,8 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
     s->anchor_y[i] = y;
     s->unrest[i] = SKV_NEWLY_RESTLESS;
     s->dye[i] = (uint8_t)dye;
+    if (s->several)
+        s->fluid[i] = (uint8_t)fluid;
     world->sleep.stepped++;
     skv_world_revise(world);
 }
@@ -102,6 +114,8 @@ static skv_result build(skv_world *world, const skv_world_def *def, skv_error *e
         result = skv_sleep_create(world, def->sleep && type->holds, error);
     if (result == SKV_OK)
         result = skv_load_create(world, error);
+    if (result == SKV_OK && def->liquid_count > 0)
+        result = skv_world_admit_fluids(world, error);
     if (result == SKV_OK && def->capacity > 0)
         result = skv_world_reserve(world, def->capacity, error);
     return result;
@@ -135,6 +149,7 @@ skv_result skv_world_create(const skv_world_def *def, skv_world **out, skv_error
         world->log = def->log;
         world->log_user = def->log_user;
         world->fluid = def->fluid;
+        skv_world_put_liquids(world, def);
         world->gravity_x = def->gravity_x;
         world->gravity_y = def->gravity_y;
         world->depth = def->depth;
@@ -262,7 +277,8 @@ skv_particles skv_world_particles(const skv_world *world)
                            .pressure = s->pressure,
                            .clearance = s->clearance,
                            .id = s->id,
-                           .dye = s->dye};
+                           .dye = s->dye,
+                           .fluid = s->fluid};
 }
 
 skv_frame skv_world_frame(const skv_world *world)
@@ -278,5 +294,7 @@ skv_frame skv_world_frame(const skv_world *world)
         .density = world->fluid.density,
         .gravity_x = world->gravity_x,
         .gravity_y = world->gravity_y,
+        .fluids = world->liquids,
+        .fluid_count = world->fluid_count,
     };
 }

@@ -30,7 +30,9 @@ typedef enum skv_busy {
 
 /* What decides the future is in a snapshot, too: see snapshot.c. */
 struct skv_world {
-    skv_fluid_def fluid; /* as it was set; skv_ramp_fluid: what acts */
+    skv_fluid_def fluid;                /* as it was set; skv_ramp_fluid: what acts */
+    skv_liquid liquids[SKV_MAX_FLUIDS]; /* all fluids; the first follows `fluid` */
+    int fluid_count;
     skv_ramp ramp;
     skv_terrain *terrain;
     skv_wall_map *walls;
@@ -95,8 +97,10 @@ void skv_world_put_emission(skv_world *world, const skv_world_def *def);
 
 /* world.c: makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error);
+/* Makes room for their fluids, of which there are several. */
+skv_result skv_world_admit_fluids(skv_world *world, skv_error *error);
 /* Appends a particle that has been checked; there is room for it. */
-void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye);
+void skv_world_append(skv_world *world, float x, float y, float vx, float vy, int dye, int fluid);
 /* Notes that particles have come, gone or changed places. */
 void skv_world_revise(skv_world *world);
 

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 
 /* Small, so that a second of fuzzing is some ten inputs even under the sanitizers. */
-enum { MOST_PARTICLES = 150, MOST_CALLS = 40 };
+enum { MOST_PARTICLES = 150, MOST_CALLS = 40, FLUIDS = 3 };
 
 typedef struct host {
     fuzz_input in;
@@ -58,6 +58,11 @@ static skv_world *make_world(fuzz_input *in)
     def.gravity_y = fuzz_float(in, -20, 20);
     def.substeps = fuzz_below(in, 12);
     def.threads = 1;
+    def.liquid_count = FLUIDS - 1;
+    for (int i = 0; i < def.liquid_count; i++) {
+        def.liquids[i] = skv_default_liquid();
+        def.liquids[i].name[0] = (char)('a' + i);
+    }
     def.sleep = fuzz_byte(in) % 2;
     def.solver = fuzz_byte(in) % 4 ? SKV_SOLVER_FAST : SKV_SOLVER_REFERENCE;
     def.terrain = make_terrain(in);
@@ -226,6 +231,28 @@ static void dye(host *h)
     uint8_t colors[2] = {fuzz_byte(&h->in) % 6, fuzz_byte(&h->in) % 6};
     int first = fuzz_below(&h->in, MOST_PARTICLES) - 1;
     fuzz_expect_answer(skv_world_set_dyes(h->world, first, 2, colors, &error), &error);
+}
+
+/* Particles of a fluid come, others change theirs. */
+static void mix(host *h)
+{
+    skv_fill_def def = skv_default_fill_def();
+    def.x1 = fuzz_float(&h->in, 0, h->width);
+    def.limit = MOST_PARTICLES / 4;
+    def.fluid = fuzz_below(&h->in, FLUIDS + 2) - 1;
+    bool known = skv_world_liquid(h->world, def.fluid) != NULL;
+    skv_placed placed = {0};
+    skv_error error = {0};
+    int before = skv_world_fluid_stats(h->world, known ? def.fluid : 0).particles;
+    skv_result result = skv_world_fill(h->world, &def, &placed, &error);
+    fuzz_expect_answer(result, &error);
+    fuzz_expect(result != SKV_OK ||
+                    (known &&
+                     skv_world_fluid_stats(h->world, def.fluid).particles == before + placed.added),
+                "what is filled is of its fluid");
+    uint8_t fluids[2] = {fuzz_byte(&h->in) % (FLUIDS + 1), fuzz_byte(&h->in) % (FLUIDS + 1)};
+    int first = fuzz_below(&h->in, MOST_PARTICLES) - 1;
+    fuzz_expect_answer(skv_world_set_fluids(h->world, first, 2, fluids, &error), &error);
 }
 
 /* A copy goes the same way. */
@@ -428,8 +455,9 @@ static void judge(const host *h)
     fuzz_expect(p.count == skv_world_particle_count(h->world), "one number of particles");
     fuzz_expect(skv_world_awake_count(h->world) <= p.count, "no more awake than there are");
     for (int i = 0; i < p.count; i++)
-        fuzz_expect((i == 0 || p.id[i] > p.id[i - 1]) && p.dye[i] <= SKV_DYES,
-                    "ids ascend, and every colour is one");
+        fuzz_expect((i == 0 || p.id[i] > p.id[i - 1]) && p.dye[i] <= SKV_DYES &&
+                        p.fluid[i] < FLUIDS,
+                    "ids ascend, and every colour and every fluid is one");
     skv_stats stats = skv_world_stats(h->world);
     fuzz_expect(stats.not_finite == 0, "every position and velocity is finite");
     fuzz_expect(stats.escaped == 0, "no particle escapes");
@@ -441,7 +469,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         step, step,      step, add_particle, fill, add_many, hold,  push, turn_gravity,
         look, take_away, aim,  blow,         draw, emit,     drain, dye,  fork_world};
     /* From a byte on with which no committed input calls: so they stay what they were. */
-    static void (*const later[])(host *) = {handle, move_particles, set_number};
+    static void (*const later[])(host *) = {handle, move_particles, set_number, mix};
     enum { LATER = 251 };
     host h = {.in = {data, size}};
     h.world = make_world(&h.in);

@@ -36,6 +36,7 @@ static void init_instrument(void *def, size_t size)
     }
 INIT(world_def)
 INIT(fill_def)
+INIT(liquid)
 INIT(terrain_def)
 INIT(surface_def)
 INIT(player_def)
@@ -51,6 +52,7 @@ static const struct {
     {"instrument_def", init_instrument, sizeof(skv_instrument_def)},
     {"world_def", init_world_def, sizeof(skv_world_def)},
     {"fill_def", init_fill_def, sizeof(skv_fill_def)},
+    {"liquid", init_liquid, sizeof(skv_liquid)},
     {"terrain_def", init_terrain_def, sizeof(skv_terrain_def)},
     {"surface_def", init_surface_def, sizeof(skv_surface_def)},
     {"player_def", init_player_def, sizeof(skv_player_def)},
@@ -104,6 +106,9 @@ static void init_gives_what_the_default_is(void **unused)
     skv_fluid_def_init(&world.fluid, sizeof world.fluid, SKV_LAW_CLAVET);
     assert_int_equal(world.fluid.law, SKV_LAW_CLAVET);
     assert_int_equal(world.fluid.iterations, skv_default_fluid_def(SKV_LAW_CLAVET).iterations);
+    skv_liquid liquid;
+    skv_liquid_init(&liquid, sizeof liquid);
+    assert_true(liquid.density == 1000 && liquid.color == -1 && liquid.name[0] == '\0');
     skv_instrument_def gauge;
     skv_instrument_def_init(&gauge, sizeof gauge, SKV_INSTRUMENT_LEVEL);
     assert_int_equal(gauge.kind, SKV_INSTRUMENT_LEVEL);
@@ -220,6 +225,11 @@ static void who_initialised_nothing_is_told(void **unused)
     int expected = 0;
     assert_int_equal(skv_world_create(&no_world, &none, NULL), SKV_ERROR_VALUE);
     assert_int_equal(misuses, ++expected);
+    def.liquid_count = 1;
+    memset(&def.liquids[0], 0, sizeof def.liquids[0]);
+    assert_int_equal(skv_world_create(&def, &none, NULL), SKV_ERROR_VALUE);
+    assert_int_equal(misuses, ++expected);
+    def.liquid_count = 0;
     memset(&def.fluid, 0, sizeof def.fluid);
     assert_int_equal(skv_world_create(&def, &none, NULL), SKV_ERROR_VALUE);
     assert_int_equal(misuses, ++expected);

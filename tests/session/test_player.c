@@ -53,7 +53,7 @@ static bool command_at(int f, skv_command *command)
         return true;
     case 121:
         command->kind = SKV_COMMAND_EMIT;
-        command->source = (skv_emitter){1.2f, 0.7f, 0, -1, 0.08f, 2};
+        command->source = (skv_emitter){1.2f, 0.7f, 0, -1, 0.08f, 2, 0};
         return true;
     case 125:
         command->kind = SKV_COMMAND_DYE;
@@ -386,7 +386,7 @@ static void test_packing_loses_nothing(void **state)
     for (int i = 0; i < 8; i++) {
         skv_command command = {.kind = SKV_COMMAND_TAKE};
         command.water =
-            (skv_dab){odd[i], odd[(i + 1) % 8], odd[(i + 2) % 8], 0.25f, 0.01f, 0, 0, 0};
+            (skv_dab){odd[i], odd[(i + 1) % 8], odd[(i + 2) % 8], 0.25f, 0.01f, 0, 0, 0, 0};
         assert_int_equal(skv_player_apply(player, &command, NULL), SKV_OK);
         command = (skv_command){.kind = SKV_COMMAND_EMIT};
         command.source = (skv_emitter){.x = 0.1f, .y = 0.25f, .vx = odd[i] * 1e-30f, .width = 0.1f};

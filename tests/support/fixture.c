@@ -12,6 +12,24 @@
 
 #include <cmocka.h>
 
+void fixture_add_liquids(skv_world_def *def, int count)
+{
+    for (int i = 0; i < count; i++) {
+        skv_liquid *liquid = &def->liquids[def->liquid_count++];
+        *liquid = skv_default_liquid();
+        skv_format(liquid->name, sizeof liquid->name, "the %d.", def->liquid_count + 1);
+    }
+}
+
+void fixture_mix_fluids(skv_world *world)
+{
+    int fluids = skv_world_frame(world).fluid_count;
+    for (int i = 0; i < skv_world_particle_count(world); i++) {
+        uint8_t fluid = (uint8_t)(i % fluids);
+        assert_int_equal(skv_world_set_fluids(world, i, 1, &fluid, NULL), SKV_OK);
+    }
+}
+
 skv_world_def fixture_def(skv_law law, skv_solver_kind solver, float viscosity, float spacing,
                           int threads)
 {

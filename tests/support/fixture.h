@@ -4,6 +4,12 @@
 
 #include "skvalp/skvalp.h"
 
+/* Adds so many liquids to a definition, like the default fluid: "the 2.", "the 3." and so on. */
+void fixture_add_liquids(skv_world_def *def, int count);
+
+/* Makes a world's particles such of all its fluids in turn. */
+void fixture_mix_fluids(skv_world *world);
+
 /* A definition with these values; gravity as by default, no sleep. */
 skv_world_def fixture_def(skv_law law, skv_solver_kind solver, float viscosity, float spacing,
                           int threads);
@@ -32,7 +38,7 @@ skv_world *fixture_blob(skv_law law, skv_solver_kind solver, float viscosity);
 
 /* How long, in frames, a tank's own swing takes to die down that a wall's drag ends in so many
  * seconds: without drag it loses 16 % instead of 21 % in a period (`skvalp lab slosh`). */
-#define FIXTURE_SWING(seconds) ((seconds) * 60 * 4 / 3)
+#define FIXTURE_SWING(seconds) ((seconds)*60 * 4 / 3)
 
 /* How much a particle at a distance from a wall, in spacings, counts for the layer there: 1 at the
  * wall, 0 from two spacings on. So the count is the fluid between the wall and a depth, averaged

@@ -66,20 +66,20 @@ static void a_tap_gives_what_it_says(void **unused)
         for (int v = 0; v < 3; v++) {
             float speed = speeds[v], s = spacings[k], seconds = v == 0 ? 3 : 1.5f;
             skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, s, 0, 0, 1);
-            expect_rate(world, (skv_emitter){0.8f, 0.8f, 0, -speed, 0.1f, 0}, seconds);
+            expect_rate(world, (skv_emitter){0.8f, 0.8f, 0, -speed, 0.1f, 0, 0}, seconds);
             world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, s, 0, 0, 1);
-            expect_rate(world, (skv_emitter){0, 0.5f, speed, 0, 0.07f, 0}, seconds);
+            expect_rate(world, (skv_emitter){0, 0.5f, speed, 0, 0.07f, 0, 0}, seconds);
             world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, s, 0.4f, 0, 1);
-            expect_rate(world, (skv_emitter){0.5f, 0.2f, 0.6f * speed, -0.8f * speed, 0.05f, 0},
+            expect_rate(world, (skv_emitter){0.5f, 0.2f, 0.6f * speed, -0.8f * speed, 0.05f, 0, 0},
                         seconds);
             world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, s, 0.4f, 0, 1);
-            expect_rate(world, (skv_emitter){0.8f, 0, 0, speed, 0.083f, 0}, seconds);
+            expect_rate(world, (skv_emitter){0.8f, 0, 0, speed, 0.083f, 0, 0}, seconds);
         }
     }
     skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CLAVET, 0.02f, 0.4f, 0, 1);
-    expect_rate(world, (skv_emitter){0.5f, 0.2f, 1, 0, 0.1f, 0}, 1.5f);
+    expect_rate(world, (skv_emitter){0.5f, 0.2f, 1, 0, 0.1f, 0, 0}, 1.5f);
     world = make_world(SKV_SOLVER_REFERENCE, SKV_LAW_CALIBRATED, 0.03f, 0.4f, 0, 1);
-    expect_rate(world, (skv_emitter){0.5f, 0.2f, 1, 0, 0.1f, 0}, 1.5f);
+    expect_rate(world, (skv_emitter){0.5f, 0.2f, 1, 0, 0.1f, 0, 0}, 1.5f);
 }
 
 /* The jet keeps the speed, and so much fluid in a length as the width gives it. */
@@ -90,7 +90,7 @@ static void a_free_jet_has_the_tap_s_speed(void **unused)
     def.gravity_y = 0;
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
-    open_tap(world, (skv_emitter){0.1f, 0.45f, 1, 0, 0.1f, 0});
+    open_tap(world, (skv_emitter){0.1f, 0.45f, 1, 0, 0.1f, 0, 0});
     fixture_run(world, 60);
     skv_particles p = skv_world_particles(world);
     /* Behind its tip, which the surface tension draws back. */
@@ -115,7 +115,7 @@ static void rows_alternate(void **unused)
     (void)unused;
     enum { COLUMNS = 5 };
     skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, 0.02f, 0, 0, 1);
-    open_tap(world, (skv_emitter){0.8f, 0.8f, 0, -3, 0.1f, 0});
+    open_tap(world, (skv_emitter){0.8f, 0.8f, 0, -3, 0.1f, 0, 0});
     fixture_run(world, 2);
     skv_particles p = skv_world_particles(world);
     assert_true(p.count >= 3 * COLUMNS);
@@ -130,7 +130,7 @@ static void taken_places_stay_empty(void **unused)
     (void)unused;
     for (int up = -1; up <= 1; up += 2) {
         skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, 0.02f, 0, 0, 1);
-        open_tap(world, (skv_emitter){0, 0.4f, 0, 2 * (float)up, 0.2f, 0});
+        open_tap(world, (skv_emitter){0, 0.4f, 0, 2 * (float)up, 0.2f, 0, 0});
         fixture_run(world, 2);
         skv_flow flow = skv_world_flow(world);
         assert_true(flow.emitted >= 8 && flow.blocked >= 8);
@@ -170,7 +170,7 @@ static void every_particle_is_accounted_for(void **unused)
     for (int k = 0; k < 2; k++) {
         skv_world *world =
             make_world(solvers[k], SKV_LAW_CALIBRATED, 0.03f, 0.2f, SKV_SIDE_RIGHT, 1);
-        const skv_emitter taps[] = {{0.3f, 0.6f, 1, 0, 0.1f, 0}, {0.8f, 0.1f, 0, 1, 0.1f, 0}};
+        const skv_emitter taps[] = {{0.3f, 0.6f, 1, 0, 0.1f, 0, 0}, {0.8f, 0.1f, 0, 1, 0.1f, 0, 0}};
         const skv_drain drains[] = {{skv_box(0, 0, 0.2f, 0.05f), 0.1f},
                                     {skv_circle(1, 0.05f, 0.05f), 0}};
         assert_int_equal(skv_world_set_emitters(world, taps, 2, NULL), SKV_OK);
@@ -216,7 +216,7 @@ static void a_full_world_stops_or_replaces(void **unused)
         assert_int_equal(skv_world_set(world, "emission.limit", limit, NULL), SKV_OK);
         assert_int_equal(
             skv_world_set(world, "emission.replaces", replaces ? "true" : "false", NULL), SKV_OK);
-        open_tap(world, (skv_emitter){0.8f, 0.7f, 0, -1, 0.1f, 0});
+        open_tap(world, (skv_emitter){0.8f, 0.7f, 0, -1, 0.1f, 0, 0});
         fixture_run(world, 120);
         skv_flow flow = skv_world_flow(world);
         assert_int_equal(skv_world_particle_count(world), before + 100);
@@ -258,7 +258,7 @@ static void a_full_tank_takes_no_more(void **unused)
     skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, 0.02f, 0.8f, 0, 1);
     int said = 0;
     skv_world_set_log(world, note_full, &said);
-    open_tap(world, (skv_emitter){0.8f, 0.3f, 0, 1, 0.1f, 0});
+    open_tap(world, (skv_emitter){0.8f, 0.3f, 0, 1, 0.1f, 0, 0});
     fixture_run(world, 240);
     assert_int_equal(skv_world_set_emitters(world, NULL, 0, NULL), SKV_OK);
     fixture_run(world, 60);
@@ -274,7 +274,7 @@ static void a_full_tank_takes_no_more(void **unused)
 static void the_future_is_the_same_for_threads_and_snapshots(void **unused)
 {
     (void)unused;
-    const skv_emitter taps[] = {{0.3f, 0.6f, 1, -0.5f, 0.1f, 0}, {0.8f, 0.1f, 0, 1, 0.1f, 0}};
+    const skv_emitter taps[] = {{0.3f, 0.6f, 1, -0.5f, 0.1f, 0, 0}, {0.8f, 0.1f, 0, 1, 0.1f, 0, 0}};
     const skv_drain drain = {skv_circle(1.2f, 0.1f, 0.1f), 0.07f};
     const skv_solver_kind solvers[] = {SKV_SOLVER_FAST, SKV_SOLVER_REFERENCE};
     for (int k = 0; k < 2; k++) {
@@ -311,10 +311,10 @@ static void a_tap_keeps_its_surroundings_awake(void **unused)
     /* A closed one disturbs nobody; a slow one wakes what is near, and what sleeps gives way. At
      * one of 20 heights a particle lies in the way by chance. */
     const float height = 0.16f;
-    open_tap(world, (skv_emitter){0.4f, height, 0, 0, 0.1f, 0});
+    open_tap(world, (skv_emitter){0.4f, height, 0, 0, 0.1f, 0, 0});
     fixture_run(world, 60);
     assert_int_equal(skv_world_awake_count(world), 0);
-    open_tap(world, (skv_emitter){0.4f, height, 0.2f, 0, 0.1f, 0});
+    open_tap(world, (skv_emitter){0.4f, height, 0.2f, 0, 0.1f, 0, 0});
     fixture_run(world, 300);
     assert_int_equal(skv_world_flow(world).blocked, 0);
     assert_near((double)skv_world_flow(world).emitted * 0.02 * 0.02, 0.1, 0.002);
@@ -335,17 +335,17 @@ static void nonsense_is_refused(void **unused)
 {
     (void)unused;
     skv_world *world = make_world(SKV_SOLVER_FAST, SKV_LAW_CALIBRATED, 0.02f, 0.1f, 0, 1);
-    const skv_emitter bad[] = {{NAN, 0, 1, 0, 0.1f, 0},
-                               {0, 0, 21, 0, 0.1f, 0},
-                               {0, 0, 1, 0, 0, 0},
-                               {0, 0, 0, INFINITY, 1, 0}};
+    const skv_emitter bad[] = {{NAN, 0, 1, 0, 0.1f, 0, 0},
+                               {0, 0, 21, 0, 0.1f, 0, 0},
+                               {0, 0, 1, 0, 0, 0, 0},
+                               {0, 0, 0, INFINITY, 1, 0, 0}};
     for (int i = 0; i < 4; i++) {
         skv_error error = {0};
         assert_int_equal(skv_world_set_emitters(world, &bad[i], 1, &error), SKV_ERROR_VALUE);
         assert_string_equal(error.text, "emitter 0: a place within 100 m, velocities of +-20 m/s "
                                         "and a width of 0.0001..100 m are allowed");
     }
-    skv_emitter wide = {0, 0, 1, 0, 20.000002f, 0};
+    skv_emitter wide = {0, 0, 1, 0, 20.000002f, 0, 0};
     skv_error error = {0};
     assert_int_equal(skv_world_set_emitters(world, &wide, 1, &error), SKV_ERROR_VALUE);
     assert_string_equal(error.text, "emitter 0: it is 20.000002 m wide; allowed are 1000 spacings, "
@@ -353,13 +353,13 @@ static void nonsense_is_refused(void **unused)
     const skv_drain drains[] = {{skv_circle(0, 0, -1), 0}, {skv_box(0, 0, 1, 1), -1}};
     for (int i = 0; i < 2; i++)
         assert_int_equal(skv_world_set_drains(world, &drains[i], 1, NULL), SKV_ERROR_VALUE);
-    const skv_emitter many[SKV_MAX_EMITTERS + 1] = {{0, 0, 1, 0, 1, 0}};
+    const skv_emitter many[SKV_MAX_EMITTERS + 1] = {{0, 0, 1, 0, 1, 0, 0}};
     assert_int_equal(skv_world_set_emitters(world, many, SKV_MAX_EMITTERS + 1, NULL),
                      SKV_ERROR_LIMIT);
     const skv_drain holes[SKV_MAX_DRAINS + 1] = {{skv_box(0, 0, 1, 1), 0}};
     assert_int_equal(skv_world_set_drains(world, holes, SKV_MAX_DRAINS + 1, NULL), SKV_ERROR_LIMIT);
     /* A tap inside a wall gives nothing, and says so. */
-    open_tap(world, (skv_emitter){-0.2f, 0.5f, 1, 0, 0.1f, 0});
+    open_tap(world, (skv_emitter){-0.2f, 0.5f, 1, 0, 0.1f, 0, 0});
     int before = skv_world_particle_count(world);
     fixture_run(world, 30);
     assert_int_equal(skv_world_particle_count(world), before);

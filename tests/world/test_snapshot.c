@@ -49,6 +49,7 @@ typedef struct kind {
     float viscosity;
     unsigned open_sides;
     bool stirred, calm, images;
+    int liquids; /* beside the first fluid */
 } kind;
 
 static const kind kinds[] = {
@@ -62,6 +63,12 @@ static const kind kinds[] = {
      .viscosity = 3,
      .open_sides = SKV_SIDE_RIGHT,
      .stirred = true},
+    {.name = "fast, three fluids", .stirred = true, .liquids = 2},
+    {.name = "reference, eight fluids",
+     .solver = SKV_SOLVER_REFERENCE,
+     .open_sides = SKV_SIDE_RIGHT,
+     .stirred = true,
+     .liquids = 7},
     {.name = "fast, images", .stirred = true, .images = true},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
@@ -81,6 +88,7 @@ static skv_world *make_world(const kind *k, int threads)
     def.fluid.wall_images = k->images;
     def.solver = k->solver;
     def.threads = threads;
+    fixture_add_liquids(&def, k->liquids);
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
     return world;
@@ -90,6 +98,7 @@ static skv_world *make_filled(const kind *k)
 {
     skv_world *world = make_world(k, 1);
     fixture_fill(world, 0, 0, k->calm ? 1.6f : 0.6f, k->calm ? 0.3f : 0.7f);
+    fixture_mix_fluids(world);
     /* A pool that is falling asleep, and no longer turns over now and then. */
     for (int f = 0; k->calm && f < 3600; f++) {
         fixture_run(world, 1);
@@ -268,7 +277,7 @@ static void loading_and_copying_take_what_creating_takes(void **unused)
 }
 
 /* A world of some sixty particles, for many tries. */
-static skv_world *make_small(skv_solver_kind solver)
+static skv_world *make_small_of(skv_solver_kind solver, int liquids)
 {
     skv_world_def def = skv_default_world_def();
     skv_terrain_def terrain = skv_default_terrain_def();
@@ -280,13 +289,20 @@ static skv_world *make_small(skv_solver_kind solver)
     def.fluid.viscosity_linear = 1;
     def.solver = solver;
     def.threads = 1;
+    fixture_add_liquids(&def, liquids);
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
     fixture_fill(world, 0, 0, 0.64f, 0.25f);
+    fixture_mix_fluids(world);
     skv_hand hand = skv_default_hand();
     assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
     fixture_run(world, 3);
     return world;
+}
+
+static skv_world *make_small(skv_solver_kind solver)
+{
+    return make_small_of(solver, 0);
 }
 
 /* Gives bytes to the loader: it refuses them, or the world steps on. */
@@ -324,7 +340,7 @@ static void every_byte_may_be_wrong(void **unused)
 {
     (void)unused;
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
-        skv_world *world = make_small((skv_solver_kind)solver);
+        skv_world *world = make_small_of((skv_solver_kind)solver, solver);
         blob good = save(world, true), bad = {malloc(good.size), good.size};
         static const uint8_t flips[] = {0x01, 0x80, 0xff};
         int refused = 0;
@@ -351,7 +367,7 @@ static void every_byte_may_be_wrong(void **unused)
 static void a_part_of_a_snapshot_is_refused(void **unused)
 {
     (void)unused;
-    skv_world *world = make_small(SKV_SOLVER_FAST);
+    skv_world *world = make_small_of(SKV_SOLVER_FAST, 1);
     blob good = save(world, true), bad = {malloc(good.size + 8), 0};
     for (; bad.size < good.size; bad.size++) {
         /* Of its own memory: a reader that goes too far is seen. */
@@ -523,8 +539,9 @@ static void running_out_of_memory_changes_nothing(void **unused)
 {
     (void)unused;
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
-        kind k = {.solver = (skv_solver_kind)solver, .viscosity = 3};
+        kind k = {.solver = (skv_solver_kind)solver, .viscosity = 3, .liquids = 2};
         skv_world *world = make_filled(&k);
+        k.liquids = 0; /* of those that take it up */
         live(world, &k, 0);
         blob b = save(world, true);
         skv_result result = SKV_ERROR_MEMORY;

@@ -1,0 +1,54 @@
+/* Which fluids a world has, and which of its particles are of which. Invariant: the list begins
+ * with what the world's fluid is at present, and every particle's number is that of one in the
+ * list. */
+#include "world/fluids.h"
+
+#include "base/assert.h"
+#include "world/liquids.h"
+#include "world/world_internal.h"
+
+#include <string.h>
+
+void skv_liquids_follow(skv_world *world)
+{
+    world->liquids[0] = (skv_liquid){.cookie = skv_liquid_cookie,
+                                     .name = SKV_FIRST_FLUID,
+                                     .density = world->fluid.density,
+                                     .viscosity = world->fluid.viscosity,
+                                     .color = SKV_NO_COLOR};
+}
+
+void skv_world_put_liquids(skv_world *world, const skv_world_def *def)
+{
+    skv_liquids_follow(world);
+    for (int i = 0; i < def->liquid_count; i++)
+        world->liquids[i + 1] = def->liquids[i];
+    world->fluid_count = def->liquid_count + 1;
+}
+
+const skv_liquid *skv_world_liquid(const skv_world *world, int number)
+{
+    SKV_ASSERT_OR(world, NULL);
+    return number >= 0 && number < world->fluid_count ? &world->liquids[number] : NULL;
+}
+
+skv_result skv_world_set_fluids(skv_world *world, int first, int count, const uint8_t *fluids,
+                                skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_change(world) && (fluids || count <= 0), SKV_ERROR_VALUE);
+    if (first < 0 || count < 0 || first > world->state.count - count)
+        return skv_fail(error, SKV_ERROR_VALUE, "fluid: particles %d.. do not exist; there are %d",
+                        first, world->state.count);
+    for (int i = 0; i < count; i++) {
+        skv_result result = skv_check_fluid(fluids[i], world->fluid_count, error);
+        if (result != SKV_OK)
+            return result;
+    }
+    for (int i = first, k = 0; k < count; i++, k++) {
+        if (skv_fluid_of(&world->state, i) == fluids[k])
+            continue;
+        world->state.fluid[i] = fluids[k];
+        skv_sleep_wake(world, i);
+    }
+    return SKV_OK;
+}

@@ -1,0 +1,34 @@
+/* The fluids of a world as data: what they may be, and as bytes. */
+#ifndef SKV_WORLD_LIQUIDS_H
+#define SKV_WORLD_LIQUIDS_H
+
+#include "base/bytes.h"
+#include "skvalp/world.h"
+
+/* The cookie of skv_liquid. */
+extern const uint32_t skv_liquid_cookie;
+
+/* The name of every world's first fluid. */
+#define SKV_FIRST_FLUID "water"
+
+/* The color of a fluid that has none of its own. */
+enum { SKV_NO_COLOR = -1 };
+
+/* Whether the fluids of a definition may be one world's; a message names the first that may not. */
+skv_result skv_check_liquids(const skv_world_def *def, skv_error *error);
+
+/* What is wrong with one fluid's own values, such as "is empty", and of which member; null:
+ * nothing.
+ */
+const char *skv_liquid_complaint(const skv_liquid *liquid, const char **member);
+
+/* Fails for a number that none of so many fluids has. */
+skv_result skv_check_fluid(int fluid, int fluids, skv_error *error);
+
+/* Writes or reads a dye and a fluid's number as one byte: the dye, and 16 times the number. */
+void skv_exchange_contents(skv_port *port, int *dye, int *fluid);
+
+/* Writes or reads the further fluids of a definition; false if they are none. */
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def);
+
+#endif
