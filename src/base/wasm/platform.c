@@ -168,6 +168,15 @@ __attribute__((no_builtin)) int memcmp(const void *a, const void *b, size_t size
     return 0;
 }
 
+__attribute__((no_builtin)) void *memchr(const void *memory, int value, size_t size)
+{
+    const unsigned char *p = memory;
+    for (size_t i = 0; i < size; i++)
+        if (p[i] == (unsigned char)value)
+            return (void *)(uintptr_t)(p + i);
+    return NULL;
+}
+
 __attribute__((no_builtin)) int strcmp(const char *a, const char *b)
 {
     while (*a && *a == *b) {
