@@ -277,6 +277,27 @@ static skv_result finish(cli_run *run, skv_error *error)
     return result;
 }
 
+/* What is told of each fluid; a fluid without a particle has no centre. */
+static json_t *list_fluids(const skv_world *world)
+{
+    json_t *list = json_array();
+    const skv_liquid *liquid;
+    for (int i = 0; (liquid = skv_world_liquid(world, i)); i++) {
+        skv_stats stats = skv_world_fluid_stats(world, i);
+        bool placed = stats.particles > stats.not_finite;
+        json_t *fluid =
+            json_pack("{so si so so so}", "name", output_text(liquid->name), "particles",
+                      stats.particles, "centre_x", output_number(placed ? stats.centre_x : NAN),
+                      "centre_y", output_number(placed ? stats.centre_y : NAN), "kinetic_energy",
+                      output_number(stats.kinetic_energy));
+        if (json_array_append_new(list, fluid) != 0) {
+            json_decref(list);
+            return NULL;
+        }
+    }
+    return list;
+}
+
 static skv_result print_json(const cli_run *run, const skv_stats *stats, const skv_packing *packing,
                              skv_error *error)
 {
@@ -285,7 +306,7 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
     snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
     /* clang-format off */
     skv_flow flow = skv_world_flow(run->world);
-    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI}",
+    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so}",
         "scene", output_text(name_of(run)),
         "particles", stats->particles,
         "substeps", skv_world_substeps_per_frame(run->world),
@@ -302,7 +323,8 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
         "drained", (json_int_t)flow.drained,
         "left", (json_int_t)flow.left,
         "replaced", (json_int_t)flow.replaced,
-        "blocked", (json_int_t)flow.blocked), error);
+        "blocked", (json_int_t)flow.blocked,
+        "fluids", list_fluids(run->world)), error);
     /* clang-format on */
 }
 

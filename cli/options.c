@@ -70,7 +70,7 @@ static const option_rule rules[] = {
     {"csv", "FILE", COMMAND_RUN, KIND_FILE, AT(csv), 0, 0, "",
      "write energies, momentum, speeds and volume of every frame; - is stdout"},
     {"trace", "FILE.csv", COMMAND_RUN, KIND_FILE, AT(trace), 0, 0, "",
-     "write t,id,x,y,vx,vy,pressure of every particle; - is stdout"},
+     "write t,id,x,y,vx,vy,pressure,fluid of every particle; - is stdout"},
     {"trace-every", "S", COMMAND_RUN, KIND_NUMBER, AT(trace_every), 0.001, 86400, " s",
      "time between the moments of --trace; default 0.1"},
     {"snapshot", "FILE.skv", COMMAND_RUN, KIND_FILE, AT(snapshot), 0, 0, "",

@@ -8,16 +8,16 @@
 
 void trace_head(output_file *file)
 {
-    fputs("t,id,x,y,vx,vy,pressure\n", file->stream);
+    fputs("t,id,x,y,vx,vy,pressure,fluid\n", file->stream);
 }
 
 void trace_rows(output_file *file, const skv_world *world, double time)
 {
     skv_particles all = skv_world_particles(world);
     for (int i = 0; i < all.count; i++) {
-        fprintf(file->stream, "%.9g,%" PRIu32 ",%.9g,%.9g,%.9g,%.9g,%.9g\n", time, all.id[i],
+        fprintf(file->stream, "%.9g,%" PRIu32 ",%.9g,%.9g,%.9g,%.9g,%.9g,%d\n", time, all.id[i],
                 (double)all.x[i], (double)all.y[i], (double)all.vx[i], (double)all.vy[i],
-                (double)all.pressure[i]);
+                (double)all.pressure[i], all.fluid ? all.fluid[i] : 0);
     }
 }
 

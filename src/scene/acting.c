@@ -2,7 +2,7 @@
  * it, a world takes.
  */
 #include "base/memory.h"
-#include "scene/scene_data.h"
+#include "scene/fluids.h"
 #include "scene/shapes.h"
 #include "world/emitters.h"
 
@@ -91,7 +91,12 @@ static skv_result build_emitters(const skv_draft *draft, skv_scene *scene, skv_e
             .width = number(values, SKV_EMITTER_WIDTH),
             .dye = (int)number(values, SKV_EMITTER_DYE),
         };
-        char wide[160];
+        char wide[160], path[SKV_PATH_SIZE];
+        skv_format(path, sizeof path, "emitters[%d].fluid", i);
+        skv_result result = skv_scene_find_fluid(draft, &values->value[SKV_EMITTER_FLUID], path,
+                                                 &emitter.fluid, error);
+        if (result != SKV_OK)
+            return result;
         if (skv_emitter_is_wide(&emitter, scene->def.fluid.spacing, wide, sizeof wide))
             return fail_element(draft, SKV_LIST_EMITTERS, i, "", SKV_ERROR_VALUE, wide, error);
         if (scene->emitter_count == SKV_MAX_EMITTERS)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "scene/fluids.h"
 #include "scene/notes.h"
 #include "scene/raster.h"
 #include "scene/scene_data.h"
@@ -548,6 +549,9 @@ static skv_result build_taps(builder *c)
 static skv_result build(builder *c, skv_image *picture)
 {
     skv_result result = build_texts(c);
+    build_parameters(c);
+    if (result == SKV_OK)
+        result = skv_scene_build_fluids(c->draft, c->scene, c->error);
     if (result == SKV_OK)
         result = c->pictured ? build_picture(c, picture) : build_blank(c);
     if (result == SKV_OK)
@@ -557,7 +561,6 @@ static skv_result build(builder *c, skv_image *picture)
     if (result != SKV_OK)
         return result;
     const skv_terrain *terrain = c->scene->terrain;
-    build_parameters(c);
     result = build_water(c, terrain);
     if (result == SKV_OK)
         result = build_particles(c, terrain);

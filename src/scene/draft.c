@@ -74,8 +74,11 @@ skv_result skv_draft_begin(skv_draft *draft, const char *label, const char *fold
 
 static void free_shapes(skv_shape_list *list)
 {
-    for (int i = 0; i < list->count; i++)
+    for (int i = 0; i < list->count; i++) {
         skv_free(list->shapes[i].points);
+        for (int k = 0; k < SKV_MOST_FIELDS; k++)
+            skv_free(list->shapes[i].value[k].text);
+    }
     skv_free(list->shapes);
     *list = (skv_shape_list){0};
 }

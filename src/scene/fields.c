@@ -87,6 +87,14 @@ static const skv_field fields[SKV_F_COUNT] = {
     OWN_WHOLE(SKV_F_PARTICLES, "particles", 1, SKV_MAX_PARTICLES, "3000",
               "number of particles; the spacing follows from it")
 #include "world/parameter_rows.h"
+    OWN_TEXT(SKV_F_FLUIDS + SKV_LIQUID_NAME, "fluids[].name", SKV_FLUID_NAME - 1,
+             "by which water and emitters name it; needed; \"water\" is the fluid above")
+    OWN_CHOICE(SKV_F_FLUIDS + SKV_LIQUID_MATERIAL, "fluids[].material", "water|oil|honey|mercury",
+               "water", "its density is as of that liquid at 20 C")
+    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_DENSITY, "fluids[].density", "kg/m^2", 0.01, 400000, "",
+               "mass of a square metre of the sheet; else the material's")
+    OWN_TEXT(SKV_F_FLUIDS + SKV_LIQUID_COLOR, "fluids[].color", 7,
+             "as it looks where it is deep, \"#rrggbb\"; else by its place in the list")
     LINE_FIELDS(SKV_F_SOLID, "solid[]")
     OWN_FLAG(SKV_F_SOLID + SKV_SOLID_CARVE, "solid[].carve", "false",
              "cut the shape out of the solid before it in the list")
@@ -96,6 +104,8 @@ static const skv_field fields[SKV_F_COUNT] = {
     OWN_NUMBER(SKV_F_WATER + SKV_WATER_VY, "water[].vy", "m/s", -20, 20, "0",
                "speed upwards at the start")
     OWN_CHOICE(SKV_F_WATER + SKV_WATER_DYE, "water[].dye", DYES, "none", "its colour")
+    OWN_TEXT(SKV_F_WATER + SKV_WATER_FLUID, "water[].fluid", SKV_FLUID_NAME - 1,
+             "name of its fluid; else the first, water")
     AREA_FIELDS(SKV_F_FORCES, "forces[]", "kind of area; else a box, by itself all of the world")
 #define FORCE_NUMBER(id, member, unit, least, most, help)                                          \
     OWN_NUMBER(SKV_F_FORCES + SKV_FORCE_##id, "forces[]." #member, unit, least, most, "0", help)
@@ -112,6 +122,8 @@ static const skv_field fields[SKV_F_COUNT] = {
                "length of the line; width times speed is the rate")
     OWN_CHOICE(SKV_F_EMITTERS + SKV_EMITTER_DYE, "emitters[].dye", DYES, "none",
                "colour of what flows from it")
+    OWN_TEXT(SKV_F_EMITTERS + SKV_EMITTER_FLUID, "emitters[].fluid", SKV_FLUID_NAME - 1,
+             "name of the fluid that flows from it; else the first, water")
     AREA_FIELDS(SKV_F_DRAINS, "drains[]", "kind of area; needed")
     OWN_NUMBER(SKV_F_DRAINS + SKV_DRAIN_RATE, "drains[].rate", "m^2/s", 0, 10000, "0",
                "takes at most so much; 0: all that comes")
@@ -121,6 +133,7 @@ static const skv_field fields[SKV_F_COUNT] = {
 const skv_list_fields *skv_scene_list(skv_list list)
 {
     static const skv_list_fields lists[SKV_LISTS] = {
+        [SKV_LIST_FLUIDS] = {"fluids", SKV_F_FLUIDS, SKV_LIQUID_FIELDS, 0, SKV_MAX_FLUIDS - 1},
         [SKV_LIST_SOLID] = {"solid", SKV_F_SOLID, SKV_SOLID_FIELDS, SKV_SHAPE_THICKNESS + 1, 256},
         [SKV_LIST_WATER] = {"water", SKV_F_WATER, SKV_WATER_FIELDS, SKV_SHAPE_THICKNESS + 1, 256},
         [SKV_LIST_FORCES] = {"forces", SKV_F_FORCES, SKV_FORCE_FIELDS, SKV_SHAPE_SHARED,

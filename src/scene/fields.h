@@ -24,6 +24,7 @@ enum {
     SKV_WATER_VX = SKV_SHAPE_THICKNESS + 1,
     SKV_WATER_VY,
     SKV_WATER_DYE,
+    SKV_WATER_FLUID,
     SKV_WATER_FIELDS,
     SKV_FORCE_BEFORE = SKV_SHAPE_SHARED - 1,
 #define FORCE_NUMBER(id, ...) SKV_FORCE_##id,
@@ -35,7 +36,13 @@ enum {
     SKV_EMITTER_VY,
     SKV_EMITTER_WIDTH,
     SKV_EMITTER_DYE,
+    SKV_EMITTER_FLUID,
     SKV_EMITTER_FIELDS,
+    SKV_LIQUID_NAME = 0,
+    SKV_LIQUID_MATERIAL,
+    SKV_LIQUID_DENSITY,
+    SKV_LIQUID_COLOR,
+    SKV_LIQUID_FIELDS,
     SKV_DRAIN_RATE = SKV_SHAPE_SHARED,
     SKV_DRAIN_FIELDS,
     SKV_MOST_FIELDS = SKV_FORCE_FIELDS /* of any list */
@@ -67,7 +74,8 @@ typedef enum skv_field_id {
 #define HOST_CHOICE(...)
 #include "world/parameter_rows.h"
     SKV_F_SINGLE, /* so many fields are no list's */
-    SKV_F_SOLID = SKV_F_SINGLE,
+    SKV_F_FLUIDS = SKV_F_SINGLE,
+    SKV_F_SOLID = SKV_F_FLUIDS + SKV_LIQUID_FIELDS,
     SKV_F_WATER = SKV_F_SOLID + SKV_SOLID_FIELDS,
     SKV_F_FORCES = SKV_F_WATER + SKV_WATER_FIELDS,
     SKV_F_EMITTERS = SKV_F_FORCES + SKV_FORCE_FIELDS,
@@ -77,6 +85,7 @@ typedef enum skv_field_id {
 
 /* A list of a scene: "water" has elements "water[]" with fields "water[].shape" and so on. */
 typedef enum skv_list {
+    SKV_LIST_FLUIDS,
     SKV_LIST_SOLID,
     SKV_LIST_WATER,
     SKV_LIST_FORCES,

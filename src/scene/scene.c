@@ -46,12 +46,17 @@ static bool is_moving(const skv_shape *shape)
     return shape->vx != 0.0 || shape->vy != 0.0;
 }
 
-/* Gives the fluid of shapes their speed and colour. */
+static bool is_plain(const skv_shape *shape)
+{
+    return !is_moving(shape) && shape->dye == 0 && shape->fluid == 0;
+}
+
+/* Gives the fluid of shapes their speed and colour, and makes it theirs. */
 static skv_result tend_fluid(const skv_scene *scene, skv_world *world, skv_error *error)
 {
     bool special = false;
     for (int i = 0; i < scene->water.shape_count; i++)
-        special |= is_moving(&scene->water.shapes[i]) || scene->water.shapes[i].dye != 0;
+        special |= !is_plain(&scene->water.shapes[i]);
     if (!special)
         return SKV_OK;
     skv_particles particles = skv_world_particles(world);
@@ -61,8 +66,10 @@ static skv_result tend_fluid(const skv_scene *scene, skv_world *world, skv_error
         const skv_shape *shape = shape_near(&scene->water, particles.x[i], particles.y[i], slack);
         if (shape == NULL)
             continue;
-        uint8_t dye = (uint8_t)shape->dye;
+        uint8_t dye = (uint8_t)shape->dye, fluid = (uint8_t)shape->fluid;
         result = skv_world_set_dyes(world, i, 1, &dye, error);
+        if (result == SKV_OK)
+            result = skv_world_set_fluids(world, i, 1, &fluid, error);
         if (result == SKV_OK && is_moving(shape))
             result = skv_world_add_velocity(world, i, 1, (float)shape->vx, (float)shape->vy, error);
     }

@@ -23,6 +23,7 @@ typedef struct skv_shape {
     bool carve;    /* solid: cuts out instead of adding */
     double vx, vy; /* water: m/s */
     int dye;       /* water */
+    int fluid;     /* water: its number */
 } skv_shape;
 
 /* Fills in x0..y1 of a circle, polygon or line. */

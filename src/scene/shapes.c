@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/fluids.h"
 #include "skvalp/area.h"
 
 /* Which fields beside the shape itself a kind has, and which of them it needs. */
@@ -119,6 +120,14 @@ static skv_result make_box(const context *c, double width, double height, skv_sh
     return SKV_OK;
 }
 
+static skv_result find_fluid(const context *c, int *number)
+{
+    char path[SKV_PATH_SIZE];
+    skv_format(path, sizeof path, "%s[%d].fluid", c->list->name, c->index);
+    return skv_scene_find_fluid(c->draft, &c->values->value[SKV_WATER_FLUID], path, number,
+                                c->error);
+}
+
 static skv_result make_shape(const context *c, skv_list list, double width, double height,
                              skv_shape *shape)
 {
@@ -148,6 +157,10 @@ static skv_result make_shape(const context *c, skv_list list, double width, doub
         .vy = water ? value[SKV_WATER_VY].number : 0.0,
         .dye = water ? (int)value[SKV_WATER_DYE].number : 0,
     };
+    if (water)
+        result = find_fluid(c, &shape->fluid);
+    if (result != SKV_OK)
+        return result;
     if (kind == SKV_SHAPE_BOX)
         result = make_box(c, width, height, shape);
     else

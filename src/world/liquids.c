@@ -18,59 +18,70 @@ const uint32_t skv_liquid_cookie = SKV_COOKIE(LIQUID_COOKIE, skv_liquid);
 
 /* ---- What fluids may be ---------------------------------------------------------------------- */
 
-const char *skv_liquid_complaint(const skv_liquid *liquid, const char **member)
+/* What is wrong with the name of a fluid in a list; null: nothing. */
+static const char *complain_of_name(const skv_world_def *def, int index)
 {
-    const char *wrong = NULL;
-    *member = "name";
+    const skv_liquid *liquid = &def->liquids[index];
     if (!memchr(liquid->name, '\0', sizeof liquid->name))
-        wrong = "is too long; allowed are 31 bytes";
-    else if (liquid->name[0] == '\0')
-        wrong = "is empty; each fluid needs a name of its own";
-    else if (strcmp(liquid->name, SKV_FIRST_FLUID) == 0)
-        wrong = "is that of the first fluid; choose another";
-    else
-        wrong = skv_plain_complaint(liquid->name);
-    if (wrong)
-        return wrong;
-    *member = "viscosity";
-    if (!skv_within((double)liquid->viscosity, 0, MOST_VISCOSITY))
-        return "is out of range; allowed is 0..0.05 m^2/s";
-    *member = "color";
-    if (liquid->color < SKV_NO_COLOR || liquid->color > MOST_COLOR)
-        return "is none; allowed is 0..0xffffff, and -1 for none";
-    return NULL;
+        return "is too long; allowed are 31 bytes";
+    if (liquid->name[0] == '\0')
+        return "is empty; each fluid needs a name of its own";
+    if (strcmp(liquid->name, SKV_FIRST_FLUID) == 0)
+        return "is that of the first fluid; choose another";
+    for (int i = 0; i < index; i++)
+        if (strcmp(def->liquids[i].name, liquid->name) == 0)
+            return "is another fluid's, too; choose another";
+    return skv_plain_complaint(liquid->name);
 }
 
-/* A fluid's density beside that of the first. */
-static skv_result check_density(const skv_liquid *liquid, float first, skv_error *error)
+/* Whether a density cannot stand beside that of the first fluid, and in `text` why. */
+static bool complain_of_density(float own, float first, char *text, size_t size)
 {
-    if (liquid->density == first)
-        return SKV_OK;
-    char own[32], other[32];
-    skv_format_float((double)liquid->density, own);
-    skv_format_float((double)first, other);
-    return skv_fail(error, SKV_ERROR_VALUE,
-                    "fluid %s: its density, %s kg/m^2, differs from that of the first fluid, %s, "
-                    "and the solvers know one density; give it the same",
-                    liquid->name, own, other);
+    char allowed[32], given[32];
+    if (own == first)
+        return false;
+    skv_format_float((double)own, given);
+    skv_format_float((double)first, allowed);
+    skv_format(text, size,
+               "is %s kg/m^2, and the solvers know one density, that of the first fluid; allowed "
+               "is %s",
+               given, allowed);
+    return true;
+}
+
+skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char *text, size_t size)
+{
+    const skv_liquid *liquid = &def->liquids[index];
+    skv_liquid_member wrong = SKV_LIQUID_WRONG_NAME;
+    const char *complaint = complain_of_name(def, index);
+    if (!complaint && complain_of_density(liquid->density, def->fluid.density, text, size))
+        return SKV_LIQUID_WRONG_DENSITY;
+    if (!complaint && !skv_within((double)liquid->viscosity, 0, MOST_VISCOSITY)) {
+        complaint = "is out of range; allowed is 0..0.05 m^2/s";
+        wrong = SKV_LIQUID_WRONG_VISCOSITY;
+    }
+    if (!complaint && (liquid->color < SKV_NO_COLOR || liquid->color > MOST_COLOR)) {
+        complaint = "is out of range; allowed is 0..0xffffff, and -1 for none";
+        wrong = SKV_LIQUID_WRONG_COLOR;
+    }
+    if (!complaint)
+        return SKV_LIQUID_SANE;
+    skv_format(text, size, "%s", complaint);
+    return wrong;
 }
 
 skv_result skv_check_liquids(const skv_world_def *def, skv_error *error)
 {
+    static const char *const members[] = {"", "name", "density", "viscosity", "color"};
     if (def->liquid_count < 0 || def->liquid_count >= SKV_MAX_FLUIDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "fluids: %d beside the first; allowed is 0..%d",
                         def->liquid_count, SKV_MAX_FLUIDS - 1);
     for (int i = 0; i < def->liquid_count; i++) {
-        const skv_liquid *liquid = &def->liquids[i];
-        const char *member, *wrong = skv_liquid_complaint(liquid, &member);
-        for (int k = 0; k < i && !wrong; k++)
-            if (strcmp(def->liquids[k].name, liquid->name) == 0)
-                wrong = "is another fluid's, too; choose another", member = "name";
-        if (wrong)
-            return skv_fail(error, SKV_ERROR_VALUE, "fluid %d: its %s %s", i + 1, member, wrong);
-        skv_result result = check_density(liquid, def->fluid.density, error);
-        if (result != SKV_OK)
-            return result;
+        char text[160];
+        skv_liquid_member wrong = skv_liquid_complain(def, i, text, sizeof text);
+        if (wrong != SKV_LIQUID_SANE)
+            return skv_fail(error, SKV_ERROR_VALUE, "fluid %d: its %s %s", i + 1, members[wrong],
+                            text);
     }
     return SKV_OK;
 }

@@ -313,7 +313,7 @@ static void test_reader_leaves(void **state)
                                                   "\"$0\" run pool --particles 500 --seconds 3000 "
                                                   "--trace - --csv a.csv | head -n 1",
                                                   SKV_BINARY_DIR "/skvalp", NULL});
-    assert_string_equal(result.out, "t,id,x,y,vx,vy,pressure\n");
+    assert_string_equal(result.out, "t,id,x,y,vx,vy,pressure,fluid\n");
     assert_string_equal(result.err, "");
     program_free(&result);
     assert_int_equal(folder_entries(*state), 0);

@@ -48,7 +48,7 @@ static void test_contract(void **state)
     static const char *const keys[] = {
         "scene",   "particles", "substeps",    "steps",      "sim_seconds",    "hash",
         "escaped", "nan",       "ms_per_step", "neighbours", "kinetic_energy", "volume_ratio",
-        "emitted", "drained",   "left",        "replaced",   "blocked"};
+        "emitted", "drained",   "left",        "replaced",   "blocked",        "fluids"};
     json_t *object = RUN_JSON(*state, "dam-break", "--seconds", "0.5", "--particles", "500");
     assert_int_equal(json_object_size(object), sizeof keys / sizeof keys[0]);
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
@@ -181,12 +181,13 @@ static const char *next_line(const char *line)
 /* Rows of a trace come as blocks of one per particle, at the expected moments. */
 static void expect_trace(const char *text, int particles, const double *times, int moments)
 {
-    double row[8];
-    assert_memory_equal(text, "t,id,x,y,vx,vy,pressure\n", 24);
+    double row[9];
+    assert_memory_equal(text, "t,id,x,y,vx,vy,pressure,fluid\n", 30);
     const char *line = next_line(text);
     for (int m = 0; m < moments; m++) {
         for (int i = 0; i < particles; i++, line = next_line(line)) {
-            assert_int_equal(read_row(line, row, 8), 7);
+            assert_int_equal(read_row(line, row, 9), 8);
+            assert_true(row[7] == 0);
             assert_true(fabs(row[0] - times[m]) < 1e-8);
             assert_int_equal((int)row[1], i);
             assert_true(row[2] > 0 && row[2] < 1.6 && row[3] > 0 && row[3] < 0.9);
@@ -237,8 +238,8 @@ static void test_trace_is_the_state(void **state)
         line = next_line(line);
     uint64_t hash = 14695981039346656037u;
     for (int i = 0; i < particles; i++, line = next_line(line)) {
-        double row[8];
-        assert_int_equal(read_row(line, row, 8), 7);
+        double row[9];
+        assert_int_equal(read_row(line, row, 9), 8);
         for (int k = 2; k < 6; k++) {
             float value = (float)row[k];
             unsigned char bytes[4];
@@ -262,8 +263,8 @@ static void expect_sums(const double *row, const char *trace, int particles)
     for (int i = 0; i < particles; i++) /* the start */
         line = next_line(line);
     for (int i = 0; i < particles; i++, line = next_line(line)) {
-        double one[8];
-        assert_int_equal(read_row(line, one, 8), 7);
+        double one[9];
+        assert_int_equal(read_row(line, one, 9), 8);
         x += one[2] / particles;
         y += one[3] / particles;
         vx += one[4];
@@ -316,9 +317,75 @@ static void test_tables_on_stdout(void **state)
     program_free(&result);
     result = SKVALP(*state, "run", "pool", "--particles", "200", "--seconds", "0", "--trace", "-");
     assert_int_equal(result.status, 0);
-    assert_memory_equal(result.out, "t,id,x,y,vx,vy,pressure\n0,0,", 28);
+    assert_memory_equal(result.out, "t,id,x,y,vx,vy,pressure,fluid\n0,0,", 34);
     program_free(&result);
     assert_int_equal(folder_entries(*state), 0);
+}
+
+static const char fluids_scene[] =
+    "{\"particles\": 300, \"fluids\": [{\"name\": \"oil\"}, {\"name\": \"milk\"}],"
+    "\"water\": [{\"shape\": \"box\", \"y1\": 0.2}, {\"shape\": \"box\", \"y0\": 0.2, \"y1\": 0.3,"
+    "\"fluid\": \"oil\"}], \"emitters\": [{\"x\": 0.8, \"y\": 0.7, \"vy\": -1, \"fluid\": "
+    "\"oil\"}]}";
+
+/* Sums of the rows of a fluid at the end, beside what the result says of it. */
+static void expect_fluid(const json_t *fluid, const char *trace, int number_of, double end)
+{
+    double row[9], x = 0, y = 0;
+    int count = 0;
+    for (const char *line = next_line(trace); *line; line = next_line(line)) {
+        assert_int_equal(read_row(line, row, 9), 8);
+        if (fabs(row[0] - end) > 1e-8 || (int)row[7] != number_of)
+            continue;
+        count++;
+        x += row[2];
+        y += row[3];
+    }
+    assert_int_equal((int)number(fluid, "particles"), count);
+    if (count == 0) {
+        assert_true(json_is_null(json_object_get(fluid, "centre_x")));
+        return;
+    }
+    assert_true(fabs(number(fluid, "centre_x") - x / count) < 1e-6);
+    assert_true(fabs(number(fluid, "centre_y") - y / count) < 1e-6);
+}
+
+/* Each fluid is told of, in the result and in the trace, and a link and a state keep it. */
+static void test_fluids(void **state)
+{
+    file_write(*state, "three.json", fluids_scene);
+    json_t *object = RUN_JSON(*state, "three.json", "--seconds", "0.5", "--trace", "t.csv",
+                              "--snapshot", "s.skv");
+    char *trace = file_read(*state, "t.csv");
+    json_t *fluids = json_object_get(object, "fluids");
+    static const char *const names[] = {"water", "oil", "milk"};
+    double energy = 0;
+    assert_int_equal(json_array_size(fluids), 3);
+    for (size_t i = 0; i < 3; i++) {
+        const json_t *fluid = json_array_get(fluids, i);
+        assert_string_equal(json_string_value(json_object_get(fluid, "name")), names[i]);
+        expect_fluid(fluid, trace, (int)i, 0.5);
+        energy += number(fluid, "kinetic_energy");
+    }
+    assert_true(number(json_array_get(fluids, 1), "particles") > 90);
+    assert_true(fabs(energy - number(object, "kinetic_energy")) < 1e-6 * energy);
+    json_t *again = RUN_JSON(*state, "s.skv", "--seconds", "0");
+    assert_string_equal(json_string_value(json_object_get(again, "hash")),
+                        json_string_value(json_object_get(object, "hash")));
+    assert_int_equal(json_array_size(json_object_get(again, "fluids")), 3);
+    json_decref(again);
+    json_decref(object);
+    free(trace);
+    object = RUN_JSON(*state, "three.json", "--seconds", "0");
+    program_result link = SKVALP(*state, "share", "three.json");
+    assert_int_equal(link.status, 0);
+    link.out[strcspn(link.out, "\n")] = '\0';
+    program_result replay = SKVALP(*state, "replay", link.out);
+    assert_int_equal(replay.status, 0);
+    assert_non_null(strstr(replay.out, json_string_value(json_object_get(object, "hash"))));
+    program_free(&link);
+    program_free(&replay);
+    json_decref(object);
 }
 
 static void test_summary(void **state)
@@ -348,6 +415,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_trace_is_the_state, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_series, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_tables_on_stdout, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_fluids, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_summary, folder_setup, folder_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

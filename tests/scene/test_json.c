@@ -49,7 +49,8 @@ static const mistake mistakes[] = {
      "a.json:1: gravity.zebra: unknown field; allowed are x, y"},
     {"{\"zebra\": 1}", SKV_ERROR_VALUE,
      "a.json:1: zebra: unknown field; allowed are name, title, description, seconds, world, "
-     "settle, particles, substeps, sleep, depth, gravity, emission, fluid, solid, water, forces, "
+     "settle, particles, substeps, sleep, depth, gravity, emission, fluid, fluids, solid, water, "
+     "forces, "
      "emitters, drains"},
     {"{\"fluid.law\": \"clavet\"}", SKV_ERROR_VALUE,
      "a.json:1: \"fluid.law\": unknown field; a key is one word, a group is { ... }"},
@@ -84,7 +85,8 @@ static const mistake mistakes[] = {
      "bytes"},
     {"{\"\\u202e\": 1}", SKV_ERROR_VALUE,
      "a.json:1: ?: unknown field; allowed are name, title, description, seconds, world, "
-     "settle, particles, substeps, sleep, depth, gravity, emission, fluid, solid, water, forces, "
+     "settle, particles, substeps, sleep, depth, gravity, emission, fluid, fluids, solid, water, "
+     "forces, "
      "emitters, drains"},
     {"{\"seconds\": \"\"}", SKV_ERROR_VALUE,
      "a.json:1: seconds: it is empty; allowed is a number from 0.1 to 3600 s"},

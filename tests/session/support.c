@@ -118,8 +118,11 @@ void stage_draw_wall(skv_stage *stage, int side, double px)
 
 skv_player *open_player(size_t history)
 {
+    const skv_setting oil = {"fluids[0].name", "oil"};
     skv_scene_options options = skv_default_scene_options();
     options.particles = 300;
+    options.settings = &oil;
+    options.setting_count = 1;
     skv_scene *scene;
     skv_player *player;
     skv_player_def def = skv_default_player_def();

@@ -25,7 +25,8 @@ void stage_compare(skv_stage *stage, int particles, const char *path, const char
 void stage_point(skv_stage *stage, int side, skv_phase phase, double px, double py, double time);
 void stage_draw_wall(skv_stage *stage, int side, double px);
 
-/* A player of 300 particles in a pool; `history` in bytes, 0: as by default. */
+/* A player of 300 particles in a pool, with a fluid "oil" beside water; `history` in bytes, 0: as
+ * by default. */
 skv_player *open_player(size_t history);
 
 /* Set up and tear down tests of such a pool of 200 particles. */

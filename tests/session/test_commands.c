@@ -38,6 +38,22 @@ static void test_edits_bring_their_mark(void **state)
     skv_player_destroy(player);
 }
 
+/* What is poured is of the fluid that the command names. */
+static void test_pouring_names_a_fluid(void **state)
+{
+    (void)state;
+    skv_player *player = open_player(0);
+    const skv_world *world = skv_player_world(player);
+    skv_command command = {.kind = SKV_COMMAND_POUR};
+    command.water =
+        (skv_dab){.x0 = 0.8f, .y0 = 0.7f, .x1 = 0.8f, .y1 = 0.7f, .radius = 0.1f, .fluid = 1};
+    assert_int_equal(skv_player_edit(player, &command, NULL), SKV_OK);
+    assert_in_range(skv_world_fluid_stats(world, 1).particles, 5, 100);
+    command.water.fluid = 2;
+    assert_int_equal(skv_player_edit(player, &command, NULL), SKV_ERROR_VALUE);
+    skv_player_destroy(player);
+}
+
 static void expect_parameter(skv_stage *stage, const char *path, const char *wanted)
 {
     skv_picture picture;
@@ -233,6 +249,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_edits_bring_their_mark),
+        cmocka_unit_test(test_pouring_names_a_fluid),
         cmocka_unit_test(test_forces),
         BOTH(test_parameters_and_pushes),
         BOTH(test_edits),

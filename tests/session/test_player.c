@@ -53,7 +53,7 @@ static bool command_at(int f, skv_command *command)
         return true;
     case 121:
         command->kind = SKV_COMMAND_EMIT;
-        command->source = (skv_emitter){1.2f, 0.7f, 0, -1, 0.08f, 2, 0};
+        command->source = (skv_emitter){1.2f, 0.7f, 0, -1, 0.08f, 2, 1};
         return true;
     case 125:
         command->kind = SKV_COMMAND_DYE;
@@ -74,6 +74,7 @@ static bool command_at(int f, skv_command *command)
         command->water.x0 = command->water.x1 = 0.8f;
         command->water.y0 = command->water.y1 = f == 131 ? 0.7f : 0.1f;
         command->water.radius = 0.08f;
+        command->water.fluid = f == 131;
         command->water.vx = f == 131 ? 0.5f : 0;
         return true;
     case 151:

@@ -1,0 +1,109 @@
+/* The fluids of a scene. Invariant: the fluids that come out may be a world's, and a number that is
+ * found is that of one of them. */
+#include "scene/fluids.h"
+
+#include <string.h>
+
+#include "world/liquids.h"
+
+/* m^2/s: about what the method has of its own (docs/model.md); less than that is not missed. */
+#define OWN_VISCOSITY 3e-4f
+
+/* Fails for a field of a fluid, where it was given, or else for the fluid. */
+static skv_result fail(const skv_draft *draft, int index, int field, const char *message,
+                       skv_error *error)
+{
+    const skv_list_fields *list = skv_scene_list(SKV_LIST_FLUIDS);
+    const skv_shape_values *values = &draft->values.list[SKV_LIST_FLUIDS].shapes[index];
+    const char *key = strchr(skv_scene_fields(NULL)[list->first + field].path, '.');
+    char path[SKV_PATH_SIZE];
+    skv_format(path, sizeof path, "%s[%d]%s", list->name, index, key);
+    skv_origin given = values->value[field].origin;
+    return skv_draft_fail(draft, given.source != SKV_FROM_DEFAULT ? given : values->origin, path,
+                          error, SKV_ERROR_VALUE, "%s", message);
+}
+
+static int digit_of(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
+/* "#rrggbb"; false if it is none. */
+static bool read_color(const char *text, int *color)
+{
+    if (text[0] != '#' || strlen(text) != 7)
+        return false;
+    *color = 0;
+    for (int i = 1; i < 7; i++) {
+        if (digit_of(text[i]) < 0)
+            return false;
+        *color = 16 * *color + digit_of(text[i]);
+    }
+    return true;
+}
+
+static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scene, skv_error *error)
+{
+    const skv_value *value = draft->values.list[SKV_LIST_FLUIDS].shapes[index].value;
+    const skv_material *material = skv_material_info((int)value[SKV_LIQUID_MATERIAL].number);
+    const char *name = value[SKV_LIQUID_NAME].text, *color = value[SKV_LIQUID_COLOR].text;
+    skv_liquid *liquid = &scene->def.liquids[index];
+    *liquid = skv_default_liquid();
+    liquid->density = material->density;
+    liquid->viscosity = material->viscosity;
+    if (value[SKV_LIQUID_DENSITY].origin.source != SKV_FROM_DEFAULT)
+        liquid->density = (float)value[SKV_LIQUID_DENSITY].number;
+    if (name == NULL)
+        return fail(draft, index, SKV_LIQUID_NAME, "is missing; water and emitters need it", error);
+    skv_format(liquid->name, sizeof liquid->name, "%s", name);
+    if (color != NULL && !read_color(color, &liquid->color))
+        return fail(draft, index, SKV_LIQUID_COLOR, "is no color; allowed is \"#rrggbb\"", error);
+    scene->def.liquid_count = index + 1;
+    if (liquid->viscosity > OWN_VISCOSITY && liquid->viscosity != scene->def.fluid.viscosity)
+        skv_scene_note(scene,
+                       "the viscosity of %s does not act yet: all fluids have fluid.viscosity",
+                       liquid->name);
+    char complaint[160];
+    skv_liquid_member wrong = skv_liquid_complain(&scene->def, index, complaint, sizeof complaint);
+    if (wrong == SKV_LIQUID_SANE)
+        return SKV_OK;
+    return fail(draft, index,
+                wrong == SKV_LIQUID_WRONG_DENSITY ? SKV_LIQUID_DENSITY : SKV_LIQUID_NAME, complaint,
+                error);
+}
+
+skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_error *error)
+{
+    skv_result result = SKV_OK;
+    for (int i = 0; i < draft->values.list[SKV_LIST_FLUIDS].count && result == SKV_OK; i++)
+        result = build_fluid(draft, i, scene, error);
+    return result;
+}
+
+skv_result skv_scene_find_fluid(const skv_draft *draft, const skv_value *value, const char *path,
+                                int *number, skv_error *error)
+{
+    const skv_shape_list *list = &draft->values.list[SKV_LIST_FLUIDS];
+    *number = 0;
+    if (value->text == NULL || strcmp(value->text, SKV_FIRST_FLUID) == 0)
+        return SKV_OK;
+    char names[320];
+    size_t used = skv_format(names, sizeof names, "%s", SKV_FIRST_FLUID);
+    for (int i = 0; i < list->count; i++) {
+        const char *name = list->shapes[i].value[SKV_LIQUID_NAME].text;
+        if (name == NULL)
+            continue;
+        if (strcmp(name, value->text) == 0) {
+            *number = i + 1;
+            return SKV_OK;
+        }
+        if (used < sizeof names)
+            used += skv_format(names + used, sizeof names - used, ", %s", name);
+    }
+    return skv_draft_fail(draft, value->origin, path, error, SKV_ERROR_VALUE,
+                          "\"%s\" is no fluid of this scene; allowed is one of %s", value->text,
+                          names);
+}

@@ -1,0 +1,176 @@
+/* Fluids in a scene: a list, which water and emitters name; and what is no list is refused with its
+ * place and a remedy. */
+#include "skvalp/skvalp.h"
+#include "support.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* A scene of two fluids beside water, with room for another element and a place for one more key
+ * of the oil. */
+#define SCENE(oil, more)                                                                           \
+    "{\n\"particles\": 300,\n"                                                                     \
+    "\"fluids\": [{\"name\": \"oil\", \"density\": 1000" oil "},\n{\"name\": \"red "               \
+    "\xc3\xb6l\", \"color\": \"#fF8000\"}],\n"                                                     \
+    "\"water\": [{\"shape\": \"box\", \"y1\": 0.2},\n"                                             \
+    "{\"shape\": \"box\", \"y0\": 0.2, \"y1\": 0.3, \"fluid\": \"oil\", \"dye\": \"rose\"},\n"     \
+    "{\"shape\": \"circle\", \"x\": 0.8, \"y\": 0.6, \"radius\": 0.1, \"fluid\": \"red "           \
+    "\xc3\xb6l\", \"vx\": 1}],\n"                                                                  \
+    "\"emitters\": [{\"x\": 0.2, \"y\": 0.8, \"vy\": -1, \"fluid\": \"oil\"},\n"                   \
+    "{\"x\": 1.2, \"y\": 0.8, \"vy\": -1, \"fluid\": \"water\", \"dye\": \"green\"}]" more "}"
+
+static void fluids_arrive(void **unused)
+{
+    (void)unused;
+    skv_scene *scene;
+    skv_world *world;
+    skv_error error = {0};
+    if (load_text(SCENE("", ""), NULL, &scene, &error) != SKV_OK ||
+        skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    assert_null(skv_scene_notice(scene, 0));
+    assert_string_equal(skv_world_liquid(world, 0)->name, "water");
+    assert_string_equal(skv_world_liquid(world, 1)->name, "oil");
+    assert_int_equal(skv_world_liquid(world, 1)->color, -1);
+    assert_string_equal(skv_world_liquid(world, 2)->name, "red \xc3\xb6l");
+    assert_int_equal(skv_world_liquid(world, 2)->color, 0xff8000);
+    assert_true(skv_world_liquid(world, 2)->density == 1000);
+    assert_null(skv_world_liquid(world, 3));
+    skv_particles p = skv_world_particles(world);
+    for (int i = 0; i < p.count; i++) {
+        int fluid = p.y[i] > 0.45f ? 2 : p.y[i] > 0.2f ? 1 : 0;
+        /* Settled fluid has sunk a little. */
+        if (p.y[i] < 0.15f || p.y[i] > 0.21f) {
+            assert_int_equal(p.fluid[i], fluid);
+            assert_int_equal(p.dye[i], fluid == 1);
+        }
+    }
+    for (int i = 0; i < 3; i++)
+        assert_in_range(skv_world_fluid_stats(world, i).particles, i == 2 ? 10 : 80, 200);
+    int count;
+    const skv_emitter *emitters = skv_world_emitters(world, &count);
+    assert_int_equal(count, 2);
+    assert_true(emitters[0].fluid == 1 && emitters[0].dye == 0);
+    assert_true(emitters[1].fluid == 0 && emitters[1].dye == 3);
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+}
+
+/* Loads a text with one setting, null for none, and expects to be told that. */
+static void expect_refused(const char *text, const char *path, const char *value,
+                           const char *message)
+{
+    const char *const settings[] = {path, value, NULL};
+    skv_scene *scene;
+    skv_error error = {0};
+    skv_result result = load_text(text, path ? settings : NULL, &scene, &error);
+    assert_true(result == SKV_ERROR_VALUE || result == SKV_ERROR_LIMIT);
+    assert_string_equal(error.text, message);
+    assert_null(scene);
+}
+
+static void what_is_wrong_is_told(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *path, *value, *message;
+    } wrong[] = {
+        {"water[1].fluid", "oli",
+         "\"oli\" is no fluid of this scene; allowed is one of water, oil, red \xc3\xb6l"},
+        {"water[0].fluid", "",
+         "\"\" is no fluid of this scene; allowed is one of water, oil, red \xc3\xb6l"},
+        {"emitters[1].fluid", "Oil",
+         "\"Oil\" is no fluid of this scene; allowed is one of water, oil, red \xc3\xb6l"},
+        {"fluids[1].name", "oil", "is another fluid's, too; choose another"},
+        {"fluids[0].name", "water", "is that of the first fluid; choose another"},
+        {"fluids[0].name", "", "is empty; each fluid needs a name of its own"},
+        {"fluids[0].name", "a name that is longer than it may be",
+         "\"a name that is longer than it may be\" is too long; allowed is text of at most 31 "
+         "bytes"},
+        {"fluids[1].color", "red", "is no color; allowed is \"#rrggbb\""},
+        {"fluids[1].color", "#ff80g0", "is no color; allowed is \"#rrggbb\""},
+        {"fluids[1].color", "#ff800", "is no color; allowed is \"#rrggbb\""},
+        {"fluids[1].material", "gold",
+         "\"gold\" is not known; allowed is water, oil, honey or mercury"},
+        {"fluids[0].density", "0.001",
+         "0.001 is out of range; allowed is a number from 0.01 to 400000 kg/m^2"},
+        {"fluids[0].density", "400001",
+         "400001 is out of range; allowed is a number from 0.01 to 400000 kg/m^2"},
+        {"fluids[2].density", "1000", "is missing; water and emitters need it"},
+        {"fluids[3].name", "x", "there is no fluids[3]; the next free one is fluids[2]"},
+    };
+    for (int i = 0; i < (int)(sizeof wrong / sizeof *wrong); i++) {
+        char message[300];
+        const char *path = i == 13 ? "fluids[2].name" : wrong[i].path;
+        snprintf(message, sizeof message, "--set %s: %s", path, wrong[i].message);
+        expect_refused(SCENE("", ""), wrong[i].path, wrong[i].value, message);
+    }
+    expect_refused("{\"water\": [{\"shape\": \"box\"},\n{\"shape\": \"box\", \"fluid\": \"oil\"}]}",
+                   NULL, NULL,
+                   "a.json:2: water[1].fluid: \"oil\" is no fluid of this scene; allowed is one of "
+                   "water");
+    expect_refused("{\"fluids\": [\n{\"density\": 1000}], \"water\": [{\"shape\": \"box\"}]}", NULL,
+                   NULL, "a.json:2: fluids[0].name: is missing; water and emitters need it");
+    expect_refused("{\"fluids\": {\"oil\": 1}}", NULL, NULL,
+                   "a.json:1: fluids: an object is not a list; allowed is [ ... ]");
+    expect_refused("{\"fluids\": [{\"name\": 1}]}", NULL, NULL,
+                   "a.json:1: fluids[0].name: 1 is not text; allowed is text of at most 31 bytes");
+    expect_refused(
+        "{\"fluids\": [{\"name\": \"a\\nb\"}], \"water\": []}", NULL, NULL,
+        "a.json:1: fluids[0].name: \"a?b\" holds a control character; allowed is text of "
+        "at most 31 bytes");
+}
+
+static void eight_are_all(void **unused)
+{
+    (void)unused;
+    char text[1000] =
+        "{\"particles\": 100, \"water\": [{\"shape\": \"box\", \"y1\": 0.3, \"fluid\": "
+        "\"7\"}], \"fluids\": [";
+    for (int i = 1; i <= 8; i++) {
+        char one[40];
+        snprintf(one, sizeof one, "%s\n{\"name\": \"%d\"}", i > 1 ? "," : "", i);
+        strcat(text, one);
+        size_t end = strlen(text);
+        strcat(text, "]}");
+        skv_scene *scene;
+        skv_error error = {0};
+        skv_result result = load_text(text, NULL, &scene, &error);
+        if (i == 8)
+            assert_string_equal(error.text, "a.json:9: fluids[7]: too many; allowed are 7");
+        else if (i < 7)
+            assert_non_null(strstr(error.text, "\"7\" is no fluid of this scene"));
+        else
+            assert_int_equal(result, SKV_OK);
+        skv_scene_destroy(scene);
+        text[end] = '\0';
+    }
+}
+
+/* A material's density; its viscosity does not act, which is said where it would be seen. */
+static void materials_are_as_they_are(void **unused)
+{
+    (void)unused;
+    skv_scene *scene;
+    skv_error error = {0};
+    const char *const settings[] = {"fluids[0].material", "honey", "fluid.density", "1000", NULL};
+    assert_int_equal(load_text(SCENE("", ""), settings, &scene, &error), SKV_OK);
+    assert_string_equal(skv_scene_notice(scene, 0),
+                        "the viscosity of oil does not act yet: all fluids have fluid.viscosity");
+    skv_scene_destroy(scene);
+    const char *const thick[] = {"fluids[0].material", "honey", "fluid.viscosity", "0.007", NULL};
+    assert_int_equal(load_text(SCENE("", ""), thick, &scene, &error), SKV_OK);
+    assert_null(skv_scene_notice(scene, 0));
+    skv_scene_destroy(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fluids_arrive),
+        cmocka_unit_test(what_is_wrong_is_told),
+        cmocka_unit_test(eight_are_all),
+        cmocka_unit_test(materials_are_as_they_are),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
