@@ -3,18 +3,12 @@
  * Compiled several times, each with the flags of one instruction set and SKV_ROW_KERNELS naming the
  * table it defines. Invariant: a lane does the same IEEE operations in the same order in each of
  * them, and sums are added up in a fixed order; so all tables give the same bits.
- * Here are the passes over single particles; those over pairs are in pair_passes.h.
+ * Here are the passes over single particles; those over pairs are in pair_density.h and
+ * pair_displacement.h, the pressure laws in pressure_laws.h.
  */
 #include "solver/rows/hanging.h"
-#include "solver/rows/pair_passes.h"
-
-#include <limits.h>
-
-/* What a row's particles have collected. */
-V8_INLINE v8 collected(const float *own, const float *next)
-{
-    return v8_add(v8_load(own), v8_load(next));
-}
+#include "solver/rows/pair_displacement.h"
+#include "solver/rows/pressure_laws.h"
 
 /* Where a particle is while its pairs lag behind: there it meets walls. */
 V8_INLINE void place_of(const skv_row_particles *p, int i, const skv_constants *c, float *x,
@@ -31,24 +25,6 @@ V8_INLINE v8 lag_of_eight(v8 u, v8 v, const skv_constants *c)
     v8 square = v8_add(v8_mul(u, u), v8_mul(v, v));
     square = v8_min(v8_mul(square, v8_set(c->lag_rise)), v8_set(1));
     return v8_mul(v8_set(c->pair_lag), square);
-}
-
-/* A row of which no eight is known to have a gradient. */
-V8_INLINE void begin_graded(const skv_rows *s, int row)
-{
-    s->graded_begin[row] = INT_MAX;
-    s->graded_end[row] = 0;
-}
-
-/* Notes whether the next eight of a row may have a gradient. */
-V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
-{
-    s->graded[eight] = graded;
-    if (!graded)
-        return;
-    if (s->graded_begin[row] > eight)
-        s->graded_begin[row] = eight;
-    s->graded_end[row] = eight + 1;
 }
 
 /* Notes of a row's eights how far the density looks ahead of their places, four times the lag, as
@@ -191,92 +167,6 @@ V8_INLINE void add_solid(const skv_rows *s, const skv_near_wall *wall, const skv
     }
 }
 
-/* The gradient that the row's particles have collected, for the tension: what exceeds the
- * unevenness of the bulk, which fades with what has pressed them in the last substep. In the sums'
- * place; notes of each eight whether one has any, and where they are. */
-static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
-{
-    const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
-    const v8 bulk = v8_set(c->tension_from), until = v8_set(c->tension_until);
-    const float *warm_lambda = s->set[s->current].warm_lambda;
-    begin_graded(s, row);
-    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        const int eight = i / ROW_LANES;
-        v8 gx = zero, gy = zero, share = zero;
-        if (s->graded[eight]) {
-            gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
-            gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
-            v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
-            v8 loose = v8_max(v8_sub(one, v8_div(v8_load(warm_lambda + i), until)), zero);
-            share = v8_mul(v8_div(v8_max(v8_sub(size, bulk), zero), size), loose);
-        }
-        v8_store(s->gradient_x + i, v8_mul(share, gx));
-        v8_store(s->gradient_y + i, v8_mul(share, gy));
-        note_graded(s, row, eight, v8_any_below(zero, share));
-    }
-}
-
-/* The pressure term's P of eight particles at i, which remember it. Of the first iteration's a part
- * is the last substep's, where the density is too high anyway. */
-V8_INLINE v8 warm_lambda(const skv_rows *s, int i, bool later, const skv_constants *c, v8 excess,
-                         v8 response)
-{
-    float *remembered = s->set[s->current].warm_lambda + i;
-    v8 before = v8_load(remembered),
-       lambda = v8_div(v8_mul(v8_set(c->lambda_scale), excess), response);
-    if (later) {
-        v8_store(remembered, v8_add(before, lambda));
-    } else {
-        v8 start = v8_mul(v8_set(c->warm_start), v8_min(before, v8_set(c->warm_limit)));
-        lambda = v8_add(lambda, v8_min(start, v8_mul(v8_set(c->warm_most), lambda)));
-        v8_store(remembered, lambda);
-    }
-    return lambda;
-}
-
-static void pressure_calibrated(const skv_rows *s, int row, bool later, const skv_constants *c)
-{
-    const v8 zero = v8_set(0), one = v8_set(1), rest = v8_set(c->rest_density);
-    const v8 answer = v8_set(c->response_slope), floor = v8_set(c->response_floor);
-    const v8 from = v8_set(c->cohesion_from), slope = v8_set(c->cohesion_slope);
-    const v8 below = v8_set(c->cohesion_below), share = v8_set(c->near_share);
-    const v8 near_lambda = v8_set(c->near_lambda_scale);
-    const v8 pull = v8_set(c->cohesion_scale), balance = v8_set(SKV_NEAR_WEIGHT * c->near_share);
-    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
-        v8 quartic = collected(s->own.density + i, s->next.density + i);
-        v8 density = v8_sub(v8_mul(v8_set(SKV_SMOOTH_CUBES), near_density),
-                            v8_mul(v8_set(SKV_SMOOTH_QUARTICS), quartic));
-        v8 excess = v8_max(v8_sub(density, rest), zero);
-        v8 missing = v8_max(v8_sub(below, density), zero);
-        v8 crowded = v8_max(v8_sub(near_density, v8_mul(share, density)), zero);
-        v8 close = v8_mul(near_lambda, crowded);
-        v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
-        v8 response = v8_max(v8_mul(answer, density), floor);
-        v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
-        v8 lambda = warm_lambda(s, i, later, c, excess, response);
-        lambda = v8_sub(lambda, v8_div(pulled, response));
-        v8_store(s->lambda + i, lambda);
-        v8_store(s->near_lambda + i, v8_div(close, response));
-    }
-}
-
-static void pressure_clavet(const skv_rows *s, int row, const skv_constants *c)
-{
-    const v8 one = v8_set(1), rest = v8_set(c->rest_density), limit = v8_set(c->lambda_limit);
-    const v8 lambda = v8_set(c->lambda_scale), near_lambda = v8_set(c->near_lambda_scale);
-    const v8 tiny = v8_set(1e-30f);
-    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 density = collected(s->own.density + i, s->next.density + i);
-        v8 near_density = collected(s->own.near_density + i, s->next.near_density + i);
-        v8 n = v8_mul(near_lambda, near_density);
-        v8 strength = v8_max(v8_mul(density, n), tiny);
-        v8 scale = v8_min(v8_div(limit, strength), one);
-        v8_store(s->lambda + i, v8_mul(scale, v8_mul(lambda, v8_sub(density, rest))));
-        v8_store(s->near_lambda + i, v8_mul(scale, n));
-    }
-}
-
 static void pressure(const skv_rows *s, int row, bool later, const skv_constants *c,
                      const skv_boundary *boundary, const skv_row_samples *samples)
 {
@@ -288,45 +178,6 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
         pressure_clavet(s, row, c);
     else
         pressure_calibrated(s, row, later, c);
-}
-
-/* How dense eight particles at i are, to the lattice at rest, one's own W included: all virials go
- * with it. From what they push, since their densities are gone: P + 4 c N is the pressure alone, in
- * a later or a cold iteration lambda_scale (rho - rho0)/R, and R goes with rho. At least 1. */
-static v8 relative_density(const skv_rows *s, int i, const skv_constants *c)
-{
-    const v8 scale = v8_set(c->response_slope / c->lambda_scale), one = v8_set(1);
-    const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
-    v8 lambda = v8_mul(v8_set(SKV_NEAR_WEIGHT * c->near_share), v8_load(s->near_lambda + i));
-    lambda = v8_mul(scale, v8_add(lambda, v8_load(s->lambda + i)));
-    v8 excess =
-        v8_min(v8_max(lambda, v8_set(0)), v8_set(1 - 1 / SKV_DENSEST)); /* (rho - rho0)/rho */
-    return v8_add(one, v8_mul(rest, v8_div(excess, v8_sub(one, excess))));
-}
-
-/* Gauge pressure from the virial of the pairs, summed over the iterations. Fluid and images are one
- * body, so beside walls by images it is what the bulk has at such a P and N, and as dense as the
- * last iteration finds it. */
-static void gauge(const skv_rows *s, int row, int iteration, const skv_constants *c)
-{
-    const v8 scale = v8_set(c->pressure_scale), zero = v8_set(0);
-    const v8 virial = v8_set(c->image_virial), near_virial = v8_set(c->image_near_virial);
-    const float *own = s->own_move.outward, *next = s->next_move.outward;
-    const bool last = iteration == c->iterations - 1;
-    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
-        v8 before = iteration ? v8_load(s->pressure + i) : zero;
-        v8 found = collected(own + i, next + i), full = v8_set(1);
-        if (c->images) {
-            v8 beside = v8_add(v8_mul(virial, v8_load(s->lambda + i)),
-                               v8_mul(near_virial, v8_load(s->near_lambda + i)));
-            v8 far = v8_sub(v8_load(s->image + i), v8_set(1));
-            far = v8_min(v8_max(far, zero), v8_set(1));
-            found = v8_add(beside, v8_mul(far, v8_sub(found, beside)));
-            if (last)
-                full = v8_add(v8_mul(v8_sub(full, far), relative_density(s, i, c)), far);
-        }
-        v8_store(s->pressure + i, v8_mul(full, v8_add(before, v8_mul(scale, found))));
-    }
 }
 
 /* Friction along the wall and push out of it, Algorithm 7. */

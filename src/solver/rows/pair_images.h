@@ -1,4 +1,4 @@
-/* What the pair passes do for walls by images (solver/wall_image.h). Included by pair_passes.h
+/* What the pair passes do for walls by images (solver/wall_image.h). Included by pair_density.h
  * alone. Invariant: where no pair of a tile has an image the sums are those without images, to the
  * last bit.
  */
