@@ -1,6 +1,6 @@
 /* Several fluids by their mass, taken through the solvers' own interface: layers stay and weigh on
- * the floor what they weigh, a light one does not boil, what no wall touches keeps its momentum,
- * and masses that are all the same change nothing. */
+ * the floor what they weigh, a light one does not boil, momentum is kept or given by walls, masses
+ * that are all the same change nothing, and mixtures have the same bits on any threads. */
 #include "support/fixture.h"
 #include "world/world_internal.h"
 
@@ -22,17 +22,23 @@ enum { PIXELS = 160, MOST = 2000 };
 #define SPACING 0.0155f
 #define EARTH   9.81
 
+static const skv_solver_kind solvers[] = {SKV_SOLVER_REFERENCE, SKV_SOLVER_FAST};
+
 /* A world, of which only the particles and the solver are used, and its particles' masses. */
 typedef struct mixture {
     skv_world *world;
     int cold; /* substeps of the rule, as stiff as which the fluid is */
     float mass[MOST];
-    skv_impulse given; /* by walls in the last call, m */
+    skv_impulse given; /* by walls in the last call of take(), m */
 } mixture;
 
-static skv_world *make_tank(const skv_fluid_def *fluid, skv_solver_kind solver, float gravity)
+/* With a thin wall of two pixels, which fluid passes above, if `thin`. */
+static skv_world *make_tank(const skv_fluid_def *fluid, skv_solver_kind solver, float gravity,
+                            bool thin)
 {
     static uint8_t coverage[PIXELS * PIXELS];
+    for (int y = 0; y < PIXELS / 4; y++)
+        coverage[y * PIXELS + 70] = coverage[y * PIXELS + 71] = thin ? 255 : 0;
     skv_terrain_def terrain = skv_default_terrain_def();
     terrain.width = terrain.height = PIXELS;
     terrain.pixel_size = PIXEL;
@@ -69,7 +75,7 @@ static mixture *layers(skv_solver_kind solver, float below, float above)
 {
     static mixture m;
     const skv_fluid_def fluid = fluid_of(SKV_LAW_CALIBRATED, 0);
-    m.world = make_tank(&fluid, solver, (float)EARTH);
+    m.world = make_tank(&fluid, solver, (float)EARTH, false);
     m.cold = skv_substep_rule(&fluid, EARTH * 2 * (double)LAYER);
     fill(&m, 0, 0, WIDE, LAYER, below);
     fill(&m, 0, LAYER, WIDE, 2 * LAYER, above);
@@ -81,7 +87,7 @@ static mixture *layers(skv_solver_kind solver, float below, float above)
 static mixture *blob(skv_solver_kind solver, const skv_fluid_def *fluid, float left, float right)
 {
     static mixture m;
-    m.world = make_tank(fluid, solver, 0);
+    m.world = make_tank(fluid, solver, 0, false);
     m.cold = skv_substep_rule(fluid, EARTH * 2 * (double)LAYER);
     fill(&m, 0.1f, 0.1f, 0.2f, 0.3f, left);
     fill(&m, 0.2f, 0.1f, 0.3f, 0.3f, right);
@@ -93,19 +99,36 @@ static mixture *blob(skv_solver_kind solver, const skv_fluid_def *fluid, float l
     return &m;
 }
 
-static void advance(mixture *m, int frames, const float *mass)
+/* What the solver is asked for: a substep of fluid that starts warm. */
+static skv_solver_step describe(const mixture *m, skv_constants *constants,
+                                skv_external_force forces[SKV_SOLVER_MOST_FORCES])
 {
-    skv_world *w = m->world;
-    const skv_solver_type *type = w->solver->type;
-    skv_constants constants = skv_make_constants(&w->fluid, 1.0f / 60 / (float)w->substeps);
-    skv_set_stiffness(&constants, (float)m->cold / (float)w->substeps);
-    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
-    skv_solver_step step = skv_world_describe_step(w, &constants, forces);
-    step.particles.mass = mass;
-    for (int n = 0; n < frames * w->substeps; n++) {
-        assert_int_equal(type->reserve(w->solver, &step, NULL), SKV_OK);
-        m->given = type->advance(w->solver, &step);
+    const skv_world *w = m->world;
+    *constants = skv_make_constants(&w->fluid, 1.0f / 60 / (float)w->substeps);
+    skv_set_stiffness(constants, (float)m->cold / (float)w->substeps);
+    skv_solver_step step = skv_world_describe_step(w, constants, forces);
+    step.particles.mass = m->mass;
+    return step;
+}
+
+/* The sum of what walls give is left in `given`. */
+static void take(mixture *m, skv_solver *solver, const skv_solver_step *step, int substeps)
+{
+    m->given = (skv_impulse){0};
+    for (int n = 0; n < substeps; n++) {
+        assert_int_equal(solver->type->reserve(solver, step, NULL), SKV_OK);
+        skv_impulse given = solver->type->advance(solver, step);
+        m->given.x += given.x;
+        m->given.y += given.y;
     }
+}
+
+static void advance(mixture *m, int substeps)
+{
+    skv_constants constants;
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    const skv_solver_step step = describe(m, &constants, forces);
+    take(m, m->world->solver, &step, substeps);
 }
 
 static double speed_of(const mixture *m)
@@ -162,7 +185,8 @@ static double weight_in_a_substep(const mixture *m)
 static mixture *rest(skv_solver_kind solver, float below, float above, double calm)
 {
     mixture *m = layers(solver, below, above);
-    advance(m, 8 * 60, m->mass);
+    advance(m, 8 * 60 * m->world->substeps - 1);
+    advance(m, 1);
     assert_int_equal(count_astray(m, below), 0);
     assert_near(m->given.y / weight_in_a_substep(m), 1, 0.005);
     assert_near(speed_of(m), 0, calm);
@@ -172,16 +196,18 @@ static mixture *rest(skv_solver_kind solver, float below, float above, double ca
 static void a_little_lighter_fluid_stays_above(void **unused)
 {
     (void)unused;
-    mixture *m = rest(SKV_SOLVER_REFERENCE, 1, 0.9f, 0.005);
-    assert_near(floor_pressure(m, 1), 1, 0.04);
-    skv_world_destroy(m->world);
+    for (int k = 0; k < 2; k++) {
+        mixture *m = rest(solvers[k], 1, 0.9f, 0.005);
+        assert_near(floor_pressure(m, 1), 1, 0.04);
+        skv_world_destroy(m->world);
+    }
 }
 
 static void a_much_lighter_fluid_lies_calm_above(void **unused)
 {
     (void)unused;
-    mixture *m = rest(SKV_SOLVER_REFERENCE, 1, 0.1f, 0.008);
-    skv_world_destroy(m->world);
+    for (int k = 0; k < 2; k++)
+        skv_world_destroy(rest(solvers[k], 1, 0.1f, 0.008)->world);
 }
 
 typedef struct momentum {
@@ -205,7 +231,7 @@ static void expect_momentum(skv_solver_kind solver, skv_law law, float viscosity
     const skv_fluid_def fluid = fluid_of(law, viscosity);
     mixture *m = blob(solver, &fluid, 1, 0.2f);
     momentum before = momentum_of(m);
-    advance(m, 18, m->mass);
+    advance(m, 18 * m->world->substeps);
     momentum after = momentum_of(m);
     assert_true(m->given.x == 0 && m->given.y == 0);
     assert_near(after.x / after.mass, before.x / before.mass, 1e-7);
@@ -216,43 +242,145 @@ static void expect_momentum(skv_solver_kind solver, skv_law law, float viscosity
 static void what_no_wall_touches_keeps_its_momentum(void **unused)
 {
     (void)unused;
-    expect_momentum(SKV_SOLVER_REFERENCE, SKV_LAW_CALIBRATED, 0);
-    expect_momentum(SKV_SOLVER_REFERENCE, SKV_LAW_CALIBRATED, 20);
-    expect_momentum(SKV_SOLVER_REFERENCE, SKV_LAW_CLAVET, 20);
+    for (int k = 0; k < 2; k++) {
+        expect_momentum(solvers[k], SKV_LAW_CALIBRATED, 0);
+        expect_momentum(solvers[k], SKV_LAW_CALIBRATED, 20);
+        expect_momentum(solvers[k], SKV_LAW_CLAVET, 20);
+    }
 }
 
-/* The hash after some frames of a dam that breaks in a tank; mass 0: none is given. Writes the mean
- * pressure. */
-static uint64_t hash_of(skv_solver_kind solver, skv_law law, bool images, float mass,
-                        double *pressure)
+/* A dam of two fluids that breaks, over a thin wall. */
+static mixture *dam(skv_solver_kind solver, const skv_fluid_def *fluid, float left, float right)
 {
     static mixture m;
-    skv_fluid_def fluid = fluid_of(law, 2);
-    fluid.wall_images = images;
-    m.world = make_tank(&fluid, solver, (float)EARTH);
-    m.cold = skv_substep_rule(&fluid, EARTH * 2 * (double)LAYER);
-    fill(&m, 0, 0, LAYER, 2 * LAYER, mass);
-    advance(&m, 12, mass > 0 ? m.mass : NULL);
-    skv_particles p = skv_world_particles(m.world);
+    m.world = make_tank(fluid, solver, (float)EARTH, true);
+    m.cold = 2 * m.world->substeps; /* so that it starts warm */
+    fill(&m, 0, 0, LAYER / 2, 2 * LAYER, left);
+    fill(&m, LAYER / 2, 0, LAYER, 2 * LAYER, right);
+    return &m;
+}
+
+/* No particle is as fast as may be at most. */
+static void walls_give_what_fluids_gain(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 2; k++) {
+        skv_fluid_def fluid = fluid_of(SKV_LAW_CALIBRATED, 2);
+        fluid.wall_friction = 0.3f;
+        mixture *m = dam(solvers[k], &fluid, 3, 0.5f);
+        int substeps = 20 * m->world->substeps;
+        advance(m, substeps);
+        double dt = 1.0 / 60 / m->world->substeps, weight = substeps * weight_in_a_substep(m);
+        momentum after = momentum_of(m);
+        assert_true(fabs(m->given.x) > 0.02 * weight);
+        assert_near(m->given.x / weight, dt * after.x / weight, 2e-6);
+        assert_near(m->given.y / weight, dt * after.y / weight + 1, 2e-6);
+        skv_world_destroy(m->world);
+    }
+}
+
+/* How a dam is taken: by the world's own solver, or by rows of other threads, instruction sets and
+ * room for kept pairs. */
+typedef struct manner {
+    skv_solver_kind solver;
+    skv_pool *pool;
+    skv_instruction_set set;
+    float kept; /* of the usual room; 0: the world's own */
+} manner;
+
+static void take_by(mixture *m, const manner *by, const skv_solver_step *step, int substeps)
+{
+    const skv_solver_def def = {
+        .x1 = WIDE,
+        .y1 = WIDE,
+        .h = m->world->h,
+        .instruction_set = by->set,
+        .per_square = 9 * by->kept,
+        .boundary = &m->world->boundary,
+    };
+    skv_solver *rows;
+    assert_int_equal(skv_rows_solver.create(&def, &rows, NULL), SKV_OK);
+    take(m, rows, step, substeps);
+    skv_rows_solver.destroy(rows);
+}
+
+/* The hash of a dam after some frames; masses are times that, or if it is 0 there are none. Writes
+ * the mean pressure. The rows hold one in ten of its particles. */
+static uint64_t hash_of(const manner *by, const skv_fluid_def *fluid, float right, float times,
+                        double *pressure)
+{
+    static uint8_t part[MOST];
+    mixture *m = dam(by->solver, fluid, times, times * right);
+    skv_constants constants;
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    skv_solver_step step = describe(m, &constants, forces);
+    for (int i = 0; i < MOST; i++)
+        part[i] = i % 10 == 3 ? SKV_HELD : i % 50 == 7 ? SKV_ABSENT : SKV_MOVES;
+    step.particles.mass = times > 0 ? m->mass : NULL;
+    step.particles.part = by->solver == SKV_SOLVER_FAST ? part : NULL;
+    step.pool = by->pool;
+    if (by->kept > 0)
+        take_by(m, by, &step, 16 * m->world->substeps);
+    else
+        take(m, m->world->solver, &step, 16 * m->world->substeps);
+    skv_particles p = skv_world_particles(m->world);
     uint64_t hash = fixture_hash(&p);
     *pressure = 0;
     for (int i = 0; i < p.count; i++)
         *pressure += (double)p.pressure[i] / p.count;
-    skv_world_destroy(m.world);
+    skv_world_destroy(m->world);
     return hash;
+}
+
+/* Both laws, walls by images and without. */
+enum { KINDS = 3 };
+
+static skv_fluid_def fluid_of_kind(int kind)
+{
+    skv_fluid_def fluid = fluid_of(kind == 2 ? SKV_LAW_CLAVET : SKV_LAW_CALIBRATED, 2);
+    fluid.wall_images = kind == 0;
+    return fluid;
 }
 
 /* By a power of two, which rounds nothing. */
 static void a_fluid_alone_moves_the_same_by_any_mass(void **unused)
 {
     (void)unused;
-    const skv_law laws[] = {SKV_LAW_CALIBRATED, SKV_LAW_CALIBRATED, SKV_LAW_CLAVET};
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 2 * KINDS; k++) {
+        const skv_fluid_def fluid = fluid_of_kind(k / 2);
+        const manner by = {.solver = solvers[k % 2]};
         double none, one, four;
-        uint64_t hash = hash_of(SKV_SOLVER_REFERENCE, laws[k], k == 0, 0, &none);
-        assert_true(hash == hash_of(SKV_SOLVER_REFERENCE, laws[k], k == 0, 1, &one));
-        assert_true(hash == hash_of(SKV_SOLVER_REFERENCE, laws[k], k == 0, 4, &four));
+        uint64_t hash = hash_of(&by, &fluid, 1, 0, &none);
+        assert_true(hash == hash_of(&by, &fluid, 1, 1, &one));
+        assert_true(hash == hash_of(&by, &fluid, 1, 4, &four));
         assert_true(one == none && four == 4 * none);
+    }
+}
+
+static void expect_hash(uint64_t hash, const skv_fluid_def *fluid, const manner *by)
+{
+    double pressure;
+    assert_true(hash == hash_of(by, fluid, 0.3f, 1, &pressure));
+}
+
+static void mixtures_have_the_same_bits_everywhere(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < KINDS; k++) {
+        const skv_fluid_def fluid = fluid_of_kind(k);
+        double pressure;
+        uint64_t hash = hash_of(&(manner){.solver = SKV_SOLVER_FAST}, &fluid, 0.3f, 1, &pressure);
+        expect_hash(hash, &fluid, &(manner){.solver = SKV_SOLVER_FAST, .kept = 0.001f});
+        for (skv_instruction_set set = SKV_ISA_SCALAR; set <= SKV_ISA_WASM; set++)
+            if (skv_rows_instruction_set(set))
+                expect_hash(hash, &fluid,
+                            &(manner){.solver = SKV_SOLVER_FAST, .set = set, .kept = 1});
+        for (int threads = 2; threads < 6; threads++) {
+            manner by = {.solver = SKV_SOLVER_FAST, .kept = 1};
+            assert_int_equal(skv_pool_create(threads, &by.pool, NULL), SKV_OK);
+            expect_hash(hash, &fluid, &by);
+            skv_pool_destroy(by.pool);
+        }
     }
 }
 
@@ -262,7 +390,9 @@ int main(void)
         cmocka_unit_test(a_little_lighter_fluid_stays_above),
         cmocka_unit_test(a_much_lighter_fluid_lies_calm_above),
         cmocka_unit_test(what_no_wall_touches_keeps_its_momentum),
+        cmocka_unit_test(walls_give_what_fluids_gain),
         cmocka_unit_test(a_fluid_alone_moves_the_same_by_any_mass),
+        cmocka_unit_test(mixtures_have_the_same_bits_everywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,8 @@ static void prepare(const skv_rows *s, int row, const skv_constants *c)
         v8_store(s->ahead_x + i, v8_mul(scale, u));
         v8_store(s->ahead_y + i, v8_mul(scale, v));
         v8_store(s->image + i, far);
-        note_graded(s, row, i / ROW_LANES, v8_any_below(v8_load(p->warm_lambda + i), until));
+        v8 pressed = per_mass(s, i, v8_load(p->warm_lambda + i));
+        note_graded(s, row, i / ROW_LANES, v8_any_below(pressed, until));
     }
     memset(s->beside + begin / TILE, 0, (size_t)(end - begin) / TILE);
 }
@@ -137,6 +138,8 @@ V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_constants *c, flo
         c->clavet ? density
                   : (SKV_SMOOTH_CUBES * near_density - density) * (1.0f / SKV_SMOOTH_QUARTICS);
     s->own.near_density[i] += near_density;
+    if (s->massive) /* it is of the particle's own kind */
+        s->own.lightness[i] += near_density * s->set[s->current].lightness[i];
 }
 
 /* The solid's share of the sums; with images, a particle's own image and the residual volume,
@@ -174,6 +177,8 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
     for_walls(s, row, c, boundary, samples, add_solid, graded ? &graded : NULL);
     if (graded) /* while the push of the last substep is known */
         keep_gradient(s, row, c);
+    if (s->massive)
+        find_mean_masses(s, row);
     if (c->clavet)
         pressure_clavet(s, row, c);
     else
@@ -196,7 +201,8 @@ V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_constants *c,
     float made = skv_boundary_move(boundary, &p->x[i], &p->y[i], dx, dy, &p->clearance[i]);
     p->u[i] += made * dx;
     p->v[i] += made * dy;
-    skv_impulse_give(walls, p->x[i], p->y[i], made * dx, made * dy);
+    float mass = skv_row_mass(s, i);
+    skv_impulse_give(walls, p->x[i], p->y[i], mass * (made * dx), mass * (made * dy));
 }
 
 /* The same for all of a row. */
@@ -215,7 +221,7 @@ static void touch_walls(const skv_rows *s, int row, const skv_constants *c,
     }
 }
 
-/* Adds what a wall does to a particle's displacement. */
+/* Adds what a wall gives a particle: displacement times mass. */
 V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float dx, float dy,
                         skv_impulse *given)
 {
@@ -244,7 +250,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
         const skv_wall_sample *solid = &wall->at.wall;
         dx = lambda * solid->f1x + near_lambda * solid->f2x;
         dy = lambda * solid->f1y + near_lambda * solid->f2y;
-        if (lambda < c->loose_lambda)
+        if (lambda < c->loose_lambda * skv_row_mass(s, i))
             let_fall(gx, gy, solid->f1x, solid->f1y, 1, &dx, &dy);
         /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
         if (s->gauged)
@@ -276,10 +282,11 @@ V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
         return;
     int i = wall->particle;
     float tx = -image->ny / size, ty = image->nx / size;
-    float moved_x = p->u[i] + (s->own_move.x[i] + s->next_move.x[i]);
-    float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]);
+    float mass = skv_row_mass(s, i);
+    float moved_x = p->u[i] + (s->own_move.x[i] + s->next_move.x[i]) / mass;
+    float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]) / mass;
     float taken = skv_slip_taken(c->slip_friction, c->wall_drag, image->distance);
-    float held = taken * (moved_x * tx + moved_y * ty);
+    float held = taken * (moved_x * tx + moved_y * ty) * mass;
     add_move(s, i, c, -held * tx, -held * ty, impulse);
 }
 
@@ -299,11 +306,12 @@ typedef struct move_kind {
 } move_kind;
 
 /* Moves a particle that may meet a wall; returns false, and does nothing, if it meets none. */
-static __attribute__((noinline)) bool meet_wall(const skv_row_particles *p, int i, float dx,
-                                                float dy, move_kind kind, const skv_constants *c,
+static __attribute__((noinline)) bool meet_wall(const skv_rows *s, int i, float dx, float dy,
+                                                move_kind kind, const skv_constants *c,
                                                 const skv_boundary *boundary,
                                                 skv_impulse_sum *walls)
 {
+    const skv_row_particles *p = &s->set[s->current];
     float lag = kind.lagged ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
     float x = p->x[i] + lag * p->u[i], y = p->y[i] + lag * p->v[i], along_x, along_y;
     float made = skv_boundary_slide(boundary, c->images, &x, &y, dx, dy, &along_x, &along_y,
@@ -318,7 +326,9 @@ static __attribute__((noinline)) bool meet_wall(const skv_row_particles *p, int 
     lag = kind.lags ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
     p->x[i] = x - lag * p->u[i];
     p->y[i] = y - lag * p->v[i];
-    skv_impulse_give(walls, x, y, (made - 1) * dx + along_x, (made - 1) * dy + along_y);
+    float mass = skv_row_mass(s, i);
+    skv_impulse_give(walls, x, y, mass * ((made - 1) * dx + along_x),
+                     mass * ((made - 1) * dy + along_y));
     return true;
 }
 
@@ -367,7 +377,7 @@ RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind 
     for (int l = 0; l < ROW_LANES && i + l < end; l++) {
         int k = i + l;
         bool may_meet = left[l] < s->acting.wall_margin;
-        if (may_meet && meet_wall(p, k, move_x[l], move_y[l], kind, c, boundary, walls))
+        if (may_meet && meet_wall(s, k, move_x[l], move_y[l], kind, c, boundary, walls))
             continue;
         p->clearance[k] = may_meet ? p->clearance[k] : left[l];
         p->x[k] = free[0][l];
@@ -392,8 +402,8 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
     const move_kind correction = {.corrects = true, .lagged = lag, .lags = lag && !last};
     int end = s->row_end[row];
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {
-        v8 dx = collected(s->own_move.x + i, s->next_move.x + i);
-        v8 dy = collected(s->own_move.y + i, s->next_move.y + i);
+        v8 dx = per_mass(s, i, collected(s->own_move.x + i, s->next_move.x + i));
+        v8 dy = per_mass(s, i, collected(s->own_move.y + i, s->next_move.y + i));
         if (s->held) {
             const int *numbers = s->set[s->current].number + i;
             dx = unless_held(numbers, dx);

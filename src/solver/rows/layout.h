@@ -46,6 +46,12 @@
  *    [1]                         ahead x (W)                         own move y
  *    [2]                         ahead y (W)         own outward     own outward
  *    [3]                         image (W)           image           image
+ *   with masses:
+ *   set[current]      read      written by the sort, then turned over; read to the end
+ *    .lightness
+ *   set[!current]     written   own lightness       of the mean mass
+ *    .lightness
+ *   spare_lightness             next lightness
  *
  * Densities are sums of W with the clavet law, of q^4 with the calibrated one, whose W is 4 q^3 - 3
  * q^4 and follows when all pairs are summed up. The gradient belongs to that law and the first
@@ -63,7 +69,7 @@ enum {
     ROW_LANES = 8,
     ROW_MARGIN = 2, /* empty rows, and empty radii of cells, around the world */
     ROW_MAX_THREADS = 64,
-    ROW_SUMS = 4,  /* that the density pass adds up, at most */
+    ROW_SUMS = 5,  /* that the density pass adds up, at most */
     ROW_SPARE = 4, /* buffers beside the two sets */
     /* Rows of which a thread keeps pairs: two in turn, and one at its seam; and wall samples: three
      * in turn, and those at both seams. */
@@ -90,12 +96,14 @@ typedef struct skv_row_particles {
     float *clearance;
     float *warm_lambda; /* of the last substep, then of this one: solver.h */
     int *number;        /* index in the frame, and ROW_HELD */
+    float *lightness;   /* one over the mass; not there without masses */
 } skv_row_particles;
 
 /* One part of what the density pass adds up. */
 typedef struct skv_row_sums {
     float *density, *near_density;
     float *gradient_x, *gradient_y;
+    float *lightness; /* q^3 over the partner's mass; with masses */
 } skv_row_sums;
 
 /* One part of what the displacement pass adds up. */
@@ -153,6 +161,7 @@ struct skv_rows {
     skv_row_particles set[2];
     int current;
     float *spare[ROW_SPARE];
+    float *spare_lightness;
 
     /* Lent, as the table above says. */
     int *key;                          /* the cell a particle moves to, by old place */
@@ -165,6 +174,7 @@ struct skv_rows {
     float *image;                      /* D of images, wall_image.h */
     float *ahead_x, *ahead_y;          /* how far the density looks ahead of the places */
     float *pressure;                   /* gauge */
+    float *mean_lightness;             /* one over the mean mass; with masses */
 
     /* Per tile: its ranges of partners; whether one of its particles has an image. */
     int *own_end, *next_begin, *next_end;
@@ -187,8 +197,9 @@ struct skv_rows {
     skv_row_thread *thread;
     int thread_room, threads; /* threads to have memory for, and at work in this call */
     bool held, gauged;        /* this substep computes the gauge pressure */
+    bool massive;             /* in this call particles have masses */
     skv_row_acting acting;    /* in this call */
-    void *particle_block, *grid_block, *histogram_block;
+    void *particle_block, *mass_block, *grid_block, *histogram_block;
     skv_solver_memory memory;
     double seconds[ROW_PHASES];
 };
@@ -198,6 +209,11 @@ struct skv_rows {
 static inline int skv_row_padded_end(int end)
 {
     return (end + 2 * ROW_LANES - 1) & ~(ROW_LANES - 1);
+}
+
+static inline float skv_row_mass(const skv_rows *rows, int i)
+{
+    return rows->massive ? 1 / rows->set[rows->current].lightness[i] : 1;
 }
 
 #endif

@@ -88,6 +88,7 @@ void skv_rows_destroy(skv_rows *rows)
         return;
     free_threads(rows);
     skv_free(rows->particle_block);
+    skv_free(rows->mass_block);
     skv_free(rows->grid_block);
     skv_free(rows);
 }
@@ -198,6 +199,8 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for %d particles", count);
     skv_free(rows->particle_block);
     rows->particle_block = block;
+    skv_free(rows->mass_block); /* of fewer particles */
+    rows->mass_block = NULL;
     for (int f = 0; f < FLOATS; f++, block += stride)
         *floats[f] = block;
     for (int i = 0; i < INTS; i++, block += stride)
@@ -212,11 +215,32 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     return SKV_OK;
 }
 
-skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, skv_error *error)
+/* Where a world has masses at all, for as many as it has particles. */
+static skv_result reserve_masses(skv_rows *rows, skv_error *error)
+{
+    if (rows->mass_block)
+        return SKV_OK;
+    enum { FLOATS = 3 };
+    size_t stride = array_stride((size_t)rows->slots);
+    float *block = skv_calloc(FLOATS * stride, sizeof *block);
+    if (!block)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the masses of %d particles",
+                        rows->capacity);
+    rows->mass_block = block;
+    rows->set[0].lightness = block;
+    rows->set[1].lightness = block + stride;
+    rows->spare_lightness = block + 2 * stride;
+    rows->memory.particles += FLOATS * stride * sizeof *block;
+    return SKV_OK;
+}
+
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool masses, skv_error *error)
 {
     skv_result result = reserve_threads(rows, threads, error);
     if (result == SKV_OK)
         result = reserve_particles(rows, count, error);
+    if (result == SKV_OK && masses)
+        result = reserve_masses(rows, error);
     if (result == SKV_OK)
         result = reserve_kept(rows, error);
     if (result == SKV_OK)
@@ -228,14 +252,16 @@ void skv_rows_lend_buffers(skv_rows *rows)
 {
     const skv_row_particles *older = &rows->set[!rows->current];
     float *number = (float *)(void *)older->number, **spare = rows->spare;
-    rows->own = (skv_row_sums){older->x, older->y, older->u, older->v};
-    rows->next = (skv_row_sums){older->clearance, older->warm_lambda, number, spare[0]};
+    rows->own = (skv_row_sums){older->x, older->y, older->u, older->v, older->lightness};
+    rows->next = (skv_row_sums){older->clearance, older->warm_lambda, number, spare[0],
+                                rows->spare_lightness};
     /* What the pressure turns the own sums into, place by place, ... */
     rows->lambda = rows->own.density;
     rows->near_lambda = rows->own.near_density;
     rows->gradient_x = rows->own.gradient_x;
     rows->gradient_y = rows->own.gradient_y;
     rows->hanging = rows->gradient_y;
+    rows->mean_lightness = rows->own.lightness;
     /* ... so that the next row's are free for the displacement. */
     rows->next_move = (skv_row_moves){older->clearance, older->warm_lambda, number};
     rows->own_move = (skv_row_moves){spare[0], spare[1], spare[2]};

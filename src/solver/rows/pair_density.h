@@ -143,6 +143,12 @@ VARIANT void density_part(const skv_row_particles *p, int j, bool first, unsigne
     EACH(k) sums->near_density[k] = wide_add(sums->near_density[k], q3[k]);
     add_at(to->density + j, over_tile(w));
     add_at(to->near_density + j, over_tile(q3));
+    if (with & WITH_MASSES) {
+        wide theirs = wide_each(part_load(own->all_lightness + j));
+        EACH(k) sums->lightness[k] = wide_add(sums->lightness[k], wide_mul(q3[k], theirs));
+        EACH(k) q3[k] = wide_mul(q3[k], own->lightness[k]);
+        add_at(to->lightness + j, over_tile(q3));
+    }
     if (with & WITH_GRADIENT) {
         EACH(k) dx[k] = wide_mul(dx[k], q2[k]);
         EACH(k) dy[k] = wide_mul(dy[k], q2[k]);
@@ -177,6 +183,8 @@ static void zero_sums(const skv_rows *s, const skv_row_sums *sums, int row, bool
 {
     zero_row(s, sums->density, row);
     zero_row(s, sums->near_density, row);
+    if (s->massive)
+        zero_row(s, sums->lightness, row);
     if (graded) {
         zero_row(s, sums->gradient_x, row);
         zero_row(s, sums->gradient_y, row);
@@ -192,6 +200,8 @@ VARIANT void sum_densities(tile_sums *to, const density_sums *sums)
         sum_lanes(to->sum[2], sums->gradient_x, last->gradient_x);
         sum_lanes(to->sum[3], sums->gradient_y, last->gradient_y);
     }
+    if (to->massive)
+        sum_lanes(to->sum[4], sums->lightness, last->lightness);
 }
 
 VARIANT void add_densities(const skv_row_sums *to, const tile_sums *late)
@@ -203,6 +213,8 @@ VARIANT void add_densities(const skv_row_sums *to, const tile_sums *late)
         add_tile(to->gradient_x + i, late->sum[2]);
         add_tile(to->gradient_y + i, late->sum[3]);
     }
+    if (late->massive)
+        add_tile(to->lightness + i, late->sum[4]);
 }
 
 /* Whether one of a tile's particles or of its partners may have a gradient. Most rows know by where
@@ -228,13 +240,16 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
     look ahead;
     ahead.all_x = s->ahead_x;
     ahead.all_y = s->ahead_y;
+    ahead.all_lightness = p->lightness;
     EACH(k)
     {
         ahead.x[k] = wide_spread(ahead.all_x + i + k, WIDES);
         ahead.y[k] = wide_spread(ahead.all_y + i + k, WIDES);
+        if (with & WITH_MASSES)
+            ahead.lightness[k] = wide_spread(ahead.all_lightness + i + k, WIDES);
         EACH_PART(n)
         sums[n].density[k] = sums[n].near_density[k] = sums[n].gradient_x[k] =
-            sums[n].gradient_y[k] = wide_set(0);
+            sums[n].gradient_y[k] = sums[n].lightness[k] = wide_set(0);
     }
     /* First the partners in the own row, then those in the next: one loop for both, which is
      * unrolled once. */
@@ -256,6 +271,7 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
         add_densities(&own, late);
     late->place = i;
     late->more = with & WITH_GRADIENT;
+    late->massive = with & WITH_MASSES;
     sum_densities(late, sums);
     return keep;
 }
@@ -273,14 +289,28 @@ static __attribute__((noinline)) float *density_any_tile(const skv_rows *s,
     if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT))
         return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t, late, keep);
 #endif
-    return density_tile(s, p, with, t, late, keep);
+    return density_tile(s, p, with & ~WITH_MASSES, t, late, keep);
+}
+
+/* The same with masses. */
+static __attribute__((noinline)) float *density_massive_tile(const skv_rows *s,
+                                                             const skv_row_particles *p,
+                                                             unsigned with, const tile *t,
+                                                             tile_sums *late, float *keep)
+{
+#if FULL_VARIANTS
+    if (with == (SMOOTH | KEEP_PAIRS))
+        return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_MASSES, t, late, keep);
+#endif
+    return density_tile(s, p, with | WITH_MASSES, t, late, keep);
 }
 
 /* Tiles that meet no gradient leave it out: where `with` is known to the compiler in loops of their
  * own, which the second iteration shares, for it has `graded` false. Without a place to keep pairs,
  * as in the crowds of a splash, no loop but that for all is taken. */
-VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images, bool graded,
-                         const skv_constants *c, const skv_boundary *boundary, float *keep)
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool massive, bool images,
+                         bool graded, const skv_constants *c, const skv_boundary *boundary,
+                         float *keep)
 {
     /* Copies: the compiler need not fear that a store changes them. */
     const skv_row_particles local = s->set[s->current], *p = &local;
@@ -296,11 +326,12 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool images,
         place_tile(&t, s, p, i, c, find_thin_wall(p, i, end, c, boundary));
         bool imaged = images && meets_images(s, i, false);
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, row, i);
-        if (!kept || imaged || (meets && !FULL_VARIANTS))
-            keep = density_any_tile(s, p,
-                                    (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |
-                                        (imaged ? WITH_IMAGES : 0u),
-                                    &t, &late, keep);
+        unsigned any =
+            (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) | (imaged ? WITH_IMAGES : 0u);
+        if (massive)
+            keep = density_massive_tile(s, p, any, &t, &late, keep);
+        else if (!kept || imaged || (meets && !FULL_VARIANTS))
+            keep = density_any_tile(s, p, any, &t, &late, keep);
         else if (meets)
             keep = density_tile(s, p, with | KEEP_PAIRS, &t, &late, keep);
         else
@@ -317,10 +348,14 @@ static void density(const skv_rows *s, int row, bool later, const skv_constants 
     /* Pairs without a place are computed again by the displacement: slower, the same bits. */
     kept->used = blocks <= kept->room ? blocks : -1;
     float *keep = kept->used >= 0 ? kept->pairs : NULL;
-    if (c->clavet)
-        density_row(s, row, 0, false, false, c, b, keep);
+    const unsigned calibrated = SMOOTH | WITH_GRADIENT;
+    if (s->massive)
+        density_row(s, row, c->clavet ? 0 : calibrated, true, c->images, !c->clavet && !later, c, b,
+                    keep);
+    else if (c->clavet)
+        density_row(s, row, 0, false, false, false, c, b, keep);
     else
-        density_row(s, row, SMOOTH | WITH_GRADIENT, c->images, !later, c, b, keep);
+        density_row(s, row, calibrated, false, c->images, !later, c, b, keep);
 }
 
 #endif

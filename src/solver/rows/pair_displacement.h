@@ -1,5 +1,5 @@
-/* The displacement, pass B of the rows. Included by kernels.c alone. Invariant: of a tile's pairs it
- * computes the same blocks as the density, so that it finds the q that this has kept.
+/* The displacement, pass B of the rows. Included by kernels.c alone. Invariant: of a tile's pairs
+ * it computes the same blocks as the density, so that it finds the q that this has kept.
  */
 #ifndef SKV_ROW_PAIR_DISPLACEMENT_H
 #define SKV_ROW_PAIR_DISPLACEMENT_H
@@ -8,7 +8,7 @@
 
 /* What the displacement reads of the partners. */
 typedef struct partners {
-    const float *lambda, *near_lambda, *gradient_x, *gradient_y;
+    const float *lambda, *near_lambda, *gradient_x, *gradient_y, *lightness;
     float scale;       /* of tension */
     float sigma, beta; /* of viscosity */
 } partners;
@@ -30,10 +30,10 @@ VARIANT void tension(const partners *others, int j, const pushes *t, const wide 
 }
 
 /* Adds the impulse of pairs that approach each other to their displacement, which is dx, dy times
- * size: from i to j, in displacement units. */
-VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j, const pushes *t,
-                       const wide *dx, const wide *dy, const wide *inverse, const wide *q,
-                       wide *size)
+ * size: from i to j, in displacement units, with masses in those of the lighter one. */
+VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j, unsigned with,
+                       const pushes *t, const wide *dx, const wide *dy, const wide *inverse,
+                       const wide *q, wide *size)
 {
     const wide zero = wide_set(0), half = wide_set(0.5f), most = wide_set(SKV_MOST_VISCOUS);
     wide uj = wide_each(part_load(p->u + j)), vj = wide_each(part_load(p->v + j));
@@ -44,6 +44,10 @@ VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j
     EACH(k) w[k] = wide_mul(wide_max(w[k], zero), inverse[k]);
     EACH(k) share[k] = wide_min(wide_add(sigma, wide_mul(beta, w[k])), most);
     EACH(k) share[k] = wide_mul(q[k], share[k]);
+    if (with & WITH_MASSES) {
+        wide theirs = wide_each(part_load(others->lightness + j));
+        EACH(k) share[k] = wide_div(share[k], wide_max(t->lightness[k], theirs));
+    }
     EACH(k) w[k] = wide_mul(wide_mul(half, share[k]), wide_mul(w[k], inverse[k]));
     EACH(k) size[k] = wide_add(size[k], w[k]);
 }
@@ -100,7 +104,7 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
         add_at(to->outward + j, over_tile(virial));
     }
     if (with & WITH_VISCOSITY)
-        viscosity(p, others, j, pressed, dx, dy, inverse, q, size);
+        viscosity(p, others, j, with, pressed, dx, dy, inverse, q, size);
     EACH(k) dx[k] = wide_mul(dx[k], size[k]);
     EACH(k) dy[k] = wide_mul(dy[k], size[k]);
     if (with & WITH_GRADIENT) {
@@ -172,6 +176,8 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
         if (with & WITH_VISCOSITY) {
             pressed.u[k] = wide_spread(p->u + i + k, WIDES);
             pressed.v[k] = wide_spread(p->v + i + k, WIDES);
+            if (with & WITH_MASSES)
+                pressed.lightness[k] = wide_spread(p->lightness + i + k, WIDES);
         }
         if (with & WITH_GRADIENT) {
             pressed.gradient_x[k] = wide_spread(others->gradient_x + i + k, WIDES);
@@ -212,7 +218,15 @@ displacement_any_tile(const skv_rows *s, const skv_row_particles *p, const partn
         return displacement_tile(s, p, others, SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t,
                                  late, keep);
 #endif
-    return displacement_tile(s, p, others, with, t, late, keep);
+    return displacement_tile(s, p, others, with & ~WITH_MASSES, t, late, keep);
+}
+
+/* The same where the viscosity knows masses; the rest of the displacement needs none. */
+static __attribute__((noinline)) const float *
+displacement_massive_tile(const skv_rows *s, const skv_row_particles *p, const partners *others,
+                          unsigned with, const tile *t, tile_sums *late, const float *keep)
+{
+    return displacement_tile(s, p, others, with | WITH_VISCOSITY | WITH_MASSES, t, late, keep);
 }
 
 /* As density_row; of a rare variant no loop is known. */
@@ -221,9 +235,9 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
                               const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
-    const partners others = {
-        s->lambda,        s->near_lambda,      s->gradient_x,         s->gradient_y,
-        c->tension_scale, c->viscosity_linear, c->viscosity_quadratic};
+    const partners others = {s->lambda,           s->near_lambda,        s->gradient_x,
+                             s->gradient_y,       p->lightness,          c->tension_scale,
+                             c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const unsigned plain = with & ~WITH_GRADIENT;
     const bool kept = keep != NULL, outward = with & WITH_GAUGE || images;
@@ -236,11 +250,12 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
         place_tile(&t, s, p, i, c, kept ? NULL : find_thin_wall(p, i, end, c, boundary));
         bool imaged = images && meets_images(s, i, with & WITH_GAUGE);
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, row, i);
-        if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
-            keep = displacement_any_tile(s, p, &others,
-                                         (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) |
-                                             (imaged ? WITH_IMAGES : 0u),
-                                         &t, &late, keep);
+        unsigned any =
+            (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) | (imaged ? WITH_IMAGES : 0u);
+        if (with & WITH_MASSES)
+            keep = displacement_massive_tile(s, p, &others, any, &t, &late, keep);
+        else if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
+            keep = displacement_any_tile(s, p, &others, any, &t, &late, keep);
         else if (meets)
             keep = displacement_tile(s, p, &others, with | KEEP_PAIRS, &t, &late, keep);
         else
@@ -257,7 +272,7 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_const
     const unsigned calibrated = SMOOTH | WITH_GRADIENT;
     const float *keep = kept->used >= 0 ? kept->pairs : NULL;
     unsigned with = (c->clavet ? 0u : calibrated) | (viscous ? WITH_VISCOSITY : 0u) |
-                    (s->gauged ? WITH_GAUGE : 0u);
+                    (s->gauged ? WITH_GAUGE : 0u) | (viscous && s->massive ? WITH_MASSES : 0u);
     /* What most substeps are made of has loops of its own. */
     if (with == calibrated)
         displacement_row(s, row, calibrated, true, c->images, !later, c, b, keep);

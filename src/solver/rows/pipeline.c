@@ -46,8 +46,9 @@ static void clear_lowest(skv_rows *rows)
     int begin = rows->row_start[rows->first];
     size_t bytes = (size_t)(skv_row_padded_end(rows->row_end[rows->first]) - begin) * sizeof(float);
     const skv_row_sums *next = &rows->next;
-    float *sums[ROW_SUMS] = {next->density, next->near_density, next->gradient_x, next->gradient_y};
-    for (int a = 0; a < ROW_SUMS; a++)
+    float *sums[ROW_SUMS] = {next->density, next->near_density, next->gradient_x, next->gradient_y,
+                             next->lightness};
+    for (int a = 0; a < (rows->massive ? ROW_SUMS : ROW_SUMS - 1); a++)
         memset(sums[a] + begin, 0, bytes);
 }
 

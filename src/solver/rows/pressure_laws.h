@@ -34,9 +34,40 @@ V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
     s->graded_end[row] = eight + 1;
 }
 
+/* With masses a quantity of eight particles at i that is in proportion to their mass, per mass. */
+V8_INLINE v8 per_mass(const skv_rows *s, int i, v8 a)
+{
+    return s->massive ? v8_mul(a, v8_load(s->set[s->current].lightness + i)) : a;
+}
+
+/* And what is per mass, of theirs. */
+V8_INLINE v8 of_mass(const skv_rows *s, int i, v8 a)
+{
+    return s->massive ? v8_div(a, v8_load(s->set[s->current].lightness + i)) : a;
+}
+
+/* Finds the mean mass around a row's particles from the sums of lightness, in which those of what
+ * is no pair are: the reciprocal of the mean lightness, weighted with the near density. Of one that
+ * is alone it is its own. In the sums' place, as the lightness. */
+static void find_mean_masses(const skv_rows *s, int row)
+{
+    const v8 share = v8_set(SKV_OWN_SHARE);
+    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
+        v8 sum = collected(s->own.lightness + i, s->next.lightness + i);
+        v8 weight = v8_add(collected(s->own.near_density + i, s->next.near_density + i), share);
+        v8_store(s->mean_lightness + i, v8_div(v8_add(sum, per_mass(s, i, share)), weight));
+    }
+}
+
+/* What is per mass, of the mean mass. */
+V8_INLINE v8 of_mean_mass(const skv_rows *s, int i, v8 a)
+{
+    return s->massive ? v8_div(a, v8_load(s->mean_lightness + i)) : a;
+}
+
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
- * unevenness of the bulk, which fades with what has pressed them in the last substep. In the sums'
- * place; notes of each eight whether one has any, and where they are. */
+ * unevenness of the bulk, which fades with what has pressed them in the last substep. Of their
+ * mass. In the sums' place; notes of each eight whether one has any, and where they are. */
 static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
@@ -50,11 +81,12 @@ static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
             gx = collected(s->own.gradient_x + i, s->next.gradient_x + i);
             gy = collected(s->own.gradient_y + i, s->next.gradient_y + i);
             v8 size = v8_sqrt(v8_max(v8_add(v8_mul(gx, gx), v8_mul(gy, gy)), tiny));
-            v8 loose = v8_max(v8_sub(one, v8_div(v8_load(warm_lambda + i), until)), zero);
+            v8 pressed = v8_div(per_mass(s, i, v8_load(warm_lambda + i)), until);
+            v8 loose = v8_max(v8_sub(one, pressed), zero);
             share = v8_mul(v8_div(v8_max(v8_sub(size, bulk), zero), size), loose);
         }
-        v8_store(s->gradient_x + i, v8_mul(share, gx));
-        v8_store(s->gradient_y + i, v8_mul(share, gy));
+        v8_store(s->gradient_x + i, of_mass(s, i, v8_mul(share, gx)));
+        v8_store(s->gradient_y + i, of_mass(s, i, v8_mul(share, gy)));
         note_graded(s, row, eight, v8_any_below(zero, share));
     }
 }
@@ -67,10 +99,12 @@ V8_INLINE v8 warm_lambda(const skv_rows *s, int i, bool later, const skv_constan
     float *remembered = s->set[s->current].warm_lambda + i;
     v8 before = v8_load(remembered),
        lambda = v8_div(v8_mul(v8_set(c->lambda_scale), excess), response);
+    lambda = of_mean_mass(s, i, lambda);
     if (later) {
         v8_store(remembered, v8_add(before, lambda));
     } else {
-        v8 start = v8_mul(v8_set(c->warm_start), v8_min(before, v8_set(c->warm_limit)));
+        v8 most = of_mass(s, i, v8_set(c->warm_limit));
+        v8 start = v8_mul(v8_set(c->warm_start), v8_min(before, most));
         lambda = v8_add(lambda, v8_min(start, v8_mul(v8_set(c->warm_most), lambda)));
         v8_store(remembered, lambda);
     }
@@ -98,9 +132,9 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
         v8 response = v8_max(v8_mul(answer, density), floor);
         v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
         v8 lambda = warm_lambda(s, i, later, c, excess, response);
-        lambda = v8_sub(lambda, v8_div(pulled, response));
+        lambda = v8_sub(lambda, of_mass(s, i, v8_div(pulled, response)));
         v8_store(s->lambda + i, lambda);
-        v8_store(s->near_lambda + i, v8_div(close, response));
+        v8_store(s->near_lambda + i, of_mass(s, i, v8_div(close, response)));
     }
 }
 
@@ -115,8 +149,9 @@ static void pressure_clavet(const skv_rows *s, int row, const skv_constants *c)
         v8 n = v8_mul(near_lambda, near_density);
         v8 strength = v8_max(v8_mul(density, n), tiny);
         v8 scale = v8_min(v8_div(limit, strength), one);
-        v8_store(s->lambda + i, v8_mul(scale, v8_mul(lambda, v8_sub(density, rest))));
-        v8_store(s->near_lambda + i, v8_mul(scale, n));
+        v8 pressed = v8_mul(scale, v8_mul(lambda, v8_sub(density, rest)));
+        v8_store(s->lambda + i, of_mean_mass(s, i, pressed));
+        v8_store(s->near_lambda + i, of_mean_mass(s, i, v8_mul(scale, n)));
     }
 }
 
@@ -129,6 +164,8 @@ static v8 relative_density(const skv_rows *s, int i, const skv_constants *c)
     const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
     v8 lambda = v8_mul(v8_set(SKV_NEAR_WEIGHT * c->near_share), v8_load(s->near_lambda + i));
     lambda = v8_mul(scale, v8_add(lambda, v8_load(s->lambda + i)));
+    if (s->massive)
+        lambda = v8_mul(lambda, v8_load(s->mean_lightness + i));
     v8 excess =
         v8_min(v8_max(lambda, v8_set(0)), v8_set(1 - 1 / SKV_DENSEST)); /* (rho - rho0)/rho */
     return v8_add(one, v8_mul(rest, v8_div(excess, v8_sub(one, excess))));

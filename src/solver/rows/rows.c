@@ -109,6 +109,7 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
     if (frame->count == 0)
         return (skv_impulse){0};
     rows->held = frame->part != NULL;
+    rows->massive = frame->mass != NULL;
     rows->acting = *acting;
     skv_row_run shared = {.rows = rows,
                           .kernels = rows->kernels,

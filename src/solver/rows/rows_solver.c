@@ -75,6 +75,7 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .clearance = p->clearance,
         .pressure = step->ungauged ? NULL : p->pressure,
         .warm_lambda = p->warm_lambda,
+        .mass = p->mass,
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
         .lambda = c->dt * c->dt * c->inv_h,
@@ -90,7 +91,7 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_error *error)
 {
     return skv_rows_reserve(((rows_solver *)solver)->rows, step->particles.count,
-                            skv_pool_threads(step->pool), error);
+                            skv_pool_threads(step->pool), step->particles.mass != NULL, error);
 }
 
 static void destroy(skv_solver *solver)

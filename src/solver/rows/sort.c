@@ -155,6 +155,7 @@ static void place_cells(skv_rows *rows, int row)
 static void move_particles(skv_rows *rows, skv_row_thread *own)
 {
     const skv_row_particles *from = &rows->set[rows->current], *to = &rows->set[!rows->current];
+    const bool massive = rows->massive;
     for (int row = own->old_first; row < own->old_end; row++) {
         for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
             int place = own->histogram[rows->key[i]]++;
@@ -165,6 +166,8 @@ static void move_particles(skv_rows *rows, skv_row_thread *own)
             to->clearance[place] = from->clearance[i];
             to->warm_lambda[place] = from->warm_lambda[i];
             to->number[place] = from->number[i];
+            if (massive)
+                to->lightness[place] = from->lightness[i];
         }
     }
     if (own->lowest <= own->highest)
@@ -179,6 +182,8 @@ static void put_dummies(skv_rows *rows, int row)
         p->x[i] = p->y[i] = p->clearance[i] = ROW_FAR;
         p->u[i] = p->v[i] = 0;
         p->warm_lambda[i] = ROW_FAR; /* nobody looks for a gradient because of them */
+        if (rows->massive)
+            p->lightness[i] = 1;
     }
 }
 

@@ -33,14 +33,17 @@
  * one. WITH_GRADIENT: the density sums up the gradient, and the displacement has the tension that
  * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
  * pairs that approach. WITH_GAUGE: it sums up what the gauge pressure follows from as well: the
- * virial. WITH_IMAGES: walls act by images, and beside them it sums up what these push outward. */
+ * virial. WITH_IMAGES: walls act by images, and beside them it sums up what these push outward.
+ * WITH_MASSES: the density sums up the lightness of the partners, too, and of pairs of different
+ * mass the viscosity is that of the lighter one. */
 enum {
     SMOOTH = 1,
     WITH_GRADIENT = 2,
     WITH_VISCOSITY = 4,
     KEEP_PAIRS = 8,
     WITH_GAUGE = 16,
-    WITH_IMAGES = 32
+    WITH_IMAGES = 32,
+    WITH_MASSES = 64
 };
 
 /* Whether all that substeps are often made of has loops of its own. In the page the rarer part of
@@ -64,10 +67,10 @@ typedef struct tile {
 } tile;
 
 /* What the density needs of them besides: how far it looks ahead of its own particles' places, and
- * of those of all, by place. */
+ * of those of all, by place; with masses how light they are. */
 typedef struct look {
-    wide x[WIDES], y[WIDES];
-    const float *all_x, *all_y;
+    wide x[WIDES], y[WIDES], lightness[WIDES];
+    const float *all_x, *all_y, *all_lightness;
 } look;
 
 /* Whether one of flags from..to is set. The last is looked at first: most often it tells. */
@@ -102,12 +105,13 @@ static inline float lag_of_one(const skv_row_particles *p, int i, float pair_lag
 /* What the displacement needs of them besides. */
 typedef struct pushes {
     wide lambda[WIDES], near_lambda[WIDES], gradient_x[WIDES], gradient_y[WIDES];
-    wide u[WIDES], v[WIDES];
+    wide u[WIDES], v[WIDES], lightness[WIDES];
 } pushes;
 
 /* The sums for the tile's own particles, over the same part of all partners. */
 typedef struct density_sums {
     wide density[WIDES], near_density[WIDES], gradient_x[WIDES], gradient_y[WIDES];
+    wide lightness[WIDES];
 } density_sums;
 typedef struct move_sums {
     wide x[WIDES], y[WIDES], outward[WIDES];
@@ -144,8 +148,9 @@ V8_INLINE void sum_lanes(float to[TILE], const wide *first, const wide *last)
  * the tiles before; no later tile of the row adds to that. It is added a tile later, when what was
  * stored there has left the processor: a load that waited for it cost 3 to 5 %. */
 typedef struct tile_sums {
-    int place; /* of the tile's first particle; -1: there is none yet */
-    bool more; /* than two sums: gradients, or the displacement's outward or virial */
+    int place;    /* of the tile's first particle; -1: there is none yet */
+    bool more;    /* than two sums: gradients, or the displacement's outward or virial */
+    bool massive; /* there is the last one, of lightness */
     float sum[ROW_SUMS][TILE];
 } tile_sums;
 

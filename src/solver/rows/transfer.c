@@ -59,6 +59,8 @@ void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame,
         p->clearance[place] = frame->clearance[i] * frame->length;
         p->warm_lambda[place] = frame->warm_lambda[i] * frame->lambda;
         p->number[place] = part == SKV_HELD ? i | ROW_HELD : i;
+        if (frame->mass)
+            p->lightness[place] = 1 / frame->mass[i];
         if (part == SKV_HELD)
             sink_held(p, place, frame, boundary);
         place++;
