@@ -12,9 +12,10 @@
  * pairs approach, and take half of the rest each: all of them together would reverse it with 1. */
 #define SKV_MOST_VISCOUS 0.5f
 
-/* The near density of one's own mass in the mean mass of what is around: so none that has
- * neighbours, of which even one at q = 1e-3 outweighs it a thousand times, but alone all. */
-#define SKV_OWN_SHARE 1e-12f
+/* What a particle itself weighs in the mean mass of what is around it: q^3 at no distance, a third
+ * of the whole in the lattice at rest. What is light among heavy ones is moved itself by what
+ * pushes it out from one side; without it, it would be shot off. */
+#define SKV_OWN_WEIGHT 1.0f
 
 /* Constants of a substep. Lengths in m, times in s. */
 typedef struct skv_constants {

@@ -260,6 +260,22 @@ static mixture *dam(skv_solver_kind solver, const skv_fluid_def *fluid, float le
     return &m;
 }
 
+/* Every other particle of the dam weighs 136 times as much as the rest. Half a second later their
+ * mean speed is less than that of a fall from the dam's height. */
+static void what_is_light_among_heavy_ones_is_not_shot_off(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 2; k++) {
+        const skv_fluid_def fluid = fluid_of(SKV_LAW_CALIBRATED, 0);
+        mixture *m = dam(solvers[k], &fluid, 1, 1);
+        for (int i = 0; i < m->world->state.count; i++)
+            m->mass[i] = i % 2 ? 13.6f : 0.1f;
+        advance(m, 30 * m->world->substeps);
+        assert_true(speed_of(m) < sqrt(2 * EARTH * 2 * (double)LAYER));
+        skv_world_destroy(m->world);
+    }
+}
+
 /* No particle is as fast as may be at most. */
 static void walls_give_what_fluids_gain(void **unused)
 {
@@ -363,6 +379,32 @@ static void expect_hash(uint64_t hash, const skv_fluid_def *fluid, const manner 
     assert_true(hash == hash_of(by, fluid, 0.3f, 1, &pressure));
 }
 
+static size_t bytes_of(const skv_world *world)
+{
+    return skv_rows_solver.memory(world->solver).particles;
+}
+
+/* Three floats a particle and the dummies beside it, and none as long as nobody gives masses. */
+static void masses_take_memory_where_they_are(void **unused)
+{
+    (void)unused;
+    const skv_fluid_def fluid = fluid_of_kind(0);
+    mixture *m = dam(SKV_SOLVER_FAST, &fluid, 1, 2);
+    skv_constants constants;
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    skv_solver_step step = describe(m, &constants, forces);
+    step.particles.mass = NULL;
+    take(m, m->world->solver, &step, 2);
+    size_t before = bytes_of(m->world);
+    step.particles.mass = m->mass;
+    take(m, m->world->solver, &step, 2);
+    size_t with = bytes_of(m->world);
+    assert_true(with > before && (double)with < 1.2 * (double)before);
+    take(m, m->world->solver, &step, 2);
+    assert_int_equal(bytes_of(m->world), with);
+    skv_world_destroy(m->world);
+}
+
 static void mixtures_have_the_same_bits_everywhere(void **unused)
 {
     (void)unused;
@@ -390,8 +432,10 @@ int main(void)
         cmocka_unit_test(a_little_lighter_fluid_stays_above),
         cmocka_unit_test(a_much_lighter_fluid_lies_calm_above),
         cmocka_unit_test(what_no_wall_touches_keeps_its_momentum),
+        cmocka_unit_test(what_is_light_among_heavy_ones_is_not_shot_off),
         cmocka_unit_test(walls_give_what_fluids_gain),
         cmocka_unit_test(a_fluid_alone_moves_the_same_by_any_mass),
+        cmocka_unit_test(masses_take_memory_where_they_are),
         cmocka_unit_test(mixtures_have_the_same_bits_everywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -43,11 +43,12 @@ typedef struct skv_reference {
     double *dx, *dy; /* the displacement that passes collect until it is carried out; from pairs
                         and walls times the mass, until it is divided by it */
 
-    double *density, *near_density;  /* sum W, sum q^3, walls included; dimensionless */
-    double *mean_mass;               /* of what is around: skv_pass_density */
-    double *gradient_x, *gradient_y; /* sum F r^, walls included, less what the bulk has; of mass */
-    double *hanging;                 /* share of a wall's pull that one is let fall from */
-    double *lambda, *near_lambda;    /* P and N of the pressure law, of mass, m */
+    double *density, *near_density; /* sum W, sum q^3, walls included; dimensionless */
+    double *mean_mass;              /* of what is around: skv_pass_density */
+    double *gradient_x,
+        *gradient_y;              /* sum F r^, walls included, less what the bulk has; times ... */
+    double *hanging;              /* share of a wall's pull that one is let fall from */
+    double *lambda, *near_lambda; /* ... as P and N of the pressure law, m: the mean mass */
 
     /* What walls add to these sums: the solid, or the images before it. */
     double *wall_density, *wall_near; /* R, Rn of the wall maps; dimensionless */
@@ -92,9 +93,9 @@ void skv_apply_forces(const skv_reference *fluid, double x, double y, double *vx
 /* relaxation.c */
 
 /* Algorithm 6, lines 3-9: densities from neighbours and walls, and in the first iteration their
- * gradient, which the tension needs. And the mean mass of the neighbours, which says how far they
- * give way: the reciprocal of that of their reciprocals, each weighted with its near density. What
- * a wall adds is of the particle's own kind. */
+ * gradient, which the tension needs. And the mean mass, which says how far a particle and what is
+ * around it give way: the reciprocal of the mean of reciprocals, each weighted with its near
+ * density. What a wall adds is of the particle's own kind. */
 skv_pass skv_pass_density;
 
 /* Algorithm 6, lines 10-11: P and N of a particle from its densities, by the fluid's law. */

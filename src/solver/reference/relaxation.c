@@ -77,16 +77,16 @@ static void keep_gradient(skv_reference *f, int i, double gx, double gy)
     f->gradient_y[i] = share * gy;
     if (c->images)
         f->hanging[i] = find_hanging(f, i);
-    f->gradient_x[i] *= f->mass[i];
-    f->gradient_y[i] *= f->mass[i];
+    f->gradient_x[i] *= f->mean_mass[i];
+    f->gradient_y[i] *= f->mean_mass[i];
 }
 
 /* From q^3 over mass, summed up over the neighbours, and q of the own image. */
 static void find_mean_mass(skv_reference *f, int i, double lightness, double own)
 {
-    const double share = (double)SKV_OWN_SHARE, mass = f->mass[i];
-    lightness = lightness + f->wall_near[i] / mass + own * own * own / mass + share / mass;
-    f->mean_mass[i] = (f->near_density[i] + share) / lightness;
+    const double weight = (double)SKV_OWN_WEIGHT, mass = f->mass[i];
+    lightness = lightness + f->wall_near[i] / mass + own * own * own / mass + weight / mass;
+    f->mean_mass[i] = (f->near_density[i] + weight) / lightness;
 }
 
 void skv_pass_density(skv_reference *f)
@@ -103,10 +103,9 @@ void skv_pass_density(skv_reference *f)
     }
 }
 
-/* The pressure term's P, which is remembered: as much as what is around gives way to, for a light
- * particle among heavy ones else flew off, and pressure goes on across where two fluids meet. The
- * warm start: where the density is too high anyway, a share of the last substep's push comes first.
- * What is left to find is less, and so is the density that finds it. */
+/* The pressure term's P, which is remembered. The warm start: where the density is too high anyway,
+ * a share of the last substep's push comes first. What is left to find is less, and so is the
+ * density that finds it. */
 static double press(skv_reference *f, int i, double response)
 {
     const skv_constants *c = f->constants;
@@ -123,7 +122,8 @@ static double press(skv_reference *f, int i, double response)
 }
 
 /* A relaxation step of the constraint that the density is at most that at rest; cohesion, and near
- * pressure, which both vanish in the lattice at rest, and so may be of the own mass. */
+ * pressure, which both vanish in the lattice at rest. All of it is of the mean mass, or what is
+ * light among heavy ones would fly off. */
 static void find_calibrated(skv_reference *f, int i)
 {
     const skv_constants *c = f->constants;
@@ -137,14 +137,14 @@ static void find_calibrated(skv_reference *f, int i)
     /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly answers.
      */
     double response = skv_max((double)c->response_slope * density, (double)c->response_floor);
-    double pressed = press(f, i, response), mass = f->mass[i];
+    double pressed = press(f, i, response), mass = f->mean_mass[i];
     f->lambda[i] = pressed - mass * ((pull + SKV_NEAR_WEIGHT * share * crowd) / response);
     f->near_lambda[i] = mass * (crowd / response);
 }
 
 /* The thesis' law, made symmetric. Its limiter: a Jacobi iteration overshoots where many strong
  * pairs meet. Scaling P and N of one particle keeps pairs opposite; capping N alone was tried and
- * failed. At rest P and N balance each other, so both are of the mean mass. */
+ * failed. */
 static void find_clavet(skv_reference *f, int i)
 {
     const skv_constants *c = f->constants;

@@ -175,10 +175,10 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
 {
     bool graded = !c->clavet && !later;
     for_walls(s, row, c, boundary, samples, add_solid, graded ? &graded : NULL);
-    if (graded) /* while the push of the last substep is known */
-        keep_gradient(s, row, c);
     if (s->massive)
         find_mean_masses(s, row);
+    if (graded) /* while the push of the last substep is known */
+        keep_gradient(s, row, c);
     if (c->clavet)
         pressure_clavet(s, row, c);
     else

@@ -34,7 +34,7 @@ V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
     s->graded_end[row] = eight + 1;
 }
 
-/* With masses a quantity of eight particles at i that is in proportion to their mass, per mass. */
+/* With masses a quantity of eight particles at i that goes with their mass, per mass. */
 V8_INLINE v8 per_mass(const skv_rows *s, int i, v8 a)
 {
     return s->massive ? v8_mul(a, v8_load(s->set[s->current].lightness + i)) : a;
@@ -46,16 +46,16 @@ V8_INLINE v8 of_mass(const skv_rows *s, int i, v8 a)
     return s->massive ? v8_div(a, v8_load(s->set[s->current].lightness + i)) : a;
 }
 
-/* Finds the mean mass around a row's particles from the sums of lightness, in which those of what
- * is no pair are: the reciprocal of the mean lightness, weighted with the near density. Of one that
- * is alone it is its own. In the sums' place, as the lightness. */
+/* Finds the mean mass of a row's particles and what is around each from the sums of lightness,
+ * which those of walls have entered: the reciprocal of the mean lightness, weighted with the near
+ * density. In the sums' place, as the lightness. */
 static void find_mean_masses(const skv_rows *s, int row)
 {
-    const v8 share = v8_set(SKV_OWN_SHARE);
+    const v8 itself = v8_set(SKV_OWN_WEIGHT);
     for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_LANES) {
         v8 sum = collected(s->own.lightness + i, s->next.lightness + i);
-        v8 weight = v8_add(collected(s->own.near_density + i, s->next.near_density + i), share);
-        v8_store(s->mean_lightness + i, v8_div(v8_add(sum, per_mass(s, i, share)), weight));
+        v8 weight = v8_add(collected(s->own.near_density + i, s->next.near_density + i), itself);
+        v8_store(s->mean_lightness + i, v8_div(v8_add(sum, per_mass(s, i, itself)), weight));
     }
 }
 
@@ -66,7 +66,7 @@ V8_INLINE v8 of_mean_mass(const skv_rows *s, int i, v8 a)
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
- * unevenness of the bulk, which fades with what has pressed them in the last substep. Of their
+ * unevenness of the bulk, which fades with what has pressed them in the last substep. Of the mean
  * mass. In the sums' place; notes of each eight whether one has any, and where they are. */
 static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
 {
@@ -85,8 +85,8 @@ static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
             v8 loose = v8_max(v8_sub(one, pressed), zero);
             share = v8_mul(v8_div(v8_max(v8_sub(size, bulk), zero), size), loose);
         }
-        v8_store(s->gradient_x + i, of_mass(s, i, v8_mul(share, gx)));
-        v8_store(s->gradient_y + i, of_mass(s, i, v8_mul(share, gy)));
+        v8_store(s->gradient_x + i, of_mean_mass(s, i, v8_mul(share, gx)));
+        v8_store(s->gradient_y + i, of_mean_mass(s, i, v8_mul(share, gy)));
         note_graded(s, row, eight, v8_any_below(zero, share));
     }
 }
@@ -132,9 +132,9 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
         v8 response = v8_max(v8_mul(answer, density), floor);
         v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
         v8 lambda = warm_lambda(s, i, later, c, excess, response);
-        lambda = v8_sub(lambda, of_mass(s, i, v8_div(pulled, response)));
+        lambda = v8_sub(lambda, of_mean_mass(s, i, v8_div(pulled, response)));
         v8_store(s->lambda + i, lambda);
-        v8_store(s->near_lambda + i, of_mass(s, i, v8_div(close, response)));
+        v8_store(s->near_lambda + i, of_mean_mass(s, i, v8_div(close, response)));
     }
 }
 
