@@ -229,9 +229,10 @@ V8_INLINE bool may_have_gradient(const skv_rows *s, int row, int i)
     return (own || next) && any_flag(s, i, s->graded, ROW_LANES);
 }
 
-/* Pass A for a tile and all its partners. Returns where the next tile's pairs are to be kept. */
-VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsigned with,
-                            const tile *t, tile_sums *late, float *keep)
+/* Pass A for a tile and all its partners. Returns where the next tile's pairs are to be kept. The
+ * first block, which masks, has code of its own if it is `apart`. */
+VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, bool apart,
+                            unsigned with, const tile *t, tile_sums *late, float *keep)
 {
     const skv_row_sums own = s->own, next = s->next;
     const int i = t->place, step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
@@ -255,12 +256,15 @@ VARIANT float *density_tile(const skv_rows *s, const skv_row_particles *p, unsig
      * unrolled once. */
     skv_row_sums to = own;
     int j = i + 1, last = s->own_end[i / TILE];
-    density_block(p, j, true, with, t, &ahead, reach, sums, &to, keep);
-    keep += step;
-    j += ROW_LANES;
+    if (apart) {
+        density_block(p, j, true, with, t, &ahead, reach, sums, &to, keep);
+        keep += step;
+        j += ROW_LANES;
+    }
+    bool first = !apart;
     for (bool in_own = true;; in_own = false) {
-        for (; j < last; j += ROW_LANES, keep += step)
-            density_block(p, j, false, with, t, &ahead, reach, sums, &to, keep);
+        for (; first || j < last; j += ROW_LANES, keep += step, first = false)
+            density_block(p, j, first, with, t, &ahead, reach, sums, &to, keep);
         if (!in_own)
             break;
         j = s->next_begin[i / TILE];
@@ -285,11 +289,13 @@ static __attribute__((noinline)) float *density_any_tile(const skv_rows *s,
 {
 #if FULL_VARIANTS
     if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES))
-        return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late, keep);
+        return density_tile(s, p, true, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late, keep);
     if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT))
-        return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t, late, keep);
+        return density_tile(s, p, true, SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t, late,
+                            keep);
 #endif
-    return density_tile(s, p, with & ~WITH_MASSES, t, late, keep);
+    return density_tile(s, p, FULL_VARIANTS, FULL_VARIANTS ? with & ~WITH_MASSES : with, t, late,
+                        keep);
 }
 
 /* The same with masses. */
@@ -300,15 +306,17 @@ static __attribute__((noinline)) float *density_massive_tile(const skv_rows *s,
 {
 #if FULL_VARIANTS
     if (with == (SMOOTH | KEEP_PAIRS))
-        return density_tile(s, p, SMOOTH | KEEP_PAIRS | WITH_MASSES, t, late, keep);
+        return density_tile(s, p, true, SMOOTH | KEEP_PAIRS | WITH_MASSES, t, late, keep);
+    return density_tile(s, p, true, with | WITH_MASSES, t, late, keep);
+#else
+    return density_any_tile(s, p, with | WITH_MASSES, t, late, keep);
 #endif
-    return density_tile(s, p, with | WITH_MASSES, t, late, keep);
 }
 
 /* Tiles that meet no gradient leave it out: where `with` is known to the compiler in loops of their
  * own, which the second iteration shares, for it has `graded` false. Without a place to keep pairs,
  * as in the crowds of a splash, no loop but that for all is taken. */
-VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool massive, bool images,
+VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool known, bool images,
                          bool graded, const skv_constants *c, const skv_boundary *boundary,
                          float *keep)
 {
@@ -328,14 +336,14 @@ VARIANT void density_row(const skv_rows *s, int row, unsigned with, bool massive
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, row, i);
         unsigned any =
             (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) | (imaged ? WITH_IMAGES : 0u);
-        if (massive)
+        if (with & WITH_MASSES)
             keep = density_massive_tile(s, p, any, &t, &late, keep);
-        else if (!kept || imaged || (meets && !FULL_VARIANTS))
+        else if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
             keep = density_any_tile(s, p, any, &t, &late, keep);
         else if (meets)
-            keep = density_tile(s, p, with | KEEP_PAIRS, &t, &late, keep);
+            keep = density_tile(s, p, true, with | KEEP_PAIRS, &t, &late, keep);
         else
-            keep = density_tile(s, p, plain | KEEP_PAIRS, &t, &late, keep);
+            keep = density_tile(s, p, true, plain | KEEP_PAIRS, &t, &late, keep);
     }
     if (late.place >= 0)
         add_densities(&own, &late);
@@ -349,13 +357,15 @@ static void density(const skv_rows *s, int row, bool later, const skv_constants 
     kept->used = blocks <= kept->room ? blocks : -1;
     float *keep = kept->used >= 0 ? kept->pairs : NULL;
     const unsigned calibrated = SMOOTH | WITH_GRADIENT;
-    if (s->massive)
-        density_row(s, row, c->clavet ? 0 : calibrated, true, c->images, !c->clavet && !later, c, b,
-                    keep);
-    else if (c->clavet)
-        density_row(s, row, 0, false, false, false, c, b, keep);
+    unsigned with = (c->clavet ? 0u : calibrated) | (s->massive ? WITH_MASSES : 0u);
+    if (with == calibrated)
+        density_row(s, row, calibrated, true, c->images, !later, c, b, keep);
+#if FULL_VARIANTS
+    else if (with == 0)
+        density_row(s, row, 0, true, false, false, c, b, keep);
+#endif
     else
-        density_row(s, row, calibrated, false, c->images, !later, c, b, keep);
+        density_row(s, row, with, false, c->images, !c->clavet && !later, c, b, keep);
 }
 
 #endif

@@ -158,8 +158,8 @@ VARIANT void add_moves(const skv_row_moves *to, const tile_sums *late)
 
 /* Pass B for a tile and all its partners. Returns where the next tile's pairs are kept. */
 VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particles *p,
-                                       const partners *others, unsigned with, const tile *t,
-                                       tile_sums *late, const float *keep)
+                                       const partners *others, bool apart, unsigned with,
+                                       const tile *t, tile_sums *late, const float *keep)
 {
     const skv_row_moves own = s->own_move, next = s->next_move;
     const int i = t->place, step = with & KEEP_PAIRS ? TILE * ROW_LANES : 0;
@@ -171,7 +171,7 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
         pressed.lambda[k] = wide_spread(others->lambda + i + k, WIDES);
         pressed.near_lambda[k] = wide_spread(others->near_lambda + i + k, WIDES);
         EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].outward[k] = wide_set(0);
-        pressed.u[k] = pressed.v[k] = wide_set(0);
+        pressed.u[k] = pressed.v[k] = pressed.lightness[k] = wide_set(0);
         pressed.gradient_x[k] = pressed.gradient_y[k] = wide_set(0);
         if (with & WITH_VISCOSITY) {
             pressed.u[k] = wide_spread(p->u + i + k, WIDES);
@@ -186,12 +186,15 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
     }
     skv_row_moves to = own;
     int j = i + 1, last = s->own_end[i / TILE];
-    displacement_block(p, others, j, true, with, t, reach, &pressed, sums, &to, keep);
-    keep += step;
-    j += ROW_LANES;
+    if (apart) {
+        displacement_block(p, others, j, true, with, t, reach, &pressed, sums, &to, keep);
+        keep += step;
+        j += ROW_LANES;
+    }
+    bool first = !apart;
     for (bool in_own = true;; in_own = false) {
-        for (; j < last; j += ROW_LANES, keep += step)
-            displacement_block(p, others, j, false, with, t, reach, &pressed, sums, &to, keep);
+        for (; first || j < last; j += ROW_LANES, keep += step, first = false)
+            displacement_block(p, others, j, first, with, t, reach, &pressed, sums, &to, keep);
         if (!in_own)
             break;
         j = s->next_begin[i / TILE];
@@ -213,20 +216,13 @@ displacement_any_tile(const skv_rows *s, const skv_row_particles *p, const partn
 {
 #if FULL_VARIANTS
     if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES))
-        return displacement_tile(s, p, others, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late, keep);
+        return displacement_tile(s, p, others, true, SMOOTH | KEEP_PAIRS | WITH_IMAGES, t, late,
+                                 keep);
     if (with == (SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT))
-        return displacement_tile(s, p, others, SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t,
-                                 late, keep);
+        return displacement_tile(s, p, others, true,
+                                 SMOOTH | KEEP_PAIRS | WITH_IMAGES | WITH_GRADIENT, t, late, keep);
 #endif
-    return displacement_tile(s, p, others, with & ~WITH_MASSES, t, late, keep);
-}
-
-/* The same where the viscosity knows masses; the rest of the displacement needs none. */
-static __attribute__((noinline)) const float *
-displacement_massive_tile(const skv_rows *s, const skv_row_particles *p, const partners *others,
-                          unsigned with, const tile *t, tile_sums *late, const float *keep)
-{
-    return displacement_tile(s, p, others, with | WITH_VISCOSITY | WITH_MASSES, t, late, keep);
+    return displacement_tile(s, p, others, FULL_VARIANTS, with, t, late, keep);
 }
 
 /* As density_row; of a rare variant no loop is known. */
@@ -252,14 +248,12 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
         bool meets = with & WITH_GRADIENT && graded && may_have_gradient(s, row, i);
         unsigned any =
             (meets ? with : plain) | (kept ? KEEP_PAIRS : 0u) | (imaged ? WITH_IMAGES : 0u);
-        if (with & WITH_MASSES)
-            keep = displacement_massive_tile(s, p, &others, any, &t, &late, keep);
-        else if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
+        if (!known || !kept || imaged || (meets && !FULL_VARIANTS))
             keep = displacement_any_tile(s, p, &others, any, &t, &late, keep);
         else if (meets)
-            keep = displacement_tile(s, p, &others, with | KEEP_PAIRS, &t, &late, keep);
+            keep = displacement_tile(s, p, &others, true, with | KEEP_PAIRS, &t, &late, keep);
         else
-            keep = displacement_tile(s, p, &others, plain | KEEP_PAIRS, &t, &late, keep);
+            keep = displacement_tile(s, p, &others, true, plain | KEEP_PAIRS, &t, &late, keep);
     }
     if (late.place >= 0)
         add_moves(&own, &late);
@@ -276,9 +270,9 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_const
     /* What most substeps are made of has loops of its own. */
     if (with == calibrated)
         displacement_row(s, row, calibrated, true, c->images, !later, c, b, keep);
+#if FULL_VARIANTS
     else if (with == 0)
         displacement_row(s, row, 0, true, false, false, c, b, keep);
-#if FULL_VARIANTS
     else if (with == WITH_VISCOSITY)
         displacement_row(s, row, WITH_VISCOSITY, true, false, false, c, b, keep);
     else if (with == (calibrated | WITH_GAUGE))
