@@ -36,7 +36,7 @@ typedef struct skv_local {
     bool wet;    /**< the free space around the point is at least half full, and it is not solid */
     double fill; /**< share of the free space that is fluid; 1 in the bulk at rest, 0.5 at a flat
                     surface */
-    double density;  /**< kg/m^2: fill times the fluid's density */
+    double density;  /**< kg/m^2: fill times the fluid's density, of several their mean */
     double pressure; /**< Pa m; a plane is fitted, so that a linear field is read exactly */
     double vx, vy;   /**< m/s, fitted in the same way */
     int particles;   /**< within h */

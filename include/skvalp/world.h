@@ -119,9 +119,9 @@ SKV_API const char *skv_instruction_set_name(skv_instruction_set set);
 
 /** Bytes that a world holds, but for what belongs to its walls (terrain, distances, wall density),
  * to its area (a state for each tile of 2 h of those that sleep) and to events. With the fast
- * solver `particles` is at most 128 a particle from 20 000 on, whatever the fluid and whether it
- * sleeps, where there is room for as many as were added at once; fewer pay for the ends of many
- * rows. */
+ * solver `particles` is at most 128 a particle of one fluid from 20 000 on, whatever it is and
+ * whether it sleeps, where there is room for as many as were added at once; fewer pay for the ends
+ * of many rows. */
 typedef struct skv_memory {
     size_t particles;  /**< all arrays by particle, the world's and the solver's */
     size_t kept;       /**< what the threads keep of pairs, walls and sums in the rows at work */

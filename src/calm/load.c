@@ -15,6 +15,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/fluids.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -98,10 +99,12 @@ static float measure(const skv_world *world)
     int count = skv_tile_count(tiling);
     memset(tiles, 0, (size_t)count * sizeof *tiles);
     float volume = 1 / world->fluid.density;
+    const float *masses = skv_world_masses(world);
     for (int i = 0; i < p->count; i++) {
         skv_tile_load *tile = &tiles[skv_tile_number(tiling, p->x[i], p->y[i])];
         float squared = p->vx[i] * p->vx[i] + p->vy[i] * p->vy[i];
-        tile->load += volume * p->pressure[i] + 0.5f * squared;
+        float pressure = masses ? p->pressure[i] / masses[i] : p->pressure[i];
+        tile->load += volume * pressure + 0.5f * squared;
         tile->count++;
     }
     float across = SKV_TILE_SIZE * world->fluid.radius_ratio, few = FULL_SHARE * across * across;

@@ -7,8 +7,8 @@
 typedef struct skv_world skv_world;
 typedef struct skv_tile_load skv_tile_load;
 
-/* Loads are p/rho + v^2/2, m^2/s^2. Substeps are those of the rule, which start cold; a frame takes
- * fewer warm ones for them. All of it is in a snapshot. */
+/* Loads are p/rho + v^2/2, m^2/s^2, rho being the fluid's own density. Substeps are those of the
+ * rule, which start cold; a frame takes fewer warm ones for them. All of it is in a snapshot. */
 typedef struct skv_load {
     int most;        /* substeps a frame for the greatest load that the rule expects */
     int wanted;      /* for the load that there is; most at most */

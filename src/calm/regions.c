@@ -12,6 +12,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/fluids.h"
 
 #include <math.h>
 
@@ -31,11 +32,14 @@ typedef struct cell {
     int column, row;        /* across gravity, and against it */
     int particle;           /* one of its */
     int highest;            /* of its particles */
+    int count;              /* of them */
     int next;               /* in the same slot, as in `head` */
     int region;             /* -1 at first */
     unsigned air;           /* a bit for each side with air beside it */
     float high, low;        /* its particles, along gravity; then the column's highest and lowest */
     int beside[NEIGHBOURS]; /* numbers of the cells that its fluid touches, from 1; 0: none */
+    int top;                /* number of its column's highest cell */
+    float mass;             /* of its particles: the sum, then the mean; 1 if all weigh as much */
     bool carried;           /* its column is */
     bool measured;
 } cell;
@@ -45,6 +49,7 @@ typedef struct region {
     float highest, lowest;    /* its free surface, along gravity */
     float lowest_side;        /* the lowest place with air beside it */
     bool falls;               /* there is air below some of it */
+    bool mixed;               /* it is not layered by density */
     int first, end;           /* columns; some of its cells are in each between */
     skv_drawn_surface *drawn; /* null: it is even */
 } region;
@@ -59,7 +64,8 @@ typedef struct regions {
     int cell_count;
     int *cell_of; /* by particle */
     region *regions;
-    int *stack; /* cells whose neighbours have to be looked at */
+    int *stack;          /* cells whose neighbours have to be looked at */
+    const float *masses; /* by particle, over the first fluid's; null: all 1 */
 } regions;
 
 static float along(const regions *b, int particle)
@@ -72,6 +78,11 @@ static float across(const regions *b, int particle)
 {
     const skv_state *s = &b->world->state;
     return s->x[particle] * b->uy - s->y[particle] * b->ux;
+}
+
+static float mass_of(const regions *b, int particle)
+{
+    return b->masses ? b->masses[particle] : 1;
 }
 
 static int cell_number(const regions *b, float place)
@@ -117,6 +128,8 @@ static void put_into_cells(regions *b)
                 c->highest = i;
             c->high = skv_maxf(c->high, height);
             c->low = skv_minf(c->low, height);
+            c->mass += mass_of(b, i);
+            c->count++;
             b->cell_of[i] = (int)(c - b->cells);
             continue;
         }
@@ -128,10 +141,14 @@ static void put_into_cells(regions *b)
                                          .next = *slot,
                                          .region = -1,
                                          .high = height,
-                                         .low = height};
+                                         .low = height,
+                                         .mass = mass_of(b, i),
+                                         .count = 1};
         b->cell_of[i] = b->cell_count;
         *slot = ++b->cell_count;
     }
+    for (int c = 0; c < b->cell_count; c++)
+        b->cells[c].mass /= (float)b->cells[c].count;
 }
 
 /* Whether no wall stands between the fluid of two cells. */
@@ -242,7 +259,7 @@ static void spread(regions *b, cell *first, int number)
 static bool is_level(const regions *b, const region *whole)
 {
     float step = ONE_LEVEL * b->world->fluid.spacing;
-    return !whole->falls && !(whole->top - whole->lowest > step) &&
+    return !whole->falls && !whole->mixed && !(whole->top - whole->lowest > step) &&
            !(whole->top - whole->lowest_side > step);
 }
 
@@ -259,6 +276,7 @@ static void measure_column(const regions *b, cell *top)
     for (cell *c = top; c; c = connected(b, c, BELOW)) {
         c->high = high;
         c->low = low;
+        c->top = (int)(top - b->cells);
         c->carried = carried;
         c->measured = true;
     }
@@ -273,6 +291,7 @@ static void measure_like_above(const regions *b, cell *c)
     if (above && above->measured) {
         c->high = above->high;
         c->low = skv_minf(above->low, c->low);
+        c->top = above->top;
         c->carried = above->carried;
     }
 }
@@ -314,7 +333,7 @@ static bool rests_below(const regions *b, const region *whole, const skv_drawn_s
 {
     if (!skv_drawn_is_uneven(drawn, EVEN * b->world->fluid.spacing))
         return false;
-    return is_level(b, whole) || (!whole->falls && skv_drawn_is_gentle(drawn));
+    return is_level(b, whole) || (!whole->falls && !whole->mixed && skv_drawn_is_gentle(drawn));
 }
 
 /* Finds the surfaces of regions. A region's columns follow one another, for its cells touch: all
@@ -340,6 +359,71 @@ static void find_drawn_surfaces(const regions *b, const skv_drawing *drawing, in
         }
 }
 
+/* ---- Layers ---------------------------------------------------------------------------------- */
+
+/* From where to where a fluid reaches in a region, along gravity. */
+typedef struct band {
+    float lowest, highest;
+} band;
+
+/* Whether of two bands, where both are, the lighter fluid's is the upper one, but for a step. */
+static bool is_above(const band *lighter, const band *heavier, float step)
+{
+    return lighter->lowest > heavier->highest - step;
+}
+
+static bool is_layered(const skv_world *world, const band bands[SKV_MAX_FLUIDS])
+{
+    const skv_liquid *fluids = world->liquids;
+    for (int i = 0; i < world->fluid_count; i++)
+        for (int k = 0; k < world->fluid_count; k++)
+            if (fluids[i].density < fluids[k].density &&
+                !is_above(&bands[i], &bands[k], ONE_LEVEL * world->fluid.spacing))
+                return false;
+    return true;
+}
+
+/* Finds out which regions are mixed: fluids that are not layered are going to flow, however level
+ * their surface is. False if memory is out. */
+static bool look_for_layers(const regions *b, int count)
+{
+    const skv_world *world = b->world;
+    int fluids = world->fluid_count;
+    band *bands = b->masses ? skv_calloc((size_t)(count * fluids), sizeof *bands) : NULL;
+    if (!bands)
+        return b->masses == NULL;
+    for (int k = 0; k < count * fluids; k++)
+        bands[k] = (band){INFINITY, -INFINITY};
+    for (int i = 0; i < world->state.count; i++) {
+        band *own = &bands[cell_of(b, i)->region * fluids + skv_fluid_of(&world->state, i)];
+        float height = along(b, i);
+        own->lowest = skv_minf(own->lowest, height);
+        own->highest = skv_maxf(own->highest, height);
+    }
+    for (int r = 0; r < count; r++)
+        b->regions[r].mixed = !is_layered(world, &bands[r * fluids]);
+    skv_free(bands);
+    return true;
+}
+
+/* The integral of pressure over own density from the bottom of a column up to a height, over
+ * gravity, m^2. Goes down from cell to cell: each is of one mass. */
+static float find_burden(const regions *b, const cell *top, float level, float bottom, float height)
+{
+    float burden = 0, pressed = 0, from = level;
+    for (const cell *c = top, *below; c; c = below) {
+        below = connected(b, c, BELOW);
+        float to = skv_minf(below ? (float)c->row * b->size : bottom, from), thick = from - to;
+        if (height > to) {
+            float end = skv_minf(height, from), above = from - end;
+            burden += pressed / c->mass * (end - to) + 0.5f * (thick * thick - above * above);
+        }
+        pressed += c->mass * thick;
+        from = to;
+    }
+    return burden;
+}
+
 /* ---- Particles ------------------------------------------------------------------------------- */
 
 static void judge(const regions *b, const skv_lies *lies)
@@ -358,11 +442,14 @@ static void judge(const regions *b, const skv_lies *lies)
             skv_drawn_look(whole->drawn, across(b, i), &level, &slope);
         float whole_depth = level - (c->low - half), depth = level - along(b, i);
         float weight = 0.5f * (whole_depth * whole_depth - depth * depth);
+        if (b->masses)
+            weight = find_burden(b, &b->cells[c->top], level, c->low - half, along(b, i));
         lies->weight[i] = lies->lie[i] == SKV_HANGS ? 0 : skv_maxf(weight, 0);
     }
 }
 
-static void find_lies(regions *b, const skv_drawing *drawing, const skv_lies *lies)
+/* False if memory is out. */
+static bool find_lies(regions *b, const skv_drawing *drawing, const skv_lies *lies)
 {
     int count = 0;
     put_into_cells(b);
@@ -371,10 +458,13 @@ static void find_lies(regions *b, const skv_drawing *drawing, const skv_lies *li
     for (int c = 0; c < b->cell_count; c++)
         if (b->cells[c].region < 0)
             spread(b, &b->cells[c], count++);
+    if (!look_for_layers(b, count))
+        return false;
     if (drawing->inside)
         find_drawn_surfaces(b, drawing, count, lies);
     measure_columns(b);
     judge(b, lies);
+    return true;
 }
 
 skv_result skv_world_find_lies(const skv_world *world, const skv_drawing *drawing, skv_lies *lies,
@@ -393,6 +483,7 @@ skv_result skv_world_find_lies(const skv_world *world, const skv_drawing *drawin
     lies->ux = -world->gravity_x / g;
     lies->uy = -world->gravity_y / g;
     regions b = {.world = world,
+                 .masses = skv_world_masses(world),
                  .ux = lies->ux,
                  .uy = lies->uy,
                  .size = CELL_SIZE * world->fluid.spacing,
@@ -406,7 +497,7 @@ skv_result skv_world_find_lies(const skv_world *world, const skv_drawing *drawin
     b.cell_of = skv_calloc(most, sizeof *b.cell_of);
     enough = enough && b.head && b.cells && b.regions && b.stack && b.cell_of;
     if (enough)
-        find_lies(&b, drawing, lies);
+        enough = find_lies(&b, drawing, lies);
     skv_free(b.head);
     skv_free(b.cells);
     skv_free(b.regions);

@@ -17,7 +17,7 @@ typedef struct skv_lies {
     float ux, uy;  /* upwards; 0 without gravity */
     uint8_t *lie;  /* skv_lie, of each particle */
     float *weight; /* the integral of the depth, from the bottom of a particle's column up to it,
-                      m^2; 0 for what hangs */
+                      m^2; 0 for what hangs. Depth is pressure over that of a metre of own fluid */
     /* Of each particle that rests below a surface that is drawn uneven; else null. */
     const skv_drawn_surface **drawn;
     skv_drawn_surface *surfaces; /* of regions */

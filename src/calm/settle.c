@@ -154,7 +154,7 @@ static bool anything_rests(const settling *s)
 }
 
 /* The deepest column's depth, m, if all of the fluid rests; else 0. At its top the integral of the
- * depth is half of the depth's square. */
+ * depth is half of the depth's square; of layers, which are lighter above, no less. */
 static float resting_depth(const settling *s)
 {
     float most = 0;

@@ -42,6 +42,22 @@ static double depth_below_surface(const skv_survey *s, double x, double y)
     return share < 1 ? (double)NAN : wet;
 }
 
+/* The way of `depth` m straight up from a point, each piece of it as long as its fluid is heavy,
+ * over the first one. */
+static double mass_above(const skv_survey *s, double x, double y, double depth)
+{
+    if (!s->mixed || !(depth > 0))
+        return depth;
+    double gravity = sqrt(s->gravity_x * s->gravity_x + s->gravity_y * s->gravity_y);
+    double up_x = -s->gravity_x / gravity, up_y = -s->gravity_y / gravity, sum = 0;
+    int pieces = (int)(depth / s->spacing) + 1;
+    for (int i = 0; i < pieces; i++) {
+        double way = depth * (i + 0.5) / pieces;
+        sum += skv_survey_mean_mass(s, x + up_x * way, y + up_y * way);
+    }
+    return depth * sum / pieces;
+}
+
 static skv_result sample_pressure(instrument *it, const look *seen, double *values)
 {
     const skv_survey *s = seen->survey;
@@ -49,8 +65,9 @@ static skv_result sample_pressure(instrument *it, const look *seen, double *valu
     if (!local.wet)
         return SKV_OK;
     values[0] = local.pressure;
+    double depth = depth_below_surface(s, it->def.x0, it->def.y0);
     values[1] = s->density * sqrt(s->gravity_x * s->gravity_x + s->gravity_y * s->gravity_y) *
-                depth_below_surface(s, it->def.x0, it->def.y0);
+                mass_above(s, it->def.x0, it->def.y0, depth);
     return SKV_OK;
 }
 
@@ -160,12 +177,14 @@ static skv_result sample_energy(instrument *it, const look *seen, double *values
 {
     (void)it;
     const skv_survey *s = seen->survey;
-    double mass = s->density * s->spacing * s->spacing, speeds = 0, height = 0;
+    double mass = s->density * s->spacing * s->spacing, speeds = 0, energies = 0, height = 0;
     for (int i = 0; i < s->count; i++) {
-        speeds += speed_squared(s, i);
-        height -= s->gravity_x * (double)s->x[i] + s->gravity_y * (double)s->y[i];
+        double squared = speed_squared(s, i), weight = (double)s->mass[i];
+        speeds += squared;
+        energies += weight * squared;
+        height -= weight * (s->gravity_x * (double)s->x[i] + s->gravity_y * (double)s->y[i]);
     }
-    values[0] = mass * speeds / 2;
+    values[0] = mass * energies / 2;
     values[1] = mass * height;
     values[2] = s->count ? sqrt(speeds / s->count) : 0;
     return SKV_OK;

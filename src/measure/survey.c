@@ -53,9 +53,9 @@ skv_result skv_survey_create(skv_survey **out, skv_error *error)
 
 static void free_particles(skv_survey *s)
 {
-    void *const arrays[] = {s->x,        s->y,      s->vx,       s->vy,    s->pressure,
-                            s->from_x,   s->from_y, s->now_x,    s->now_y, s->before_x,
-                            s->before_y, s->id,     s->id_before};
+    void *const arrays[] = {s->x,        s->y,      s->vx,        s->vy,    s->pressure,
+                            s->from_x,   s->from_y, s->now_x,     s->now_y, s->before_x,
+                            s->before_y, s->id,     s->id_before, s->mass};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         skv_free(arrays[i]);
 }
@@ -77,9 +77,9 @@ static skv_result reserve_particles(skv_survey *s, int count, skv_error *error)
         return SKV_OK;
     size_t capacity = (size_t)(count > 2 * s->capacity ? count : 2 * s->capacity);
     skv_survey fresh = {0};
-    float **floats[] = {&fresh.x,        &fresh.y,        &fresh.vx,      &fresh.vy,
-                        &fresh.pressure, &fresh.from_x,   &fresh.from_y,  &fresh.now_x,
-                        &fresh.now_y,    &fresh.before_x, &fresh.before_y};
+    float **floats[] = {&fresh.x,        &fresh.y,        &fresh.vx,       &fresh.vy,
+                        &fresh.pressure, &fresh.from_x,   &fresh.from_y,   &fresh.now_x,
+                        &fresh.now_y,    &fresh.before_x, &fresh.before_y, &fresh.mass};
     bool complete = true;
     for (size_t i = 0; i < sizeof floats / sizeof *floats; i++)
         complete = (*floats[i] = skv_calloc(capacity, sizeof(float))) && complete;
@@ -104,6 +104,7 @@ static skv_result reserve_particles(skv_survey *s, int count, skv_error *error)
     s->vx = fresh.vx;
     s->vy = fresh.vy;
     s->pressure = fresh.pressure;
+    s->mass = fresh.mass;
     s->from_x = fresh.from_x;
     s->from_y = fresh.from_y;
     s->now_x = fresh.now_x;
@@ -172,10 +173,12 @@ static void trace_back(skv_survey *s, int at, uint32_t id, int *before)
     s->travel = skv_max(s->travel, sqrt(dx * dx + dy * dy));
 }
 
-static void sort(skv_survey *s, const skv_particles *particles)
+/* `masses` by the number of a fluid. */
+static void sort(skv_survey *s, const skv_particles *particles, const float masses[])
 {
     int before = 0;
     s->travel = 0;
+    s->mixed = false;
     int cells = s->columns * s->rows;
     memset(s->cell_start, 0, ((size_t)cells + 1) * sizeof *s->cell_start);
     for (int i = 0; i < particles->count; i++)
@@ -190,6 +193,8 @@ static void sort(skv_survey *s, const skv_particles *particles)
         s->vx[at] = particles->vx[i];
         s->vy[at] = particles->vy[i];
         s->pressure[at] = particles->pressure[i];
+        s->mass[at] = particles->fluid ? masses[particles->fluid[i]] : 1;
+        s->mixed |= s->mass[at] != 1;
         trace_back(s, at, particles->id[i], &before);
     }
     memmove(s->cell_start + 1, s->cell_start, (size_t)cells * sizeof *s->cell_start);
@@ -266,7 +271,11 @@ skv_result skv_survey_take_with(skv_survey *s, const skv_world *world, const flo
         memcpy(s->now_y, particles.y, bytes);
         memcpy(s->id, particles.id, (size_t)particles.count * sizeof *s->id);
     }
-    sort(s, &particles);
+    float masses[SKV_MAX_FLUIDS];
+    const skv_liquid *liquid;
+    for (int i = 0; (liquid = skv_world_liquid(world, i)); i++)
+        masses[i] = liquid->density / skv_world_fluid(world)->density;
+    sort(s, &particles, masses);
     return SKV_OK;
 }
 
@@ -285,7 +294,7 @@ double skv_survey_solid(const skv_survey *s, double x, double y)
 /* Sums with the weight q^2 over the particles around a point, offsets in h. */
 typedef struct moments {
     int count;
-    double weight, x, y, xx, xy, yy;
+    double weight, mass, x, y, xx, xy, yy;
     double value[3], value_x[3], value_y[3]; /* pressure, vx, vy; times the offsets */
 } moments;
 
@@ -294,6 +303,7 @@ static void add_particle(moments *m, const skv_survey *s, int i, double dx, doub
     double values[3] = {(double)s->pressure[i], (double)s->vx[i], (double)s->vy[i]};
     m->count++;
     m->weight += w;
+    m->mass += w * (double)s->mass[i];
     m->x += w * dx;
     m->y += w * dy;
     m->xx += w * dx * dx;
@@ -372,6 +382,12 @@ double skv_survey_fill(const skv_survey *s, double x, double y)
     return weight > 0 ? fill_of(s, weight, skv_survey_solid(s, x, y)) : 0;
 }
 
+double skv_survey_mean_mass(const skv_survey *s, double x, double y)
+{
+    moments m = look_around(s, x, y);
+    return m.weight > 0 ? m.mass / m.weight : 1;
+}
+
 skv_local skv_survey_at(const skv_survey *s, double x, double y)
 {
     skv_local local = {0};
@@ -384,7 +400,7 @@ skv_local skv_survey_at(const skv_survey *s, double x, double y)
         return local;
     double solid = skv_survey_solid(s, x, y);
     local.fill = fill_of(s, m.weight, solid);
-    local.density = local.fill * s->density;
+    local.density = local.fill * (m.mass / m.weight) * s->density;
     local.wet = local.fill >= 0.5;
     local.pressure = plane_at_origin(&m, 0);
     local.vx = plane_at_origin(&m, 1);

@@ -14,6 +14,8 @@ struct skv_survey {
 
     int count, capacity;
     float *x, *y, *vx, *vy, *pressure; /* sorted by cell */
+    float *mass;            /* sorted alike: over that of the first fluid's, whose is `density` */
+    bool mixed;             /* some are not 1 */
     float *from_x, *from_y; /* sorted alike: where the look before saw them; NaN: it did not */
     double travel;          /* longest way since the look before, m */
     int *cell_start;        /* columns*rows + 1 */
@@ -49,6 +51,9 @@ cell_range skv_survey_cells(const skv_survey *survey, double x0, double y0, doub
 /* Share of the kernel around (x, y) that lies in solid, by the distance to the nearest wall: exact
  * for flat walls; 1 inside solid. */
 double skv_survey_solid(const skv_survey *survey, double x, double y);
+
+/* Mean mass of the fluid around (x, y), over that of the first fluid's; 1 where there is none. */
+double skv_survey_mean_mass(const skv_survey *survey, double x, double y);
 
 /* Share of the free space around (x, y) that is fluid; 0 in solid. */
 double skv_survey_fill(const skv_survey *survey, double x, double y);

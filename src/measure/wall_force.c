@@ -35,6 +35,7 @@ static skv_result reserve(skv_force_meter *m, int count, skv_error *error)
         SKV_ARRAY(m->vx, room, 0),          SKV_ARRAY(m->vy, room, 0),
         SKV_ARRAY(m->clearance, room, 0),   SKV_ARRAY(m->pressure, room, 0),
         SKV_ARRAY(m->warm_lambda, room, 0), SKV_ARRAY(m->id, room, 0),
+        SKV_ARRAY(m->mass, room, 0),
     };
     if (!skv_arrays_grow(&m->block, arrays, sizeof arrays / sizeof *arrays))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a force on walls");
@@ -92,6 +93,7 @@ static skv_result copy_fluid(skv_force_meter *m, skv_solver_particles *particles
         m->vx[k] = from.vx[i];
         m->vy[k] = from.vy[i];
         m->warm_lambda[k] = from.warm_lambda[i];
+        m->mass[k] = from.mass ? from.mass[i] : 1;
         m->id[k] = from.id[i];
         m->clearance[k++] = 0;
     }
@@ -104,6 +106,7 @@ static skv_result copy_fluid(skv_force_meter *m, skv_solver_particles *particles
         .clearance = m->clearance,
         .pressure = m->pressure,
         .warm_lambda = m->warm_lambda,
+        .mass = from.mass ? m->mass : NULL,
         .id = m->id,
     };
     return SKV_OK;

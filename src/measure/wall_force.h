@@ -16,7 +16,7 @@ typedef struct skv_force_meter {
     skv_solver *solver;
     skv_solver_def made_for;
     /* The copy of the fluid. */
-    float *x, *y, *vx, *vy, *clearance, *pressure, *warm_lambda;
+    float *x, *y, *vx, *vy, *clearance, *pressure, *warm_lambda, *mass;
     uint32_t *id;
     int capacity;
     void *block;

@@ -264,7 +264,7 @@ static skv_result read_pixels(const skv_image *image, const char *label, skv_pai
                 class = resolve(p);
             if (class == WRONG)
                 return fail_wrong(p, label, error);
-            painting->paint[row + (size_t)x] = (uint8_t) class;
+            painting->paint[row + (size_t)x] = (uint8_t)class;
             painting->count[class]++;
             painting->coverage[row + (size_t)x] =
                 is_uniform(p) ? uniform_share(p, class) : solid_share(p, class);

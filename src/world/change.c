@@ -5,6 +5,7 @@
 #include "base/assert.h"
 #include "base/fields.h"
 #include "world/emitters.h"
+#include "world/fluids.h"
 #include "world/forces.h"
 #include "world/names.h"
 #include "world/world_internal.h"
@@ -22,10 +23,12 @@ float skv_extent_along_gravity(const skv_world *world)
     return (fabsf(gx) * skv_terrain_width(world->terrain) + fabsf(gy) * (highest - lowest)) / size;
 }
 
+/* The heaviest fluid may press on the lightest. */
 double skv_expected_load(const skv_world *world)
 {
     float gx = world->gravity_x, gy = world->gravity_y;
-    return skv_load_of_depth(sqrtf(gx * gx + gy * gy),
+    return skv_world_contrast(world) *
+           skv_load_of_depth(sqrtf(gx * gx + gy * gy),
                              world->filled * skv_extent_along_gravity(world),
                              skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
                                              skv_terrain_height(world->terrain)));

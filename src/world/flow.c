@@ -215,7 +215,7 @@ static bool is_pressed(const skv_world *world, const skv_emitter *e, const skv_e
     for (int i = skv_next_in_box(s, &near, 0); i < s->count; i = skv_next_in_box(s, &near, i + 1)) {
         inside at = place_in(e, (float)rows->dx, (float)rows->dy, s->x[i], s->y[i]);
         if (at.along > -h && at.along < 2 * h && fabsf(at.aside) < half) {
-            sum += (double)s->pressure[i];
+            sum += (double)(s->several ? s->pressure[i] / s->mass[i] : s->pressure[i]);
             count++;
         }
     }

@@ -4,6 +4,7 @@
 #include "world/fluids.h"
 
 #include "base/assert.h"
+#include "base/exact.h"
 #include "world/liquids.h"
 #include "world/world_internal.h"
 
@@ -16,6 +17,33 @@ void skv_liquids_follow(skv_world *world)
                                      .density = world->fluid.density,
                                      .viscosity = world->fluid.viscosity,
                                      .color = SKV_NO_COLOR};
+    skv_world_weigh(world);
+}
+
+void skv_world_weigh(skv_world *world)
+{
+    skv_state *s = &world->state;
+    for (int i = 0; s->several && i < s->count; i++)
+        s->mass[i] = skv_mass_of(world, s->fluid[i]);
+}
+
+double skv_world_contrast(const skv_world *world)
+{
+    float least = world->liquids[0].density, most = least;
+    for (int i = 1; i < world->fluid_count; i++) {
+        least = skv_minf(least, world->liquids[i].density);
+        most = skv_maxf(most, world->liquids[i].density);
+    }
+    return (double)(most / least);
+}
+
+const float *skv_world_masses(const skv_world *world)
+{
+    const skv_state *s = &world->state;
+    for (int i = 0; s->several && i < s->count; i++)
+        if (s->mass[i] != 1)
+            return s->mass;
+    return NULL;
 }
 
 void skv_world_put_liquids(skv_world *world, const skv_world_def *def)
@@ -24,6 +52,7 @@ void skv_world_put_liquids(skv_world *world, const skv_world_def *def)
     for (int i = 0; i < def->liquid_count; i++)
         world->liquids[i + 1] = def->liquids[i];
     world->fluid_count = def->liquid_count + 1;
+    skv_world_weigh(world);
 }
 
 const skv_liquid *skv_world_liquid(const skv_world *world, int number)
@@ -48,6 +77,7 @@ skv_result skv_world_set_fluids(skv_world *world, int first, int count, const ui
         if (skv_fluid_of(&world->state, i) == fluids[k])
             continue;
         world->state.fluid[i] = fluids[k];
+        world->state.mass[i] = skv_mass_of(world, fluids[k]);
         skv_sleep_wake(world, i);
     }
     return SKV_OK;

@@ -4,6 +4,7 @@
 #include "base/fields.h"
 #include "world/emitters.h"
 #include "world/flow.h"
+#include "world/fluids.h"
 #include "world/remove.h"
 
 #include <math.h>
@@ -35,6 +36,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
                       .clearance = s->clearance,
                       .pressure = s->pressure,
                       .warm_lambda = s->warm_lambda,
+                      .mass = skv_world_masses(world),
                       .id = s->id},
         .constants = constants,
         .gravity_x = world->gravity_x,

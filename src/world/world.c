@@ -56,8 +56,10 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
     s->anchor_y[i] = y;
     s->unrest[i] = SKV_NEWLY_RESTLESS;
     s->dye[i] = (uint8_t)dye;
-    if (s->several)
+    if (s->several) {
         s->fluid[i] = (uint8_t)fluid;
+        s->mass[i] = skv_mass_of(world, fluid);
+    }
     world->sleep.stepped++;
     skv_world_revise(world);
 }

@@ -77,6 +77,12 @@ struct skv_world {
     void *user;
 };
 
+/* A particle's mass by its fluid, over that of the first fluid's. */
+static inline float skv_mass_of(const skv_world *world, int fluid)
+{
+    return world->liquids[fluid].density / world->fluid.density;
+}
+
 /* step.c: the constants of a substep at present. */
 skv_constants skv_world_make_constants(const skv_world *world);
 

@@ -96,12 +96,14 @@ static void what_is_wrong_is_told(void **unused)
          "0.001 is out of range; allowed is a number from 0.01 to 400000 kg/m^2"},
         {"fluids[0].density", "400001",
          "400001 is out of range; allowed is a number from 0.01 to 400000 kg/m^2"},
+        {"fluids[0].density", "9",
+         "is 9 kg/m^2; allowed is 0.01 to 20 times that of the first fluid, 10..20000 kg/m^2"},
         {"fluids[2].density", "1000", "is missing; water and emitters need it"},
         {"fluids[3].name", "x", "there is no fluids[3]; the next free one is fluids[2]"},
     };
     for (int i = 0; i < (int)(sizeof wrong / sizeof *wrong); i++) {
         char message[300];
-        const char *path = i == 13 ? "fluids[2].name" : wrong[i].path;
+        const char *path = i == 14 ? "fluids[2].name" : wrong[i].path;
         snprintf(message, sizeof message, "--set %s: %s", path, wrong[i].message);
         expect_refused(SCENE("", ""), wrong[i].path, wrong[i].value, message);
     }
@@ -157,6 +159,13 @@ static void materials_are_as_they_are(void **unused)
     assert_int_equal(load_text(SCENE("", ""), settings, &scene, &error), SKV_OK);
     assert_string_equal(skv_scene_notice(scene, 0),
                         "the viscosity of oil does not act yet: all fluids have fluid.viscosity");
+    skv_scene_destroy(scene);
+    const char *const heavy[] = {"fluids[1].material", "mercury", NULL};
+    assert_int_equal(load_text(SCENE("", ""), heavy, &scene, &error), SKV_OK);
+    skv_world_def def = skv_scene_world_def(scene);
+    assert_int_equal(def.liquid_count, 2);
+    assert_true(def.liquids[0].density == 1000 && def.liquids[1].density == 13546);
+    skv_terrain_destroy(def.terrain);
     skv_scene_destroy(scene);
     const char *const thick[] = {"fluids[0].material", "honey", "fluid.viscosity", "0.007", NULL};
     assert_int_equal(load_text(SCENE("", ""), thick, &scene, &error), SKV_OK);

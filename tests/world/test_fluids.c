@@ -125,20 +125,133 @@ static void what_is_no_list_is_refused(void **unused)
                     "fluid 1: its color is out of range; allowed is 0..0xffffff, and -1 for none");
 }
 
-/* The solvers know one density: that of the first fluid, which cannot change without the others. */
-static void another_density_is_refused(void **unused)
+typedef struct blob {
+    size_t size;
+    uint8_t *bytes;
+} blob;
+
+static blob save(const skv_world *world)
+{
+    blob b = {.size = skv_world_snapshot_size(world, false)};
+    b.bytes = malloc(b.size);
+    assert_int_equal(skv_world_save(world, false, b.bytes, b.size, NULL), SKV_OK);
+    return b;
+}
+
+/* Densities lie in a range about that of the first fluid, which moves with it. */
+static void densities_have_a_range(void **unused)
 {
     (void)unused;
     skv_world_def def = make_def(SKV_SOLVER_FAST, 2);
-    def.liquids[1].density = 911;
-    expect_no_world(&def, SKV_ERROR_VALUE,
-                    "fluid 2: its density is 911 kg/m^2, and the solvers know one density, that of "
-                    "the first fluid; allowed is 1000");
-    def.liquids[1].density = 1000;
+    const char *const message =
+        "fluid 2: its density is %s kg/m^2; allowed is 0.01 to 20 times that "
+        "of the first fluid, 10..20000 kg/m^2";
+    static const struct {
+        float density;
+        const char *text;
+    } wrong[] = {{9.9f, "9.9"}, {20001, "20001"}, {NAN, "nan"}, {-1000, "-1000"}};
+    for (int i = 0; i < 4; i++) {
+        char text[200];
+        snprintf(text, sizeof text, message, wrong[i].text);
+        def.liquids[1].density = wrong[i].density;
+        expect_no_world(&def, SKV_ERROR_VALUE, text);
+    }
+    def.liquids[0].density = 10;
+    def.liquids[1].density = 20000;
     skv_world *world = make(&def);
-    assert_int_equal(skv_world_set(world, "fluid.density", "900", NULL), SKV_ERROR_VALUE);
-    assert_int_equal(skv_world_set(world, "fluid.material", "oil", NULL), SKV_ERROR_VALUE);
+    skv_error error;
+    assert_int_equal(skv_world_set(world, "fluid.density", "900", &error), SKV_ERROR_VALUE);
+    assert_string_equal(error.text, "fluid 2: its density is 20000 kg/m^2; allowed is 0.01 to 20 "
+                                    "times that of the first fluid, 9..18000 kg/m^2");
+    assert_int_equal(skv_world_set(world, "fluid.material", "honey", NULL), SKV_ERROR_VALUE);
     assert_true(skv_world_fluid(world)->density == 1000);
+    skv_world_destroy(world);
+}
+
+/* What is told weighs each particle by its fluid, also once the first one's density is another. */
+static void sums_are_weighed(void **unused)
+{
+    (void)unused;
+    skv_world_def def = make_def(SKV_SOLVER_FAST, 1);
+    def.liquids[0].density = 4000;
+    skv_world *world = make(&def);
+    fill(world, 0, 0.4f, 0);
+    int light = skv_world_particle_count(world);
+    fill(world, 0.8f, 1.2f, 1);
+    int heavy = skv_world_particle_count(world) - light;
+    assert_int_equal(skv_world_add_velocity(world, 0, light, 1, 0, NULL), SKV_OK);
+    assert_int_equal(skv_world_add_velocity(world, light, heavy, 0, -2, NULL), SKV_OK);
+    const float densities[] = {1000, 2000};
+    for (int k = 0; k < 2; k++) {
+        double s = (double)skv_world_spacing(world), area = s * s, first = (double)densities[k];
+        skv_world_set_number(world, skv_world_parameter("fluid.density"), first, NULL);
+        skv_stats all = skv_world_stats(world),
+                  own[2] = {skv_world_fluid_stats(world, 0), skv_world_fluid_stats(world, 1)};
+        double mass[2] = {light * first * area, heavy * 4000 * area};
+        assert_near(own[0].kinetic_energy, mass[0] / 2, 1e-6 * mass[0]);
+        assert_near(own[1].kinetic_energy, 2 * mass[1], 1e-6 * mass[1]);
+        assert_near(all.kinetic_energy, mass[0] / 2 + 2 * mass[1], 1e-6 * mass[1]);
+        assert_near(all.momentum_x, mass[0], 1e-6 * mass[0]);
+        assert_near(all.momentum_y, -2 * mass[1], 1e-6 * mass[1]);
+        assert_near(all.centre_x,
+                    (mass[0] * own[0].centre_x + mass[1] * own[1].centre_x) / (mass[0] + mass[1]),
+                    1e-6);
+        assert_near(all.potential_energy,
+                    9.81 * (mass[0] * own[0].centre_y + mass[1] * own[1].centre_y),
+                    1e-5 * all.potential_energy);
+    }
+    skv_world_destroy(world);
+}
+
+/* Every way to another mass leads to the same state: by filling, by changing fluids, by a density
+ * that is set, and from a snapshot. */
+static void masses_follow(void **unused)
+{
+    (void)unused;
+    for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
+        skv_world_def def = make_def((skv_solver_kind)solver, 2);
+        def.liquids[0].density = 800;
+        def.liquids[1].density = 500;
+        def.substeps = 8; /* which else know where a world comes from */
+        skv_world *worlds[4];
+        for (int i = 0; i < 4; i++) {
+            def.fluid.density = i == 2 ? 1500 : 1000;
+            worlds[i] = make(&def);
+            fill(worlds[i], 0, 0.4f, i == 1 ? 0 : 2);
+            fill(worlds[i], 0.4f, 0.8f, 0);
+        }
+        skv_particles p = skv_world_particles(worlds[0]);
+        assert_int_equal(skv_world_set_fluids(worlds[1], 0, p.count, p.fluid, NULL), SKV_OK);
+        assert_int_equal(skv_world_set(worlds[2], "fluid.density", "1000", NULL), SKV_OK);
+        blob b = save(worlds[0]);
+        skv_world_destroy(worlds[3]);
+        def = make_def((skv_solver_kind)solver, 0);
+        worlds[3] = make(&def);
+        assert_int_equal(skv_world_restore(worlds[3], b.bytes, b.size, NULL), SKV_OK);
+        free(b.bytes);
+        for (int i = 0; i < 4; i++)
+            fixture_run(worlds[i], 10);
+        for (int i = 1; i < 4; i++)
+            assert_true(skv_world_hash(worlds[i]) == skv_world_hash(worlds[0]));
+        for (int i = 0; i < 4; i++)
+            skv_world_destroy(worlds[i]);
+    }
+}
+
+/* Where all particles have one density the solver is told of no mass. */
+static void one_density_needs_no_masses(void **unused)
+{
+    (void)unused;
+    skv_world_def def = make_def(SKV_SOLVER_FAST, 2);
+    def.liquids[0].density = 800;
+    skv_world *world = make(&def);
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    skv_constants constants = skv_world_make_constants(world);
+    fill(world, 0, 0.4f, 2);
+    assert_null(skv_world_describe_step(world, &constants, forces).particles.mass);
+    fill(world, 0.4f, 0.5f, 1);
+    const float *mass = skv_world_describe_step(world, &constants, forces).particles.mass;
+    assert_true(mass[0] == 1 && mass[skv_world_particle_count(world) - 1] == 0.8f);
     skv_world_destroy(world);
 }
 
@@ -264,19 +377,6 @@ static void a_change_wakes(void **unused)
     skv_world_destroy(world);
 }
 
-typedef struct blob {
-    size_t size;
-    uint8_t *bytes;
-} blob;
-
-static blob save(const skv_world *world)
-{
-    blob b = {.size = skv_world_snapshot_size(world, false)};
-    b.bytes = malloc(b.size);
-    assert_int_equal(skv_world_save(world, false, b.bytes, b.size, NULL), SKV_OK);
-    return b;
-}
-
 static void expect_refused(const skv_world *from, skv_world *into, const char *message)
 {
     blob b = save(from);
@@ -348,7 +448,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_world_lists_its_fluids),
         cmocka_unit_test(what_is_no_list_is_refused),
-        cmocka_unit_test(another_density_is_refused),
+        cmocka_unit_test(densities_have_a_range),
+        cmocka_unit_test(sums_are_weighed),
+        cmocka_unit_test(masses_follow),
+        cmocka_unit_test(one_density_needs_no_masses),
         cmocka_unit_test(particles_are_of_a_fluid),
         cmocka_unit_test(a_name_moves_nothing),
         cmocka_unit_test(a_fluid_goes_with_its_particle),

@@ -89,6 +89,8 @@ static skv_world *make_world(const kind *k, int threads)
     def.solver = k->solver;
     def.threads = threads;
     fixture_add_liquids(&def, k->liquids);
+    for (int i = 0; i < k->liquids; i++)
+        def.liquids[i].density = 700 + 150 * (float)i;
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
     return world;

@@ -1,0 +1,182 @@
+/* Fluids of several densities, one over the other: layers begin at rest, each as compressed as what
+ * is above it makes it; what is light and lies below stays until time runs, and then rises; and a
+ * frame takes the substeps that the lightest needs. */
+#include "scene/support.h"
+
+#include "support/fixture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Fluids by density from the bottom up, each 0.15 m deep; 1000 is water. */
+static skv_world *open_layers(const int *densities, int count)
+{
+    char text[1000] = "{\"particles\": 900, \"fluids\": [", water[500] = "\"water\": [";
+    for (int i = 0; i < count; i++) {
+        char one[200];
+        const char *comma = i + 1 < count ? "," : "";
+        snprintf(one, sizeof one, "{\"name\": \"%d\", \"density\": %d}%s", i, densities[i], comma);
+        strcat(text, one);
+        snprintf(one, sizeof one,
+                 "{\"shape\": \"box\", \"y0\": %g, \"y1\": %g, \"fluid\": \"%d\"}%s", 0.15 * i,
+                 0.15 * (i + 1), i, comma);
+        strcat(water, one);
+    }
+    strcat(strcat(strcat(text, "], "), water), "]}");
+    skv_scene *scene;
+    skv_world *world = NULL;
+    skv_error error;
+    if (load_text(text, NULL, &scene, &error) != SKV_OK ||
+        skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_scene_destroy(scene);
+    return world;
+}
+
+static double height_of(const skv_world *world, int fluid)
+{
+    return skv_world_fluid_stats(world, fluid).centre_y;
+}
+
+/* The pressure in the middle of a layer, over what is above that weighs. */
+static double pressure_in(const skv_world *world, const int *densities, int count, int layer)
+{
+    skv_survey *survey;
+    double weight = 0.5 * 0.15 * densities[layer];
+    for (int i = layer + 1; i < count; i++)
+        weight += 0.15 * densities[i];
+    assert_int_equal(skv_survey_create(&survey, NULL), SKV_OK);
+    assert_int_equal(skv_survey_take(survey, world, NULL), SKV_OK);
+    double pressure = skv_survey_at(survey, 0.8, 0.15 * (layer + 0.5)).pressure;
+    skv_survey_destroy(survey);
+    return pressure / (9.81 * weight);
+}
+
+static void layers_begin_at_rest(void **unused)
+{
+    (void)unused;
+    static const struct {
+        int densities[3], count;
+    } cases[] = {{{1000, 1000}, 2},
+                 {{1000, 900}, 2},
+                 {{1000, 100}, 2},
+                 {{1000, 10}, 2},
+                 {{13546, 1000, 800}, 3}};
+    for (int k = 0; k < 5; k++) {
+        int count = cases[k].count;
+        skv_world *world = open_layers(cases[k].densities, count);
+        double heights[3], worst = 0, held = 0, weight = 0, s = (double)skv_world_spacing(world);
+        for (int i = 0; i < count; i++) {
+            heights[i] = height_of(world, i + 1);
+            weight += skv_world_fluid_stats(world, i + 1).particles * s * s * cases[k].densities[i];
+        }
+        for (int frame = 0; frame < 60; frame++) {
+            fixture_run(world, 1);
+            worst = fmax(worst, skv_world_stats(world).rms_speed);
+            held += skv_world_wall_impulse(world).y;
+        }
+        if (!(worst <= 0.02))
+            fail_msg("case %d: %.4f m/s", k, worst);
+        for (int i = 0; i < count; i++)
+            assert_near(height_of(world, i + 1), heights[i], 0.1 * s);
+        /* Within a second the walls give it its weight. */
+        assert_near(held / (9.81 * weight), 1, 0.01);
+        /* A few rows below the surface read too little, as those of one fluid do. */
+        for (int i = 0; i + 1 < count; i++)
+            assert_near(pressure_in(world, cases[k].densities, count, i), 1, 0.08);
+        skv_world_destroy(world);
+    }
+}
+
+/* While it settles what is light stays below; then it rises. */
+static void light_fluid_waits_below(void **unused)
+{
+    (void)unused;
+    static const int densities[] = {300, 1000};
+    skv_world *world = open_layers(densities, 2);
+    double s = (double)skv_world_spacing(world);
+    assert_near(height_of(world, 1), 0.075, 0.3 * s);
+    assert_near(height_of(world, 2), 0.225, 0.3 * s);
+    double before = height_of(world, 1);
+    fixture_run(world, 180);
+    assert_true(height_of(world, 1) > before + 0.05);
+    skv_world_destroy(world);
+}
+
+/* Heavy fluid over light begins without a jolt: what is below is as compressed as it will be. */
+static void what_is_pressed_is_compressed(void **unused)
+{
+    (void)unused;
+    static const int densities[] = {1000, 4000};
+    skv_world *world = open_layers(densities, 2);
+    double before = height_of(world, 2);
+    fixture_run(world, 5);
+    /* 0.34 spacings if it were as compressed as below light fluid. */
+    assert_true(before - height_of(world, 2) < 0.28 * (double)skv_world_spacing(world));
+    skv_world_destroy(world);
+}
+
+/* Layers that lean are going to flow, too, however level their surface is. */
+static void a_tilted_interface_is_no_rest(void **unused)
+{
+    (void)unused;
+    const char *text = "{\"particles\": 900, \"fluids\": [{\"name\": \"oil\", \"density\": 500}],"
+                       "\"water\": [{\"shape\": \"box\", \"y1\": 0.3, \"fluid\": \"oil\"},"
+                       "{\"shape\": \"polygon\", \"points\": [[0, 0], [1.6, 0], [0, 0.3]]}]}";
+    skv_scene *scene;
+    skv_world *world = NULL;
+    assert_int_equal(load_text(text, NULL, &scene, NULL), SKV_OK);
+    assert_int_equal(skv_scene_create_world(scene, 1, &world, NULL), SKV_OK);
+    double side = skv_world_fluid_stats(world, 0).centre_x;
+    assert_near(side, 1.6 / 3, 0.02);
+    fixture_run(world, 60);
+    assert_true(skv_world_fluid_stats(world, 0).centre_x > side + 0.1);
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+}
+
+/* Substeps go by pressure over the own density: the rule expects the heaviest fluid on the
+ * lightest, and light fluid on top needs no more than its own depth. */
+static void the_load_knows_densities(void **unused)
+{
+    (void)unused;
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.03f, 1);
+    def.depth = 0.45f;
+    skv_world *world;
+    int substeps[3];
+    for (int i = 0; i < 3; i++) {
+        def.liquid_count = 0;
+        if (i > 0)
+            fixture_add_liquids(&def, 1);
+        def.liquids[0].density = i == 1 ? 1000 : 62.5f;
+        assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+        substeps[i] = skv_world_substeps_per_frame(world);
+        skv_world_destroy(world);
+    }
+    assert_int_equal(substeps[1], substeps[0]);
+    /* A sixteenth of the density is four times as many, but for rounding up. */
+    assert_in_range(substeps[2], 4 * (substeps[0] - 1), 4 * substeps[0]);
+    static const int layers[][2] = {{1000, 1000}, {1000, 10}, {13546, 13546}};
+    int taken[3];
+    for (int i = 0; i < 3; i++) {
+        world = open_layers(layers[i], 2);
+        fixture_run(world, 60);
+        taken[i] = skv_world_substeps_per_frame(world);
+        skv_world_destroy(world);
+    }
+    assert_true(taken[1] <= taken[0]);
+    assert_int_equal(taken[2], taken[0]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(layers_begin_at_rest),
+        cmocka_unit_test(light_fluid_waits_below),
+        cmocka_unit_test(what_is_pressed_is_compressed),
+        cmocka_unit_test(a_tilted_interface_is_no_rest),
+        cmocka_unit_test(the_load_knows_densities),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
