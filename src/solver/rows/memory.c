@@ -12,7 +12,7 @@
 enum {
     LINE = 16, /* floats or integers in a cache line */
     LINES_A_PAGE = 64,
-    ARRAYS = 14 + ROW_SPARE, /* of an element for each place */
+    PLACE_ARRAYS = 14 + ROW_SPARE, /* of an element for each place */
     FLOATS_A_BLOCK = ROW_TILE * ROW_LANES,
     ROW_NUMBERS = 9, /* integers kept for each row */
     MAX_CELLS = 1 << 26
@@ -162,7 +162,7 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
 static size_t array_stride(size_t elements)
 {
     size_t lines = (elements + LINE - 1) / LINE;
-    for (size_t apart = 1; apart < ARRAYS; apart++) {
+    for (size_t apart = 1; apart < PLACE_ARRAYS; apart++) {
         size_t past = apart * lines % LINES_A_PAGE;
         if (past < 2 || past > LINES_A_PAGE - 2) {
             lines++;
