@@ -14,8 +14,8 @@ static skv_result find_program(skv_compose *compose, skv_shown shown, bool full,
     static const char *const defines[SKV_SHOWN_KINDS][2] = {
         [SKV_SHOWN_NO_FLUID] = {"", "#define FULL\n"},
         [SKV_SHOWN_WATER] = {"#define WATER\n", "#define WATER\n#define FULL\n"},
-        [SKV_SHOWN_DYED] = {"#define WATER\n#define DYED\n",
-                            "#define WATER\n#define DYED\n#define FULL\n"},
+        [SKV_SHOWN_TINTED] = {"#define WATER\n#define TINTED\n",
+                              "#define WATER\n#define TINTED\n#define FULL\n"},
         [SKV_SHOWN_VALUE] = {"#define SCALE\n", "#define SCALE\n#define FULL\n"}};
     GLuint *made = &compose->programs[shown][full];
     skv_result result = SKV_OK;
@@ -71,7 +71,7 @@ static void set_colors(GLuint program, const skv_colors *colors)
                {"u_murk", colors->murk}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         glUniform3fv(glGetUniformLocation(program, all[i].name), 1, all[i].color);
-    glUniform3fv(glGetUniformLocation(program, "u_dye"), SKV_DYES, colors->dyes[0]);
+    set1(program, "u_tint_light", (double)SKV_TINT_LIGHT);
     set1(program, "u_relief", (double)colors->relief);
     set1(program, "u_foam", (double)colors->foam);
 }
@@ -138,21 +138,21 @@ static void set_scale(const skv_compose *compose, GLuint program, const skv_comp
                      legend->colors);
 }
 
-static skv_shown choose_shown(const skv_composition *picture, bool dyed)
+static skv_shown choose_shown(const skv_composition *picture, bool tinted)
 {
     if (picture->view == SKV_VIEW_PARTICLES)
         return SKV_SHOWN_NO_FLUID;
     if (picture->legend->shown)
         return SKV_SHOWN_VALUE;
-    return dyed ? SKV_SHOWN_DYED : SKV_SHOWN_WATER;
+    return tinted ? SKV_SHOWN_TINTED : SKV_SHOWN_WATER;
 }
 
 skv_result skv_compose_draw(skv_compose *compose, const skv_splats *splats, const skv_walls *walls,
                             const skv_composition *picture, skv_error *error)
 {
     GLuint program;
-    skv_result result =
-        find_program(compose, choose_shown(picture, splats->dyed), picture->full, &program, error);
+    skv_result result = find_program(compose, choose_shown(picture, splats->tinted), picture->full,
+                                     &program, error);
     if (result != SKV_OK)
         return result;
     glUseProgram(program);
@@ -161,7 +161,7 @@ skv_result skv_compose_draw(skv_compose *compose, const skv_splats *splats, cons
     set_splats(program, splats, picture);
     set_scale(compose, program, picture);
     bind(program, "u_walls", 2, walls->texture);
-    bind(program, "u_dyes", 1, splats->dyes);
+    bind(program, "u_tints", 1, splats->tints);
     bind(program, "u_splats", 0, splats->sums);
     glBindVertexArray(compose->attributes);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -9,9 +9,9 @@
 /* What the shader shows. */
 typedef enum skv_shown {
     SKV_SHOWN_NO_FLUID,
-    SKV_SHOWN_WATER, /* by its depth */
-    SKV_SHOWN_DYED,  /* water with dyes in it */
-    SKV_SHOWN_VALUE, /* on a scale */
+    SKV_SHOWN_WATER,  /* by its depth */
+    SKV_SHOWN_TINTED, /* fluid with colours of its own */
+    SKV_SHOWN_VALUE,  /* on a scale */
     SKV_SHOWN_KINDS
 } skv_shown;
 

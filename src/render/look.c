@@ -1,6 +1,6 @@
 /* The look: palettes and scales. Invariant: fluid against walls has a contrast of 3:1 or more in
- * grey, scales grow in lightness from one end to the other, so that the picture reads without
- * colour vision too. */
+ * grey, every eye tells the fluids of a palette apart, and scales grow in lightness from one end to
+ * the other, so that the picture reads without colour vision too. */
 #include "render/look.h"
 
 #include <math.h>
@@ -9,11 +9,15 @@
 #define SCALE_COLORS  9
 
 #define RGB(code)                                                                                  \
-    {(float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                          \
-     (float)((code) & 255) / 255}
+    {                                                                                              \
+        (float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                       \
+            (float)((code)&255) / 255                                                              \
+    }
 #define RGBA(code, alpha)                                                                          \
-    {(float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                          \
-     (float)((code) & 255) / 255, alpha}
+    {                                                                                              \
+        (float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                       \
+            (float)((code)&255) / 255, alpha                                                       \
+    }
 
 static const skv_colors palettes[] =
     {
@@ -33,6 +37,8 @@ static const skv_colors palettes[] =
                 .foam = 0.7f,
                 .murk = {2.0f, 1.15f, 0.8f},
                 .dyes = {RGB(0xf2487c), RGB(0xe0a92e), RGB(0xb8f05a), RGB(0xb674b0)},
+                .fluids = {RGB(0xf9da0e), RGB(0xf05b30), RGB(0xc4fea0), RGB(0xccb0fa),
+                           RGB(0xf09c66), RGB(0x8b9184), RGB(0x43fae4)},
                 .bubble = RGBA(0xffffff, 0.6f),
                 .ink = RGBA(0xffffff, 0.92f),
                 .faint = RGBA(0xc8d6e8, 0.16f),
@@ -59,6 +65,8 @@ static const skv_colors palettes[] =
                 .foam = 0.55f,
                 .murk = {1.6f, 1.1f, 0.8f},
                 .dyes = {RGB(0xb81b56), RGB(0xac6608), RGB(0x14521a), RGB(0x521a66)},
+                .fluids = {RGB(0x9a6501), RGB(0x96220d), RGB(0x24572f), RGB(0xb512cf),
+                           RGB(0x7e674f), RGB(0x595663), RGB(0x1c7d81)},
                 .bubble = RGBA(0xffffff, 0.6f),
                 .ink = RGBA(0xffffff, 0.92f),
                 .faint = RGBA(0x1b2434, 0.14f),
@@ -85,6 +93,8 @@ static const skv_colors palettes[] =
                 .foam = 0,
                 .murk = {1, 1, 1},
                 .dyes = {RGB(0xd23f73), RGB(0xc3880d), RGB(0x206b14), RGB(0x932c99)},
+                .fluids = {RGB(0xb0882e), RGB(0xad2b26), RGB(0x678660), RGB(0x8858a9),
+                           RGB(0xae630f), RGB(0x919291), RGB(0x0e7465)},
                 .ink = RGBA(0xffffff, 1),
                 .faint = RGBA(0xffffff, 0.4f),
                 .figures = RGBA(0xffffff, 1),
@@ -123,6 +133,14 @@ void skv_look_scale(skv_view view, double place, float color[3])
     float share = (float)(at - i);
     for (int k = 0; k < 3; k++)
         color[k] = scale[i][k] + share * (scale[i + 1][k] - scale[i][k]);
+}
+
+void skv_look_fluid(const skv_colors *colors, const skv_frame *frame, int number, float color[3])
+{
+    int own = number < frame->fluid_count ? frame->fluids[number].color : -1;
+    for (int k = 0; k < 3; k++)
+        color[k] =
+            own < 0 ? colors->fluids[number - 1][k] : (float)(own >> (16 - 8 * k) & 255) / 255;
 }
 
 double skv_look_line(const skv_camera *camera)

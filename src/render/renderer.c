@@ -151,8 +151,9 @@ skv_result skv_renderer_draw(skv_renderer *renderer, const skv_frame *frame,
     set_plain_state();
     result = skv_walls_update(&renderer->walls, frame->terrain, error);
     if (result == SKV_OK)
-        result = skv_vertices_fill(vertices, frame, style->view, &legend, foam,
-                                   renderer->walls.version, error);
+        result = skv_vertices_fill(vertices, frame, style->view, &legend,
+                                   skv_look_colors(style->palette), foam, renderer->walls.version,
+                                   error);
     if (result == SKV_OK)
         result = skv_splats_draw(&renderer->splats, vertices, (double)frame->spacing, camera, full,
                                  error);

@@ -1,5 +1,5 @@
 /* Splats: particles added up in textures of a quarter to the whole of the view's resolution.
- * Invariant: `target` is the size of `sums`, and of `dyes` while `dyed`. */
+ * Invariant: `target` is the size of `sums`, and of `tints` while `tinted`. */
 #include "render/splats.h"
 
 #include <math.h>
@@ -31,7 +31,7 @@ skv_result skv_splats_create(skv_splats *splats, bool half_float, skv_error *err
     glGenBuffers(1, &splats->buffer);
     glGenFramebuffers(1, &splats->framebuffer);
     splats->sums = skv_gl_texture();
-    splats->dyes = skv_gl_texture();
+    splats->tints = skv_gl_texture();
 
     glBindVertexArray(splats->attributes);
     glBindBuffer(GL_ARRAY_BUFFER, splats->buffer);
@@ -41,7 +41,7 @@ skv_result skv_splats_create(skv_splats *splats, bool half_float, skv_error *err
         size_t offset;
     } parts[] = {{2, GL_FLOAT, offsetof(skv_vertex, x)},
                  {2, GL_FLOAT, offsetof(skv_vertex, value)},
-                 {SKV_DYES, GL_UNSIGNED_BYTE, offsetof(skv_vertex, dyes)}};
+                 {4, GL_UNSIGNED_SHORT, offsetof(skv_vertex, tint)}};
     for (GLuint i = 0; i < 3; i++) {
         glEnableVertexAttribArray(i);
         glVertexAttribPointer(i, parts[i].size, parts[i].type, GL_TRUE, sizeof(skv_vertex),
@@ -53,7 +53,7 @@ skv_result skv_splats_create(skv_splats *splats, bool half_float, skv_error *err
 
 void skv_splats_destroy(skv_splats *splats)
 {
-    const GLuint textures[] = {splats->sums, splats->dyes};
+    const GLuint textures[] = {splats->sums, splats->tints};
     glDeleteProgram(splats->program);
     glDeleteVertexArrays(1, &splats->attributes);
     glDeleteBuffers(1, &splats->buffer);
@@ -72,7 +72,7 @@ static void resize_texture(const skv_splats *splats, GLuint texture, GLenum atta
 }
 
 /* Makes the textures fit; leaves the framebuffer bound, with one or two targets. */
-static skv_result fit_textures(skv_splats *splats, skv_gl_target target, bool dyed,
+static skv_result fit_textures(skv_splats *splats, skv_gl_target target, bool tinted,
                                skv_error *error)
 {
     bool same = target.width == splats->target.width && target.height == splats->target.height;
@@ -80,13 +80,13 @@ static skv_result fit_textures(skv_splats *splats, skv_gl_target target, bool dy
     glBindFramebuffer(GL_FRAMEBUFFER, splats->framebuffer);
     if (!same)
         resize_texture(splats, splats->sums, GL_COLOR_ATTACHMENT0);
-    if (dyed && !(same && splats->dyed))
-        resize_texture(splats, splats->dyes, GL_COLOR_ATTACHMENT1);
-    else if (!dyed && splats->dyed)
+    if (tinted && !(same && splats->tinted))
+        resize_texture(splats, splats->tints, GL_COLOR_ATTACHMENT1);
+    else if (!tinted && splats->tinted)
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
     const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    glDrawBuffers(dyed ? 2 : 1, buffers);
-    splats->dyed = dyed;
+    glDrawBuffers(tinted ? 2 : 1, buffers);
+    splats->tinted = tinted;
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
         return SKV_OK;
     splats->target = (skv_gl_target){0};
@@ -127,7 +127,7 @@ skv_result skv_splats_draw(skv_splats *splats, const skv_vertices *vertices, dou
     skv_gl_target target;
     double radius =
         choose_target(splats, SKV_SPLAT_RADIUS * spacing * camera->scale, full, camera, &target);
-    skv_result result = fit_textures(splats, target, vertices->dyed, error);
+    skv_result result = fit_textures(splats, target, vertices->tinted, error);
     if (result != SKV_OK)
         return result;
     splats->foamy = vertices->foamy;

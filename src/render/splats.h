@@ -7,8 +7,8 @@
 
 typedef struct skv_splats {
     GLuint program, attributes, buffer, framebuffer;
-    GLuint sums, dyes; /* textures; the second is as large as the first once it was needed */
-    bool half_float, dyed, foamy;
+    GLuint sums, tints; /* textures; the second is as large as the first once it was needed */
+    bool half_float, tinted, foamy;
     skv_gl_target target; /* the textures' size and its relation to the view */
     double reach;         /* radius of a splat, view pixels */
     double crowd;         /* the sums by those of splats of the usual width */

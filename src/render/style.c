@@ -165,10 +165,19 @@ static double nice_above(double value, double *step)
     return figures[i][0] * decade;
 }
 
+/* Density of the heaviest of a frame's fluids. */
+static double densest(const skv_frame *frame)
+{
+    double most = (double)frame->density;
+    for (int i = 0; i < frame->fluid_count; i++)
+        most = fmax(most, (double)frame->fluids[i].density);
+    return most;
+}
+
 static void find_scale(const skv_frame *frame, const skv_render_style *style, skv_legend *legend)
 {
     double gravity = hypot((double)frame->gravity_x, (double)frame->gravity_y);
-    double weight = (double)frame->density * fmax(gravity, 0.1 * EARTH_GRAVITY);
+    double weight = densest(frame) * fmax(gravity, 0.1 * EARTH_GRAVITY);
     double given = style->range;
     legend->shown = true;
     switch (style->view) {

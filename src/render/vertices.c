@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/exact.h"
 #include "base/memory.h"
-#include "render/look.h"
 
 /* Beside a wall particles lie in layers, and the pressure goes up and down from one to the next:
  * the first, this close in spacings, has a quarter more than the fluid behind it, the second less.
@@ -23,7 +23,7 @@
 #define FOAM_BEGINS 0.04f
 #define FOAM_COVERS 0.20f
 
-/* How much of a particle's own colour shows; the rest is its surroundings'. */
+/* How much of a dyed particle's own colour shows; the rest is its surroundings'. */
 #define OWN_COLOR 0.35f
 
 void skv_vertices_destroy(skv_vertices *vertices)
@@ -158,37 +158,77 @@ static void fill_foam(skv_vertices *vertices, const skv_frame *frame)
     }
 }
 
-static bool has_dye(const skv_particles *particles, int dye)
+/* Tints by number: first the fluids but for the first, then the dyes. A dye hides its fluid's. */
+enum { FLUID_TINTS = SKV_MAX_FLUIDS - 1, TINTS = FLUID_TINTS + SKV_DYES };
+
+/* A particle's; -1: none. */
+static int tint_of(const skv_particles *particles, int i)
 {
-    return particles->count > 0 && particles->dye &&
-           memchr(particles->dye, dye, (size_t)particles->count) != NULL;
+    if (particles->dye && particles->dye[i])
+        return FLUID_TINTS + particles->dye[i] - 1;
+    return particles->fluid && particles->fluid[i] ? particles->fluid[i] - 1 : -1;
 }
 
-/* Particles show their own colour and that of the fluid around them: where fluids mix it becomes
- * cloudy as ink does, not speckled. */
-static void fill_dyes(skv_vertices *vertices, const skv_frame *frame)
+static void color_of(const skv_frame *frame, const skv_colors *colors, int tint, float color[3])
+{
+    if (tint < FLUID_TINTS)
+        skv_look_fluid(colors, frame, tint + 1, color);
+    else
+        memcpy(color, colors->dyes[tint - FLUID_TINTS], 3 * sizeof *color);
+}
+
+/* Adds to what a vertex shows `share` of a colour; colours multiply, as inks do. */
+static void add_tint(skv_vertex *vertex, const float taken[3], float share)
+{
+    for (int k = 0; k < 3; k++)
+        vertex->tint[k] = (uint16_t)((float)vertex->tint[k] + 65535 * share * taken[k] + 0.5f);
+    vertex->tint[3] = (uint16_t)((float)vertex->tint[3] + 65535 * share + 0.5f);
+}
+
+/* A dye shows on the fluid around its particles, too: where it mixes fluid becomes cloudy as with
+ * ink, not speckled. Fluids part, and show where. */
+static void fill_tint(skv_vertices *vertices, const skv_frame *frame, int tint,
+                      const float color[3])
 {
     const skv_particles particles = frame->particles;
     skv_mesh *mesh = &vertices->mesh;
-    for (int dye = 1; dye <= SKV_DYES; dye++) {
-        if (!has_dye(&particles, dye))
-            continue;
-        vertices->dyed = true;
+    bool mixes = tint >= FLUID_TINTS;
+    float taken[3]; /* share of the most */
+    for (int k = 0; k < 3; k++)
+        taken[k] = fminf((float)-skv_log((double)fmaxf(color[k], FLT_MIN)) / SKV_TINT_LIGHT, 1);
+    if (mixes)
         skv_mesh_begin_values(mesh, 0);
-        for (int i = 0; i < particles.count; i++)
-            skv_mesh_add_value(mesh, particles.x[i], particles.y[i], particles.dye[i] == dye, 1);
-        for (int i = 0; i < particles.count; i++) {
-            float around = skv_mesh_value(mesh, particles.x[i], particles.y[i], 0);
-            float own = particles.dye[i] == dye;
-            vertices->list[i].dyes[dye - 1] =
-                (uint8_t)(255 * (around + OWN_COLOR * (own - around)) + 0.5f);
-        }
+    for (int i = 0; mixes && i < particles.count; i++)
+        skv_mesh_add_value(mesh, particles.x[i], particles.y[i], tint_of(&particles, i) == tint, 1);
+    for (int i = 0; i < particles.count; i++) {
+        float own = tint_of(&particles, i) == tint;
+        float around = mixes ? skv_mesh_value(mesh, particles.x[i], particles.y[i], 0) : own;
+        /* Less than the whole, so that rounding of all tints stays within it. */
+        add_tint(&vertices->list[i], taken, 0.9998f * (around + OWN_COLOR * (own - around)));
+    }
+}
+
+static void fill_tints(skv_vertices *vertices, const skv_frame *frame, const skv_colors *colors)
+{
+    bool shown[TINTS] = {false};
+    for (int i = 0; i < frame->particles.count; i++) {
+        int tint = tint_of(&frame->particles, i);
+        if (tint >= 0)
+            shown[tint] = true;
+    }
+    for (int tint = 0; tint < TINTS; tint++) {
+        if (!shown[tint])
+            continue;
+        float color[3];
+        color_of(frame, colors, tint, color);
+        fill_tint(vertices, frame, tint, color);
+        vertices->tinted = true;
     }
 }
 
 skv_result skv_vertices_fill(skv_vertices *vertices, const skv_frame *frame, skv_view view,
-                             const skv_legend *legend, bool foam, uint64_t walls_key,
-                             skv_error *error)
+                             const skv_legend *legend, const skv_colors *colors, bool foam,
+                             uint64_t walls_key, skv_error *error)
 {
     const skv_particles particles = frame->particles;
     skv_result result = grow(vertices, particles.count, error);
@@ -198,7 +238,7 @@ skv_result skv_vertices_fill(skv_vertices *vertices, const skv_frame *frame, skv
         return result;
     vertices->count = particles.count;
     vertices->foamy = foam;
-    vertices->dyed = false;
+    vertices->tinted = false;
     for (int k = 0; k < 3; k++)
         vertices->slope[k] = 0;
     for (int i = 0; i < particles.count; i++)
@@ -212,7 +252,7 @@ skv_result skv_vertices_fill(skv_vertices *vertices, const skv_frame *frame, skv
         fill_density(vertices, frame, legend);
     if (view == SKV_VIEW_WATER || view == SKV_VIEW_FLUID) {
         fill_depth(vertices, frame);
-        fill_dyes(vertices, frame);
+        fill_tints(vertices, frame, colors);
     }
     if (foam)
         fill_foam(vertices, frame);

@@ -69,9 +69,9 @@ static void open_stage(stage *s, flow_at *flow)
     s->frame = skv_world_frame(s->world);
     fill(s, flow);
     s->legend = skv_render_legend(&s->frame, &style);
-    assert_int_equal(
-        skv_vertices_fill(&s->vertices, &s->frame, SKV_VIEW_WATER, &s->legend, false, 1, NULL),
-        SKV_OK);
+    assert_int_equal(skv_vertices_fill(&s->vertices, &s->frame, SKV_VIEW_WATER, &s->legend,
+                                       skv_look_colors(SKV_PALETTE_DARK), false, 1, NULL),
+                     SKV_OK);
 }
 
 /* Gathers what one overlay draws. */

@@ -1,11 +1,11 @@
 // Pass two: background, fluid where the splats' sum exceeds the threshold, walls on top. The fluid
-// is water by its depth if WATER is defined, with dyes in it if DYED is, a value on a scale if SCALE
-// is, else it is left out. With FULL defined, light and smoothness that software drawing cannot
+// is water by its depth if WATER is defined, with dyes and other fluids in it if TINTED is, a value on
+// a scale if SCALE is, else it is left out. With FULL defined, light and smoothness that software drawing cannot
 // afford.
 
-// Sums over splats: value, trust in it or foam, squared weight, weight; and weight by dye.
+// Sums over splats: value, trust in it or foam, squared weight, weight; and what tints take.
 uniform sampler2D u_splats;
-uniform sampler2D u_dyes;
+uniform sampler2D u_tints;
 uniform bool u_foamy;      // foam it is
 uniform vec2 u_splat_size; // texels
 uniform float u_texels;    // texels a view pixel
@@ -39,7 +39,7 @@ uniform vec3 u_outline; // the outline of fluid that shows a scale
 uniform float u_relief; // how much light models the fluid, 0..1
 uniform float u_foam;   // how much foam covers it, 0..1
 uniform vec3 u_murk;    // how fast light fades, by colour
-uniform vec3 u_dye[4];  // what water full of a dye looks like
+uniform float u_tint_light; // the most that a tint takes, in powers of e
 
 out vec4 o_color;
 
@@ -137,15 +137,13 @@ vec3 lit(vec3 water, vec2 outwards, float inside, float rim, float foam)
 }
 #endif
 
-#ifdef DYED
-// Water with dyes in it, each of which takes its part of the light: colours multiply, as inks do.
-vec3 dyed(vec3 water, vec4 share, float depth)
+#ifdef TINTED
+// Water with dyes or other fluids in it, each of which takes its part of the light: colours multiply,
+// as inks do. `tint` is the light that they take, and how much of the fluid they are.
+vec3 tinted(vec3 water, vec4 tint, float depth)
 {
     float light = 1.0 + u_relief * (0.26 * exp(-depth) - 0.16);
-    vec3 mixed = max(1.0 - dot(share, vec4(1.0)), 0.0) * log(water);
-    for (int i = 0; i < 4; i++)
-        mixed += share[i] * log(light * u_dye[i]);
-    return exp(mixed);
+    return exp(max(1.0 - tint.a, 0.0) * log(water) + tint.a * log(light) - u_tint_light * tint.rgb);
 }
 #endif
 
@@ -193,8 +191,8 @@ vec4 fluid_at(vec2 pixel, vec2 point, float wall)
 #ifdef WATER
     vec3 water = mix(u_deep, u_shallow, exp(-max(value, 0.0) * u_murk));
     float weight = max(sums.a, 1.0e-5 * u_gain);
-#ifdef DYED
-    water = dyed(water, sample_at(u_dyes, taps) / weight, max(value, 0.0));
+#ifdef TINTED
+    water = tinted(water, sample_at(u_tints, taps) / weight, max(value, 0.0));
 #endif
 #ifdef FULL
     float foam = u_foamy ? clamp(sums.g / weight, 0.0, 1.0) : 0.0;

@@ -5,10 +5,10 @@ uniform float u_gain; // below 1 where the buffer cannot hold sums above 1
 uniform vec2 u_code;  // factor and offset that bring values into what the buffer holds
 
 in vec2 v_value;
-in vec4 v_dyes;
+in vec4 v_tint;
 
 layout(location = 0) out vec4 o_sums;
-layout(location = 1) out vec4 o_dyes;
+layout(location = 1) out vec4 o_tint;
 
 void main()
 {
@@ -17,5 +17,5 @@ void main()
     float weight = rest * rest * rest;
     o_sums = weight * u_gain *
              vec4(v_value.x * u_code.x + v_value.y * u_code.y, v_value.y, weight, 1.0);
-    o_dyes = weight * u_gain * v_dyes;
+    o_tint = weight * u_gain * v_tint;
 }

@@ -6,15 +6,15 @@ uniform float u_diameter; // of a splat, texels
 
 layout(location = 0) in vec2 a_position; // m
 layout(location = 1) in vec2 a_value;    // what the view shows, times trust; trust in it, or foam
-layout(location = 2) in vec4 a_dyes;     // how much of each
+layout(location = 2) in vec4 a_tint;     // what it takes of light, and how much
 
 out vec2 v_value;
-out vec4 v_dyes;
+out vec4 v_tint;
 
 void main()
 {
     gl_Position = vec4(a_position * u_scale + u_offset, 0.0, 1.0);
     gl_PointSize = u_diameter;
     v_value = a_value;
-    v_dyes = a_dyes;
+    v_tint = a_tint;
 }

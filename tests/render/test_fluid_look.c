@@ -1,0 +1,155 @@
+/* Fluids as they look: each in its colour, which every eye tells from the others and from water and
+ * which stands out against walls; or in the colour that a scene gives it. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "render/eyes.h"
+#include "render/look.h"
+#include "render/picture.h"
+
+enum { WIDTH = 640, HEIGHT = 360 };
+
+static void every_eye_tells_fluids_apart(void **state)
+{
+    (void)state;
+    for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+        const skv_colors *colors = skv_look_colors((skv_palette)palette);
+        float all[SKV_MAX_FLUIDS][3];
+        memcpy(all + 1, colors->fluids, sizeof colors->fluids);
+        for (int k = 0; k < 3; k++)
+            all[0][k] = sqrtf(colors->shallow[k] * colors->deep[k]);
+        for (int eye = 0; eye < EYES; eye++)
+            for (int i = 0; i < SKV_MAX_FLUIDS; i++)
+                for (int j = 0; j < i; j++)
+                    if (colors_apart(eye, all[i], all[j]) < 0.06)
+                        fail_msg("palette %d, eye %d: %d and %d are %g apart", palette, eye, i, j,
+                                 colors_apart(eye, all[i], all[j]));
+    }
+}
+
+/* Walls around 0.4 m of one of seven fluids, and a drop of water dyed rose. */
+static skv_world *make_basin(int fluid, const char *color)
+{
+    char text[1000] = "{\"particles\": 1500, \"settle\": false, \"solid\": [{\"shape\": \"box\", "
+                      "\"x1\": 0.2}, {\"shape\": \"box\", \"x0\": 1.4}], \"fluids\": [",
+         one[300];
+    for (int i = 1; i < SKV_MAX_FLUIDS; i++) {
+        snprintf(one, sizeof one, "%s{\"name\": \"%d\"%s}", i > 1 ? ", " : "", i,
+                 i == fluid ? color : "");
+        strcat(text, one);
+    }
+    snprintf(one, sizeof one,
+             "], \"water\": [{\"shape\": \"box\", \"y1\": 0.5, \"fluid\": \"%d\"}, {\"shape\": "
+             "\"circle\", \"x\": 1.2, \"y\": 0.2, \"radius\": 0.1, \"fluid\": \"%d\", \"dye\": "
+             "\"rose\"}]}",
+             fluid, fluid);
+    strcat(text, one);
+    skv_scene *scene;
+    skv_world *world;
+    skv_error error;
+    if (skv_scene_load_memory(text, strlen(text), "json", "basin", NULL, &scene, &error) ||
+        skv_scene_create_world(scene, 1, &world, &error))
+        fail_msg("%s", error.text);
+    skv_scene_destroy(scene);
+    return world;
+}
+
+static skv_render_style style_of(skv_palette palette, skv_view view, skv_detail detail)
+{
+    skv_render_style style = skv_default_render_style();
+    style.palette = palette;
+    style.view = view;
+    style.detail = detail;
+    return style;
+}
+
+/* View pixels of a place in metres. */
+static const uint8_t *pixel(const picture *p, double x, double y)
+{
+    return at(p, (int)(x * WIDTH / 1.6), (int)((0.9 - y) * HEIGHT / 0.9));
+}
+
+static void to_float(const uint8_t *rgb, float color[3])
+{
+    for (int k = 0; k < 3; k++)
+        color[k] = (float)rgb[k] / 255;
+}
+
+/* From the surface to the floor, in every palette. */
+static void fluids_show_and_stand_out(void **state)
+{
+    (void)state;
+    for (int fluid = 1; fluid < SKV_MAX_FLUIDS; fluid++) {
+        skv_world *world = make_basin(fluid, "");
+        for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+            const skv_colors *colors = skv_look_colors((skv_palette)palette);
+            skv_detail detail = fluid % 2 ? SKV_DETAIL_FULL : SKV_DETAIL_PLAIN;
+            skv_render_style style = style_of((skv_palette)palette, SKV_VIEW_WATER, detail);
+            picture p = shoot(world, &style, WIDTH, HEIGHT);
+            double wall = luminance(pixel(&p, 0.1, 0.3)), air = luminance(pixel(&p, 0.8, 0.8));
+            for (double y = 0.02; y < 0.46; y += 0.04) {
+                const uint8_t *drawn = pixel(&p, 0.7, y);
+                float color[3];
+                to_float(drawn, color);
+                for (int other = 1; other < SKV_MAX_FLUIDS; other++)
+                    assert_true(colors_apart(0, color, colors->fluids[fluid - 1]) <=
+                                colors_apart(0, color, colors->fluids[other - 1]));
+                if (contrast(luminance(drawn), wall) < 3 || contrast(luminance(drawn), air) < 3)
+                    fail_msg("%d, palette %d: contrast %.2f with walls, %.2f with air", fluid,
+                             palette, contrast(luminance(drawn), wall),
+                             contrast(luminance(drawn), air));
+            }
+            /* A dye hides its fluid's colour. */
+            float dyed[3];
+            to_float(pixel(&p, 1.2, 0.2), dyed);
+            assert_true(colors_apart(0, dyed, colors->dyes[0]) <
+                        colors_apart(0, dyed, colors->fluids[fluid - 1]));
+            free(p.rgb);
+        }
+        skv_world_destroy(world);
+    }
+}
+
+static void a_scene_names_a_colour(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        float color[3];
+    } given[] = {{", \"color\": \"#804020\"", {128, 64, 32}},
+                 {", \"color\": \"#ffffff\"", {255, 255, 255}},
+                 {", \"color\": \"#20e060\"", {32, 224, 96}}};
+    for (int i = 0; i < 3; i++) {
+        skv_world *world = make_basin(3, given[i].text);
+        for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+            skv_render_style style =
+                style_of((skv_palette)palette, SKV_VIEW_WATER, SKV_DETAIL_PLAIN);
+            picture p = shoot(world, &style, WIDTH, HEIGHT);
+            const uint8_t *drawn = pixel(&p, 0.7, 0.25);
+            /* Halfway down; light goes with the depth. */
+            for (int k = 0; k < 3; k++)
+                if (fabsf((float)drawn[k] - given[i].color[k]) > 0.12f * given[i].color[k] + 2)
+                    fail_msg("%s: %d %d %d", given[i].text, drawn[0], drawn[1], drawn[2]);
+            free(p.rgb);
+        }
+        skv_world_destroy(world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_eye_tells_fluids_apart),
+        cmocka_unit_test(fluids_show_and_stand_out),
+        cmocka_unit_test(a_scene_names_a_colour),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
