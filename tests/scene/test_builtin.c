@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const names[] = {"pool",     "dam-break",     "waves",  "breaking-wave",
-                                    "u-tube",   "communicating", "splash", "pipes",
-                                    "fountain", "ink",           "funnel", "tank"};
+static const char *const names[] = {
+    "pool",  "dam-break", "waves", "breaking-wave", "u-tube", "communicating", "splash",
+    "pipes", "fountain",  "ink",   "oil",           "funnel", "tank"};
 enum { SCENES = sizeof names / sizeof *names };
 
 static bool is_painted(const char *name)
@@ -136,7 +136,7 @@ static void test_unknown_names(void **state)
         snprintf(message, sizeof message,
                  "%s: is no scene; allowed are a file that ends in .json or .png, or one of pool, "
                  "dam-break, waves, breaking-wave, u-tube, communicating, splash, pipes, fountain, "
-                 "ink, funnel, tank",
+                 "ink, oil, funnel, tank",
                  bad[i]);
         assert_string_equal(error.text, message);
         assert_null(scene);

@@ -6,7 +6,7 @@ build=$(realpath "${1:?usage: pictures.sh BUILD}")
 cd "$(dirname "$0")/../page/pictures"
 
 declare -A moments=([breaking-wave]=0.6 [communicating]=0.4 [dam-break]=0.5 [fountain]=3 [funnel]=0.4 [ink]=0.6
-    [pipes]=2 [splash]=0.5 [u-tube]=0.6 [waves]=0.8)
+    [oil]=0.5 [pipes]=2 [splash]=0.5 [u-tube]=0.6 [waves]=0.8)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 while read -r scene _; do
