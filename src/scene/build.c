@@ -148,14 +148,16 @@ static skv_result build_picture(builder *c, skv_image *image)
     scene->height = painting.height;
     scene->coverage = painting.coverage;
     scene->paint = painting.paint;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < SKV_PAINTS; i++)
         scene->marked[i] = painting.count[i];
     skv_free(image->pixels);
     image->pixels = NULL;
     result = scale_picture(c);
     if (result != SKV_OK)
         return result;
-    result = skv_scene_find_taps(scene, c->picture_label, &c->taps, &cause);
+    result = skv_scene_paint_oil(scene, c->picture_label, &cause);
+    if (result == SKV_OK)
+        result = skv_scene_find_taps(scene, c->picture_label, &c->taps, &cause);
     return result == SKV_OK ? SKV_OK : fail_picture(c, result, cause.text);
 }
 
@@ -359,7 +361,7 @@ static void fill_lower(skv_water *water, const skv_terrain *terrain, double shar
 static bool is_empty(const builder *c)
 {
     const skv_shape_list *water = &c->draft->values.list[SKV_LIST_WATER];
-    return water->given && water->count == 0 && c->scene->marked[SKV_PAINT_FLUID] == 0;
+    return water->given && water->count == 0 && !skv_scene_is_painted(c->scene);
 }
 
 /* Where the fluid starts. */
@@ -370,7 +372,7 @@ static skv_result build_water(builder *c, const skv_terrain *terrain)
     water->width = scene->width;
     water->height = scene->height;
     water->pixel_size = scene->pixel_size;
-    if (scene->marked[SKV_PAINT_FLUID] > 0) {
+    if (skv_scene_is_painted(scene)) {
         water->paint = scene->paint;
     } else if (is_empty(c)) {
         fill_lower(water, terrain, 0.5); /* until there is a spacing */

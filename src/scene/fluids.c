@@ -9,6 +9,9 @@
 /* m^2/s: about what the method has of its own (docs/model.md); less than that is not missed. */
 #define OWN_VISCOSITY 3e-4f
 
+/* The name of what is painted yellow, and of its material. */
+#define OIL "oil"
+
 /* Fails for a field of a fluid, where it was given, or else for the fluid. */
 static skv_result fail(const skv_draft *draft, int index, int field, const char *message,
                        skv_error *error)
@@ -81,6 +84,36 @@ skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_
     for (int i = 0; i < draft->values.list[SKV_LIST_FLUIDS].count && result == SKV_OK; i++)
         result = build_fluid(draft, i, scene, error);
     return result;
+}
+
+skv_result skv_scene_paint_oil(skv_scene *scene, const char *label, skv_error *error)
+{
+    skv_world_def *def = &scene->def;
+    int place = 0;
+    if (scene->marked[SKV_PAINT_OIL] == 0)
+        return SKV_OK;
+    while (place < def->liquid_count && strcmp(def->liquids[place].name, OIL) != 0)
+        place++;
+    scene->oil = place + 1;
+    if (place < def->liquid_count)
+        return SKV_OK;
+    if (place == SKV_MAX_FLUIDS - 1)
+        return skv_fail(
+            error, SKV_ERROR_LIMIT,
+            "%s: its yellow pixels are oil, one fluid too many; name one of the scene's "
+            "%d fluids \"" OIL "\"",
+            label, place);
+    const skv_material *material;
+    for (int i = 0; (material = skv_material_info(i)) && strcmp(material->name, OIL) != 0;)
+        i++;
+    skv_liquid *oil = &def->liquids[def->liquid_count++];
+    *oil = skv_default_liquid();
+    oil->density = material->density;
+    oil->viscosity = material->viscosity;
+    memcpy(oil->name, OIL, sizeof OIL);
+    skv_error cause;
+    skv_result result = skv_check_liquids(def, &cause);
+    return result == SKV_OK ? result : skv_fail(error, result, "%s: %s", label, cause.text);
 }
 
 skv_result skv_scene_find_fluid(const skv_draft *draft, const skv_value *value, const char *path,

@@ -20,13 +20,18 @@
 #define COLOURED_CHROMA 40   /* from here on a pixel can be coloured, */
 #define COLOURED        0.2  /* and with this share of chroma in its highest channel it is */
 #define TINTED          0.45 /* where no paint is meant: paper, wood and lamplight are yellowish */
+#define YELLOW          45   /* degrees: oranges and browns have less */
 #define LIGHT           128  /* from here on a grey pixel is light */
 #define FLAT            24   /* channels that differ by less belong to one flat area */
 #define MEANT           3    /* pixels each way: a flat area as large was painted on purpose */
 #define REACH           2    /* pixels to where a stray colour finds what it belongs to */
 
-/* What a pixel is on its own. The first four are skv_paint. */
-enum { WRONG = 4 };
+/* What a pixel is on its own, beside a skv_paint. */
+enum { WRONG = SKV_PAINTS };
+
+/* In a painting that is being read: the place belongs to a flat area of oil. What else is yellow,
+ * as edges between green and red are, was not meant. */
+#define FLAT_OIL 0x80
 
 typedef struct colour {
     int r, g, b;
@@ -35,6 +40,7 @@ typedef struct colour {
 /* Position in the picture, top row first. */
 typedef struct place {
     const skv_image *image;
+    const uint8_t *paint; /* of the painting, row 0 at the bottom */
     int x, y;
 } place;
 
@@ -88,12 +94,22 @@ static int classify(colour c)
     if (h <= 15.0 || h >= 330.0)
         return SKV_PAINT_DRAIN;
     if (h < 75.0)
-        return chroma(c) < TINTED * highest(c) ? SKV_PAINT_NONE : WRONG;
+        return chroma(c) < TINTED * highest(c) ? SKV_PAINT_NONE
+               : h < YELLOW                    ? WRONG
+                                               : SKV_PAINT_OIL;
     if (h <= 165.0)
         return SKV_PAINT_EMITTER;
     if (h >= 170.0 && h <= 270.0)
         return SKV_PAINT_FLUID;
     return WRONG;
+}
+
+/* A pixel's meaning, but that yellow counts in flat areas alone. */
+static int class_at(place p, int x, int y)
+{
+    int class = classify(colour_at(p.image, x, y));
+    size_t at = (size_t)(p.image->height - 1 - y) * (size_t)p.image->width + (size_t)x;
+    return class == SKV_PAINT_OIL && !(p.paint[at] & FLAT_OIL) ? WRONG : class;
 }
 
 /* The 3 x 3 neighbourhood of a place, cut at the picture's sides; the place itself is included. */
@@ -147,9 +163,10 @@ static int resolve(place p)
         if (x < 0 || y < 0 || x >= p.image->width || y >= p.image->height)
             continue;
         colour c = colour_at(p.image, x, y);
-        if (classify(c) != WRONG && difference(own, c) < least) {
+        int class = class_at(p, x, y);
+        if (class != WRONG && difference(own, c) < least) {
             least = difference(own, c);
-            nearest = classify(c);
+            nearest = class;
         }
     }
     return nearest;
@@ -158,7 +175,7 @@ static int resolve(place p)
 static const char *name_colour(colour c)
 {
     double h = hue(c);
-    return h < 45.0    ? highest(c) < 200 ? "is brown" : "is orange"
+    return h < YELLOW  ? highest(c) < 200 ? "is brown" : "is orange"
            : h < 75.0  ? "is yellow"
            : h < 170.0 ? "is between green and blue"
            : h < 300.0 ? "is violet"
@@ -170,7 +187,7 @@ static skv_result fail_wrong(place p, const char *label, skv_error *error)
     colour c = colour_at(p.image, p.x, p.y);
     return skv_fail(error, SKV_ERROR_VALUE,
                     "%s: pixel (%d, %d) %s (#%02x%02x%02x); allowed are light (solid), dark "
-                    "(air), blue (fluid), green (emitter) and red (drain)",
+                    "(air), blue (fluid), yellow (oil), green (emitter) and red (drain)",
                     label, p.x, p.y, name_colour(c), (unsigned)c.r, (unsigned)c.g, (unsigned)c.b);
 }
 
@@ -190,7 +207,7 @@ static surroundings look_around(place p, int only)
     FOR_NEIGHBOURS(p, x, y)
     {
         colour c = colour_at(p.image, x, y);
-        int class = classify(c);
+        int class = class_at(p, x, y);
         if (class == SKV_PAINT_NONE) {
             s.light = s.light || value(c) >= LIGHT;
             s.dark = s.dark || value(c) < LIGHT;
@@ -252,19 +269,38 @@ static uint8_t uniform_share(place p, int class)
     return class == SKV_PAINT_NONE && light ? 255 : 0;
 }
 
+/* Marks the places of flat areas of yellow, as large as what is meant. */
+static void mark_oil(const skv_image *image, uint8_t *paint)
+{
+    for (int y = 0; y + MEANT <= image->height; y++)
+        for (int x = 0; x + MEANT <= image->width; x++) {
+            colour own = colour_at(image, x, y);
+            int flat = 0;
+            for (; flat < MEANT * MEANT; flat++) {
+                colour c = colour_at(image, x + flat % MEANT, y + flat / MEANT);
+                if (classify(c) != SKV_PAINT_OIL || difference(own, c) >= FLAT)
+                    break;
+            }
+            for (int i = 0; flat == MEANT * MEANT && i < flat; i++) {
+                size_t row = (size_t)(image->height - 1 - y - i / MEANT);
+                paint[row * (size_t)image->width + (size_t)(x + i % MEANT)] |= FLAT_OIL;
+            }
+        }
+}
+
 static skv_result read_pixels(const skv_image *image, const char *label, skv_painting *painting,
                               skv_error *error)
 {
     for (int y = 0; y < image->height; y++) {
         size_t row = (size_t)(image->height - 1 - y) * (size_t)image->width;
         for (int x = 0; x < image->width; x++) {
-            place p = {image, x, y};
-            int class = classify(colour_at(image, x, y));
+            place p = {image, painting->paint, x, y};
+            int class = class_at(p, x, y);
             if (class == WRONG)
                 class = resolve(p);
             if (class == WRONG)
                 return fail_wrong(p, label, error);
-            painting->paint[row + (size_t)x] = (uint8_t)class;
+            painting->paint[row + (size_t)x] |= (uint8_t) class;
             painting->count[class]++;
             painting->coverage[row + (size_t)x] =
                 is_uniform(p) ? uniform_share(p, class) : solid_share(p, class);
@@ -280,9 +316,13 @@ skv_result skv_paint_read(const skv_image *image, const char *label, skv_paintin
     size_t pixels = (size_t)image->width * (size_t)image->height;
     painting->coverage = skv_calloc(pixels, 1);
     painting->paint = skv_calloc(pixels, 1);
-    skv_result result = painting->coverage != NULL && painting->paint != NULL
-                            ? read_pixels(image, label, painting, error)
-                            : skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+    bool room = painting->coverage != NULL && painting->paint != NULL;
+    if (room)
+        mark_oil(image, painting->paint);
+    skv_result result = room ? read_pixels(image, label, painting, error)
+                             : skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+    for (size_t i = 0; result == SKV_OK && i < pixels; i++)
+        painting->paint[i] &= (uint8_t)~FLAT_OIL;
     if (result != SKV_OK)
         skv_painting_free(painting);
     return result;

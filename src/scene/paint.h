@@ -10,15 +10,17 @@ typedef enum skv_paint {
     SKV_PAINT_NONE, /* black to white */
     SKV_PAINT_FLUID,
     SKV_PAINT_EMITTER,
-    SKV_PAINT_DRAIN
+    SKV_PAINT_DRAIN,
+    SKV_PAINT_OIL, /* fluid, but another one */
+    SKV_PAINTS
 } skv_paint;
 
 /* A picture read as a world: row 0 at the BOTTOM, width * height bytes each. */
 typedef struct skv_painting {
     int width, height;
-    uint8_t *coverage; /* 0 = air, 255 = solid */
-    uint8_t *paint;    /* skv_paint */
-    int64_t count[4];  /* pixels of each skv_paint */
+    uint8_t *coverage;         /* 0 = air, 255 = solid */
+    uint8_t *paint;            /* skv_paint */
+    int64_t count[SKV_PAINTS]; /* pixels of each skv_paint */
 } skv_painting;
 
 /* Reads a picture's colours. Fails with SKV_ERROR_VALUE and the pixel, counted from the top left,

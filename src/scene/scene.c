@@ -51,10 +51,11 @@ static bool is_plain(const skv_shape *shape)
     return !is_moving(shape) && shape->dye == 0 && shape->fluid == 0;
 }
 
-/* Gives the fluid of shapes their speed and colour, and makes it theirs. */
+/* Gives the fluid of shapes their speed and colour, and makes it theirs; and what is painted as oil
+ * is oil. */
 static skv_result tend_fluid(const skv_scene *scene, skv_world *world, skv_error *error)
 {
-    bool special = false;
+    bool special = scene->marked[SKV_PAINT_OIL] > 0;
     for (int i = 0; i < scene->water.shape_count; i++)
         special |= !is_plain(&scene->water.shapes[i]);
     if (!special)
@@ -64,13 +65,15 @@ static skv_result tend_fluid(const skv_scene *scene, skv_world *world, skv_error
     skv_result result = SKV_OK;
     for (int i = 0; i < particles.count && result == SKV_OK; i++) {
         const skv_shape *shape = shape_near(&scene->water, particles.x[i], particles.y[i], slack);
-        if (shape == NULL)
+        bool oil = shape == NULL && skv_water_is_oil(&scene->water, particles.x[i], particles.y[i]);
+        if (shape == NULL && !oil)
             continue;
-        uint8_t dye = (uint8_t)shape->dye, fluid = (uint8_t)shape->fluid;
+        uint8_t dye = (uint8_t)(oil ? 0 : shape->dye);
+        uint8_t fluid = (uint8_t)(oil ? scene->oil : shape->fluid);
         result = skv_world_set_dyes(world, i, 1, &dye, error);
         if (result == SKV_OK)
             result = skv_world_set_fluids(world, i, 1, &fluid, error);
-        if (result == SKV_OK && is_moving(shape))
+        if (result == SKV_OK && shape != NULL && is_moving(shape))
             result = skv_world_add_velocity(world, i, 1, (float)shape->vx, (float)shape->vy, error);
     }
     return result;

@@ -16,9 +16,10 @@ struct skv_scene {
     double pixel_size; /* m */
     unsigned open_sides;
     skv_terrain *terrain;
-    uint8_t *coverage; /* width * height, row 0 at the bottom; until the terrain is made */
-    uint8_t *paint;    /* likewise, skv_paint; null if no picture was painted */
-    int64_t marked[4]; /* pixels of each skv_paint */
+    uint8_t *coverage;          /* width * height, row 0 at the bottom; until the terrain is made */
+    uint8_t *paint;             /* likewise, skv_paint; null if no picture was painted */
+    int64_t marked[SKV_PAINTS]; /* pixels of each skv_paint */
+    int oil;                    /* number of the fluid of yellow pixels, if there are any */
     skv_shape *solids;
     int solid_count;
     skv_water water;
@@ -38,6 +39,12 @@ struct skv_scene {
     uint8_t *recipe; /* recipe.h; null: none */
     size_t recipe_size;
 };
+
+/* Whether a picture has pixels of fluid. */
+static inline bool skv_scene_is_painted(const skv_scene *scene)
+{
+    return scene->marked[SKV_PAINT_FLUID] + scene->marked[SKV_PAINT_OIL] > 0;
+}
 
 /* Makes the scene that a draft's values describe, over a picture (null: none), whose pixels it
  * frees when they have served. On failure `*scene` is null. */

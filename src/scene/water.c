@@ -10,13 +10,28 @@
 #include "scene/fields.h"
 #include "scene/paint.h"
 
-static bool is_painted(const skv_water *water, double x, double y)
+/* What is painted at a point. */
+static int paint_at(const skv_water *water, double x, double y)
 {
     int column = (int)floor(x / water->pixel_size), row = (int)floor(y / water->pixel_size);
     if (column < 0 || row < 0 || column >= water->width || row >= water->height)
-        return false;
-    size_t pixel = (size_t)row * (size_t)water->width + (size_t)column;
-    return water->paint[pixel] == SKV_PAINT_FLUID;
+        return SKV_PAINT_NONE;
+    return water->paint[(size_t)row * (size_t)water->width + (size_t)column];
+}
+
+static bool is_wet(int paint)
+{
+    return paint == SKV_PAINT_FLUID || paint == SKV_PAINT_OIL;
+}
+
+static bool is_painted(const skv_water *water, double x, double y)
+{
+    return is_wet(paint_at(water, x, y));
+}
+
+bool skv_water_is_oil(const skv_water *water, float x, float y)
+{
+    return water->paint != NULL && paint_at(water, (double)x, (double)y) == SKV_PAINT_OIL;
 }
 
 const skv_shape *skv_water_shape_at(const skv_water *water, float x, float y)
@@ -70,11 +85,11 @@ static void extend_by_paint(box *bounds, const skv_water *water)
     for (int row = 0; row < water->height; row++) {
         const uint8_t *paint = water->paint + (size_t)row * (size_t)water->width;
         int first = 0, last = water->width - 1;
-        while (first < water->width && paint[first] != SKV_PAINT_FLUID)
+        while (first < water->width && !is_wet(paint[first]))
             first++;
         if (first == water->width)
             continue;
-        while (paint[last] != SKV_PAINT_FLUID)
+        while (!is_wet(paint[last]))
             last--;
         extend(bounds, first * size, row * size, (last + 1) * size, (row + 1) * size);
     }

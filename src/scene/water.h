@@ -24,6 +24,9 @@ void skv_water_set_bounds(skv_water *water);
 /* An skv_inside; `user` is a const skv_water. */
 bool skv_water_inside(float x, float y, void *user);
 
+/* Whether a point lies in a pixel that is painted as oil. */
+bool skv_water_is_oil(const skv_water *water, float x, float y);
+
 /* The last shape that holds a point, whose speed its particle takes; null for painted fluid. */
 const skv_shape *skv_water_shape_at(const skv_water *water, float x, float y);
 

@@ -81,10 +81,13 @@ static void test_meaning_of_flat_colours(void **state)
         {{250, 240, 200}, SOLID}, /* yellowish paper */
         {{245, 222, 179}, SOLID}, /* wheat */
         {{110, 95, 70}, AIR},     /* paper in the shade */
-        {{255, 255, 0}, BAD},
-        {{139, 69, 19}, BAD},  /* brown */
-        {{101, 67, 33}, BAD},  /* dark brown */
-        {{210, 105, 30}, BAD}, /* chocolate */
+        {{255, 255, 0}, SKV_PAINT_OIL},
+        {{255, 215, 0}, SKV_PAINT_OIL}, /* gold */
+        {{128, 128, 0}, SKV_PAINT_OIL}, /* olive */
+        {{184, 134, 11}, BAD},          /* dark goldenrod */
+        {{139, 69, 19}, BAD},           /* brown */
+        {{101, 67, 33}, BAD},           /* dark brown */
+        {{210, 105, 30}, BAD},          /* chocolate */
         {{255, 165, 0}, BAD},
         {{255, 0, 255}, BAD},
         {{148, 0, 211}, BAD},
@@ -117,17 +120,47 @@ static void test_a_wrong_colour_is_named(void **state)
     (void)state;
     skv_painting p;
     skv_error error;
-    rgb yellow = {255, 240, 0};
-    assert_int_equal(read(area, &yellow, &p, &error), SKV_ERROR_VALUE);
+    rgb orange = {255, 128, 0};
+    assert_int_equal(read(area, &orange, &p, &error), SKV_ERROR_VALUE);
     assert_string_equal(error.text,
-                        "p.png: pixel (6, 6) is yellow (#fff000); allowed are light (solid), dark "
-                        "(air), blue (fluid), green (emitter) and red (drain)");
+                        "p.png: pixel (6, 6) is orange (#ff8000); allowed are light (solid), dark "
+                        "(air), blue (fluid), yellow (oil), green (emitter) and red (drain)");
 }
 
 /* One pixel on black. */
 static rgb single(int x, int y, void *user)
 {
     return x == 3 && y == 12 ? *(rgb *)user : black;
+}
+
+/* Yellow is oil where an area of it was painted, with its soft edge; specks of it are not. */
+static rgb oil_in_water(int x, int y, void *user)
+{
+    (void)user;
+    const rgb yellow = {255, 230, 0};
+    if (x == 2 && y == 2)
+        return yellow;
+    if (y < 6)
+        return black;
+    return x < 7 ? yellow : x == 7 ? mix(yellow, blue, 0.7) : blue;
+}
+
+static void test_yellow_is_oil_in_areas(void **state)
+{
+    (void)state;
+    skv_painting p;
+    skv_error error;
+    assert_int_equal(read(oil_in_water, NULL, &p, &error), SKV_OK);
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            int expected = y < 6 ? SKV_PAINT_NONE : x < 8 ? SKV_PAINT_OIL : SKV_PAINT_FLUID;
+            if (p.paint[(SIZE - 1 - y) * SIZE + x] != expected)
+                fail_msg("(%d, %d) is %d", x, y, p.paint[(SIZE - 1 - y) * SIZE + x]);
+            /* A light speck is solid, as one of any colour is. */
+            assert_int_equal(p.coverage[(SIZE - 1 - y) * SIZE + x], x == 2 && y == 2 ? 255 : 0);
+        }
+    assert_true(p.count[SKV_PAINT_OIL] == 8 * (SIZE - 6));
+    skv_painting_free(&p);
 }
 
 /* A speck of a wrong colour is what the most similar pixel beside it is. */
@@ -429,6 +462,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_meaning_of_flat_colours),
         cmocka_unit_test(test_a_wrong_colour_is_named),
+        cmocka_unit_test(test_yellow_is_oil_in_areas),
         cmocka_unit_test(test_a_stray_pixel_joins_its_neighbours),
         cmocka_unit_test(test_what_counts_as_a_blend),
         cmocka_unit_test(test_walls_stay_sub_pixel),

@@ -173,13 +173,79 @@ static void materials_are_as_they_are(void **unused)
     skv_scene_destroy(scene);
 }
 
+/* Blue up to a third, yellow above it, green over both. */
+static rgb paint_layers(int x, int y, void *user)
+{
+    (void)user;
+    if (y < 10 && x > 40 && x < 60)
+        return (rgb){0, 255, 0};
+    return y > 80 ? (rgb){0, 0, 255} : y > 60 ? (rgb){255, 255, 0} : (rgb){0, 0, 0};
+}
+
+static skv_result load_layers(const skv_setting *settings, int count, skv_scene **scene,
+                              skv_error *error)
+{
+    buffer picture = write_rgb(120, 120, paint_layers, NULL);
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = 300;
+    options.settings = settings;
+    options.setting_count = count;
+    skv_result result =
+        skv_scene_load_memory(picture.data, picture.size, "png", "p.png", &options, scene, error);
+    buffer_free(&picture);
+    return result;
+}
+
+/* Yellow pixels are the fluid named oil, which is there without being listed. */
+static void yellow_is_painted_oil(void **unused)
+{
+    (void)unused;
+    const skv_setting own[] = {
+        {"fluids[0].name", "milk"}, {"fluids[1].name", "oil"}, {"fluids[1].density", "700"}};
+    for (int listed = 0; listed < 2; listed++) {
+        skv_scene *scene;
+        skv_world *world;
+        skv_error error;
+        if (load_layers(own, listed ? 3 : 0, &scene, &error) != SKV_OK ||
+            skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+            fail_msg("%s", error.text);
+        int oil = listed ? 2 : 1;
+        assert_string_equal(skv_world_liquid(world, oil)->name, "oil");
+        assert_true(skv_world_liquid(world, oil)->density == (listed ? 700 : 911));
+        assert_null(skv_world_liquid(world, oil + 1));
+        skv_stats water = skv_world_fluid_stats(world, 0), top = skv_world_fluid_stats(world, oil);
+        /* 39 rows of pixels of water, 20 of oil. */
+        assert_in_range(water.particles, 180, 215);
+        assert_int_equal(water.particles + top.particles, 300);
+        assert_true(top.centre_y > 1.6 * 45 / 120 && water.centre_y < 1.6 * 25 / 120);
+        skv_world_destroy(world);
+        skv_scene_destroy(scene);
+    }
+    skv_setting seven[7];
+    const char *const paths[] = {"fluids[0].name", "fluids[1].name", "fluids[2].name",
+                                 "fluids[3].name", "fluids[4].name", "fluids[5].name",
+                                 "fluids[6].name"};
+    for (int i = 0; i < 7; i++)
+        seven[i] = (skv_setting){paths[i], paths[i]};
+    skv_scene *scene;
+    skv_error error;
+    assert_int_equal(load_layers(seven, 7, &scene, &error), SKV_ERROR_LIMIT);
+    assert_string_equal(error.text,
+                        "p.png: its yellow pixels are oil, one fluid too many; name one "
+                        "of the scene's 7 fluids \"oil\"");
+    const skv_setting light = {"fluid.density", "20"};
+    assert_int_equal(load_layers(&light, 1, &scene, &error), SKV_ERROR_VALUE);
+    assert_string_equal(error.text,
+                        "p.png: fluid 1: its density is 911 kg/m^2; allowed is 0.01 to 20 "
+                        "times that of the first fluid, 0.2..400 kg/m^2");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fluids_arrive),
-        cmocka_unit_test(what_is_wrong_is_told),
-        cmocka_unit_test(eight_are_all),
-        cmocka_unit_test(materials_are_as_they_are),
+        cmocka_unit_test(fluids_arrive),         cmocka_unit_test(what_is_wrong_is_told),
+        cmocka_unit_test(eight_are_all),         cmocka_unit_test(materials_are_as_they_are),
+        cmocka_unit_test(yellow_is_painted_oil),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
