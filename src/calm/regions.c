@@ -151,14 +151,22 @@ static void put_into_cells(regions *b)
         b->cells[c].mass /= (float)b->cells[c].count;
 }
 
-/* Whether no wall stands between the fluid of two cells. */
+/* Whether no wall stands between the fluid of two cells. Round the corner of a wall that cuts one
+ * of them, its first particle may not see what its highest does. */
 static bool touch(const regions *b, const cell *a, const cell *c)
 {
     const skv_state *s = &b->world->state;
     const skv_terrain *terrain = b->world->terrain;
-    float x = s->x[a->particle], y = s->y[a->particle];
-    return skv_terrain_distance(terrain, x, y) > WALL_REACH * b->world->fluid.spacing ||
-           !(skv_terrain_sweep(terrain, x, y, s->x[c->particle], s->y[c->particle], 0) < 1);
+    const int from[2] = {a->particle, a->highest}, to[2] = {c->particle, c->highest};
+    if (skv_terrain_distance(terrain, s->x[from[0]], s->y[from[0]]) >
+        WALL_REACH * b->world->fluid.spacing)
+        return true;
+    for (int k = 0; k < 4; k++) {
+        int p = from[k / 2], q = to[k % 2];
+        if (!(skv_terrain_sweep(terrain, s->x[p], s->y[p], s->x[q], s->y[q], 0) < 1))
+            return true;
+    }
+    return false;
 }
 
 /* Looks for the cell at a side of another with fluid that touches its fluid. A cell that is cut by
