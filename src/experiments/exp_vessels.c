@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* Seconds are those of scale 1. */
-enum { VESSELS = 3, GAUGES = 3, RUN = 14, END = 2 };
+enum { VESSELS = 3, GAUGES = 3, RUN = 20, END = 2 };
 enum { C_LEVEL, C_RUN };
 enum { LEVEL, HEAD };
 
