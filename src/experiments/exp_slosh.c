@@ -2,9 +2,8 @@
  *
  * Gravity is tilted until the surface rests at the wanted slope, then turns upright. The swing is
  * read from the mean x of all fluid, which follows the lowest wave and ignores the shorter ones
- * that a straight slope also contains. Theory gets the depth that gauges read just before: the fill
- * keeps a little away from walls and its weight compresses it, so it is less than what was asked
- * for.
+ * that a straight slope also contains. Theory gets the depth that gauges read just before: weight
+ * compresses the water, so it is less than what was asked for.
  */
 #include "experiments/experiment.h"
 #include "experiments/oscillation.h"

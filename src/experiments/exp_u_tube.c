@@ -4,8 +4,8 @@
  * turns upright. The level of an arm is its content over its width. Period from the first four half
  * swings; the final difference of the levels from gauges, over a whole swing after all that can be
  * seen: what is left of them then cancels.
- * Theory gets the level that the gauges read then: the fill keeps a little away from walls and its
- * weight compresses it, so it stands lower than the shapes that were filled.
+ * Theory gets the level that the gauges read then: weight compresses the water, so it stands lower
+ * than the shapes that were filled.
  */
 #include "experiments/experiment.h"
 #include "experiments/oscillation.h"

@@ -167,8 +167,7 @@ skv_result skv_rig_write(const rig *s, skv_write *write, void *user, skv_error *
                           error);
 }
 
-/* The spacing of a plan whose water fills its shapes: that of the world is less, for a fill keeps a
- * little away from walls. */
+/* The spacing of a plan whose water fills its shapes, but for what walls cover. */
 static void draw_outline(rig *s, const rig_plan *plan)
 {
     double share = plan->share > 0 ? plan->share : 1;

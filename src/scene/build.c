@@ -8,6 +8,7 @@
 
 #include "base/memory.h"
 #include "scene/fluids.h"
+#include "scene/lay.h"
 #include "scene/notes.h"
 #include "scene/raster.h"
 #include "scene/scene_data.h"
@@ -386,7 +387,7 @@ static skv_result build_water(builder *c, const skv_terrain *terrain)
         skv_scene_note(scene, "no blue pixel: the lower part starts as water");
     }
     skv_water_set_bounds(water);
-    return SKV_OK;
+    return skv_lay_measure(water, terrain, c->error);
 }
 
 static skv_result fail_no_fit(const builder *c)
@@ -405,65 +406,60 @@ static skv_result fail_no_fit(const builder *c)
                           "has no room for a particle; it lies in solid or is too small");
 }
 
+/* How many particles the water is made of at a spacing: each takes the spacing's square. */
+static double count_at(const builder *c, double spacing)
+{
+    return floor(c->scene->water.area / (spacing * spacing) + 0.5);
+}
+
 /* The spacing was given: the number of particles follows. */
-static skv_result count_particles(builder *c, const skv_terrain *terrain)
+static skv_result count_particles(builder *c)
 {
     skv_scene *scene = c->scene;
-    const skv_water *water = &scene->water;
-    scene->particles =
-        skv_water_count_to(water, terrain, scene->def.fluid.spacing, SKV_MAX_PARTICLES + 1);
-    if (scene->particles <= SKV_MAX_PARTICLES)
-        return scene->particles > 0 ? SKV_OK : fail_no_fit(c);
-    double area = ((double)water->x1 - (double)water->x0) * ((double)water->y1 - (double)water->y0);
+    double count = count_at(c, (double)scene->def.fluid.spacing);
+    if (count <= SKV_MAX_PARTICLES) {
+        scene->particles = (int)count;
+        return count > 0 ? SKV_OK : fail_no_fit(c);
+    }
     char message[120], enough[32];
-    /* A particle takes a spacing's square; a little more for what begins at the box's sides. */
-    skv_format_number(ceil(1.01e5 * sqrt(area / SKV_MAX_PARTICLES)) * 1e-5, enough);
+    skv_format_number(ceil(1e5 * sqrt(scene->water.area / SKV_MAX_PARTICLES)) * 1e-5, enough);
     skv_format(message, sizeof message,
                "makes more than %d particles, which are allowed; with %s m it does not",
                SKV_MAX_PARTICLES, enough);
     return fail(c, SKV_F_FLUID_SPACING, SKV_ERROR_LIMIT, message);
 }
 
-/* Chooses the spacing for a number that nobody asked for, which gives way where it does not fit:
- * the spacing is at least 1/400 of the width, so that a few blue pixels do not become dust, unless
- * nothing fits then; and it is at most the largest allowed. */
-static skv_result choose_freely(builder *c, const skv_terrain *terrain, float least, int wanted)
+/* The number of particles is wanted: the spacing follows. A number that nobody asked for gives way
+ * where it does not fit: the spacing is at least 1/400 of the width, so that a few blue pixels do not
+ * become dust, unless nothing fits then; and it is at most the largest allowed. */
+static skv_result choose_spacing(builder *c)
 {
     skv_scene *scene = c->scene;
-    float coarse = (float)(scene->width * scene->pixel_size / 400.0);
-    int count = 0;
-    skv_result result = SKV_OK;
-    for (int i = coarse > least ? 0 : 1; i < 2 && count == 0; i++)
-        result = skv_water_choose_spacing(&scene->water, terrain, wanted, i == 0 ? coarse : least,
-                                          &scene->def.fluid.spacing, &count);
-    scene->particles = result == SKV_OK && count > wanted ? wanted : count;
-    return count > 0 ? SKV_OK : fail_no_fit(c);
-}
-
-/* The number of particles is wanted: the spacing follows. */
-static skv_result choose_spacing(builder *c, const skv_terrain *terrain)
-{
-    skv_scene *scene = c->scene;
-    float least = (float)skv_scene_fields(NULL)[SKV_F_FLUID_SPACING].minimum;
-    int wanted = (int)c->value[SKV_F_PARTICLES].number, count;
-    if (!is_given(c, SKV_F_PARTICLES))
-        return choose_freely(c, terrain, least, wanted);
-    skv_result result = skv_water_choose_spacing(&scene->water, terrain, wanted, least,
-                                                 &scene->def.fluid.spacing, &count);
-    if (count == 0)
+    const skv_field *field = &skv_scene_fields(NULL)[SKV_F_FLUID_SPACING];
+    double wanted = c->value[SKV_F_PARTICLES].number, spacing = sqrt(scene->water.area / wanted);
+    double fewest = skv_max(1, count_at(c, field->maximum));
+    double most = skv_min(count_at(c, field->minimum), SKV_MAX_PARTICLES);
+    if (most < 1)
         return fail_no_fit(c);
-    if (result == SKV_OK && count >= wanted) {
-        scene->particles = wanted;
-        return SKV_OK;
+    if (is_given(c, SKV_F_PARTICLES) && (wanted < fewest || wanted > most)) {
+        char message[160];
+        skv_format(message, sizeof message, "%.0f %s; allowed are %.0f to %.0f", wanted,
+                   wanted < fewest ? "are too few for this much fluid"
+                                   : "do not fit into this little fluid",
+                   fewest, most);
+        return fail(c, SKV_F_PARTICLES, wanted < fewest ? SKV_ERROR_VALUE : SKV_ERROR_LIMIT,
+                    message);
     }
-    int fewest, most;
-    skv_water_count_range(&scene->water, terrain, &fewest, &most);
-    char message[160];
-    skv_format(message, sizeof message, "%d %s; allowed are %d to %d", wanted,
-               result != SKV_OK ? "are too few for this much fluid"
-                                : "do not fit into this little fluid",
-               fewest, most);
-    return fail(c, SKV_F_PARTICLES, result != SKV_OK ? SKV_ERROR_VALUE : SKV_ERROR_LIMIT, message);
+    if (!is_given(c, SKV_F_PARTICLES)) {
+        double coarse = scene->width * scene->pixel_size / 400.0;
+        if (spacing < coarse && count_at(c, coarse) > 0)
+            spacing = coarse;
+        spacing = skv_max(field->minimum, skv_min(spacing, field->maximum));
+        wanted = count_at(c, spacing);
+    }
+    scene->def.fluid.spacing = (float)spacing;
+    scene->particles = (int)wanted;
+    return SKV_OK;
 }
 
 /* An empty scene is as fine as if its lower half were full, and then loses that fluid. */
@@ -474,7 +470,7 @@ static void take_water_out(skv_scene *scene)
     scene->particles = 0;
 }
 
-static skv_result build_particles(builder *c, const skv_terrain *terrain)
+static skv_result build_particles(builder *c)
 {
     skv_source number = c->value[SKV_F_PARTICLES].origin.source;
     skv_source spacing = c->value[SKV_F_FLUID_SPACING].origin.source;
@@ -482,7 +478,7 @@ static skv_result build_particles(builder *c, const skv_terrain *terrain)
     if (spacing != SKV_FROM_DEFAULT && (number == spacing || both_set))
         return fail(c, SKV_F_PARTICLES, SKV_ERROR_VALUE,
                     "follows from fluid.spacing; give only one of them");
-    skv_result result = spacing > number ? count_particles(c, terrain) : choose_spacing(c, terrain);
+    skv_result result = spacing > number ? count_particles(c) : choose_spacing(c);
     c->scene->amount = c->scene->particles;
     if (is_empty(c))
         take_water_out(c->scene);
@@ -565,7 +561,7 @@ static skv_result build(builder *c, skv_image *picture)
     const skv_terrain *terrain = c->scene->terrain;
     result = build_water(c, terrain);
     if (result == SKV_OK)
-        result = build_particles(c, terrain);
+        result = build_particles(c);
     if (result == SKV_OK)
         result = check_walls(c, terrain);
     c->scene->settle = c->value[SKV_F_SETTLE].number != 0.0;

@@ -4,6 +4,7 @@
  */
 #include "base/assert.h"
 #include "base/memory.h"
+#include "scene/lay.h"
 #include "scene/scene_data.h"
 #include "skvalp/particles.h"
 
@@ -79,18 +80,31 @@ static skv_result tend_fluid(const skv_scene *scene, skv_world *world, skv_error
     return result;
 }
 
+/* Adds the particles that a scene begins with. */
+static skv_result add_fluid(const skv_scene *scene, skv_world *world, skv_error *error)
+{
+    size_t count = (size_t)scene->particles;
+    float *x = skv_malloc(2 * count, sizeof *x);
+    if (x == NULL)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the fluid");
+    float *y = x + count;
+    skv_result result = skv_lay(&scene->water, scene->terrain, scene->def.fluid.spacing,
+                                scene->particles, x, y, error);
+    for (int i = 0; i < scene->particles && result == SKV_OK; i++)
+        result = skv_world_add_particle(world, x[i], y[i], 0, 0, error);
+    skv_free(x);
+    return result;
+}
+
 skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *error)
 {
     SKV_ASSERT_OR(scene != NULL && world != NULL, SKV_ERROR_VALUE);
     skv_water water = scene->water; /* the callback's user pointer is not constant */
-    skv_fill_def def = skv_water_fill_def(&water);
-    def.limit = scene->particles;
-    skv_result result = scene->particles > 0 ? skv_world_fill(world, &def, NULL, error) : SKV_OK;
+    skv_result result = scene->particles > 0 ? add_fluid(scene, world, error) : SKV_OK;
     if (result == SKV_OK)
         result = tend_fluid(scene, world, error);
     if (result == SKV_OK)
         result = skv_scene_set_acting(scene, world, error);
-    water.thinning = 0; /* which is not drawn */
     if (result == SKV_OK && scene->settle)
         result = skv_world_settle_drawn(world, skv_water_inside, &water, error);
     return result;

@@ -30,7 +30,7 @@ static const struct {
     {{"lab", "--plot", "-"}, {"--plot: '-'", "name a folder"}},
     {{"lab", "--plot", "none/a"}, {"none/a", "name another folder"}},
     {{"lab", "--seconds", "1"}, {"--seconds: 'lab' does not take it", "lab --help"}},
-    {{"lab", "u-tube", "--set", "particles=200"}, {"u-tube.arm", "take particles=500 or more"}},
+    {{"lab", "u-tube", "--set", "particles=200"}, {"u-tube.arm", "take particles=600 or more"}},
     {{"bench", "pool"}, {"bench: it takes no name", "use run"}},
     {{"bench", "--seconds", "1"}, {"--seconds: 'bench' does not take it", "bench --help"}},
     {{"bench", "--particles", "10"}, {"--particles: '10' is out of range", "1000 to 2000000"}},

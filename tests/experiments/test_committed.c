@@ -57,7 +57,7 @@ static int starts(void)
 static int particles_of(const char *name)
 {
     bool few = strcmp(name, "vessels") != 0 && strcmp(name, "orifice") != 0;
-    return few && !long_tests() ? 600 : 1500;
+    return few && !long_tests() ? 700 : 1500;
 }
 
 /* Takes a start of an experiment into its lines; returns their number. */

@@ -31,7 +31,7 @@ static void check_refused(skv_result result, const skv_scene *scene, const skv_e
     assert_int_equal(result, SKV_ERROR_LIMIT);
 }
 
-/* A billion particles are not counted one by one: no more places are visited than are allowed. */
+/* A billion particles are not laid before they are counted. */
 static void test_too_fine_a_spacing(void **state)
 {
     (void)state;
@@ -43,8 +43,8 @@ static void test_too_fine_a_spacing(void **state)
                   NULL, &scene, &error);
     check_refused(result, scene, &error,
                   "a.json:1: fluid.spacing: makes more than 2000000 particles, which are allowed; "
-                  "with 0.01143 m it does not");
-    result = load_text("{ \"fluid\": { \"spacing\": 0.01143 },\n  \"world\": { \"width\": 16, "
+                  "with 0.01132 m it does not");
+    result = load_text("{ \"fluid\": { \"spacing\": 0.01132 },\n  \"world\": { \"width\": 16, "
                        "\"height\": 16, \"pixel\": 0.1 }, \"water\": [ { \"shape\": \"box\" } ] }",
                        NULL, &scene, &error);
     assert_int_equal(result, SKV_OK);
@@ -73,7 +73,7 @@ static void test_too_fine_walls(void **state)
     skv_result result =
         skv_scene_load_memory(picture.data, picture.size, "png", "c.png", &options, &scene, &error);
     check_refused(result, scene, &error,
-                  "c.png: its walls are too fine for a fluid with a radius of 2.93 mm: they take "
+                  "c.png: its walls are too fine for a fluid with a radius of 3.98 mm: they take "
                   "more than 32768 blocks; choose fewer particles or a wider spacing, or shorter "
                   "walls");
     assert_true(largest < 16 << 20);
