@@ -15,6 +15,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "scene/paint.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -39,24 +40,36 @@ typedef struct stretch {
     int part; /* the first stretch of the part */
 } stretch;
 
+/* Which fluid is looked for: a number of the scene's, what is painted as oil, or whichever. */
+enum { PAINTED_OIL = SKV_MAX_FLUIDS, FLUIDS, ANY = -1 };
+
 /* What looks for fluid along lines. */
 typedef struct scanner {
     skv_water water; /* a copy: its callback's user pointer is not constant */
     const skv_terrain *terrain;
+    int fluid;     /* looked for; ANY: whichever */
     float step;    /* of the search, m */
     stretch *list; /* those of the lines at hand */
     int count, capacity;
     bool out_of_memory;
 } scanner;
 
-static scanner make_scanner(const skv_water *water, const skv_terrain *terrain)
+static scanner make_scanner(const skv_water *water, const skv_terrain *terrain, int fluid)
 {
     float pixel = skv_terrain_pixel_size(terrain), step = (water->x1 - water->x0) / STEPS;
-    return (scanner){
-        .water = *water, .terrain = terrain, .step = water->paint ? skv_minf(step, pixel) : step};
+    return (scanner){.water = *water,
+                     .terrain = terrain,
+                     .fluid = fluid,
+                     .step = water->paint ? skv_minf(step, pixel) : step};
 }
 
 /* ---- Lines ----------------------------------------------------------------------------------- */
+
+static int fluid_at(const skv_water *water, float x, float y)
+{
+    const skv_shape *shape = skv_water_shape_at(water, x, y);
+    return shape ? shape->fluid : skv_water_is_oil(water, x, y) ? PAINTED_OIL : 0;
+}
 
 /* Whether there is fluid, and how far at least the next edge of a wall is along the line. */
 static bool is_wet(scanner *scan, float x, float y, float *room)
@@ -64,7 +77,8 @@ static bool is_wet(scanner *scan, float x, float y, float *room)
     float distance = skv_terrain_distance(scan->terrain, x, y);
     /* A sampled distance falls by at most sqrt(2) a pixel. */
     *room = 0.7f * fabsf(distance);
-    return distance > 0 && skv_water_inside(x, y, &scan->water);
+    return distance > 0 && skv_water_inside(x, y, &scan->water) &&
+           (scan->fluid == ANY || fluid_at(&scan->water, x, y) == scan->fluid);
 }
 
 /* The wet side of the edge between two points, of which one is dry. */
@@ -128,28 +142,40 @@ static double sum_lengths(const scanner *scan)
     return sum;
 }
 
-skv_result skv_lay_measure(skv_water *water, const skv_terrain *terrain, skv_error *error)
+/* Sets the water's area, and where it begins and ends, to those of the fluid looked for. */
+static void measure(scanner *scan)
 {
-    scanner scan = make_scanner(water, terrain);
+    skv_water *water = &scan->water;
     double y0 = (double)water->y0, height = (double)water->y1 - y0;
-    double lines = 2 * height / (double)skv_terrain_pixel_size(terrain);
+    double lines = 2 * height / (double)skv_terrain_pixel_size(scan->terrain);
     int count = (int)skv_max(LEAST_LINES, skv_min(ceil(lines), MOST_LINES));
     double row = height / count;
     water->area = 0;
     water->low = water->y1;
     water->high = water->y0;
     for (int i = 0; i < count && height > 0; i++) {
-        scan.count = 0;
-        scan_line(&scan, (float)(y0 + (i + 0.5) * row), i);
-        water->area += row * sum_lengths(&scan);
-        if (scan.count) {
+        scan->count = 0;
+        scan_line(scan, (float)(y0 + (i + 0.5) * row), i);
+        water->area += row * sum_lengths(scan);
+        if (scan->count) {
             water->low = skv_minf(water->low, (float)(y0 + i * row));
             water->high = (float)(y0 + (i + 1) * row);
         }
     }
+}
+
+static skv_result fail_memory(skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the fluid");
+}
+
+skv_result skv_lay_measure(skv_water *water, const skv_terrain *terrain, skv_error *error)
+{
+    scanner scan = make_scanner(water, terrain, ANY);
+    measure(&scan);
+    *water = scan.water;
     skv_free(scan.list);
-    return scan.out_of_memory ? skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the fluid")
-                              : SKV_OK;
+    return scan.out_of_memory ? fail_memory(error) : SKV_OK;
 }
 
 /* ---- Parts ----------------------------------------------------------------------------------- */
@@ -207,14 +233,16 @@ typedef struct edge {
 typedef struct handed {
     float x0, x1;
     double remainder; /* particles */
+    int count;        /* of its part's particles */
 } handed;
 
 typedef struct laying {
     scanner scan;
     cut c;
     float spacing;
-    edge *edges;   /* of a band, part by part, from left to right */
-    double *room;  /* of a part, at its first stretch: particles */
+    edge *edges;  /* of a band, part by part, from left to right */
+    double *room; /* of a part, at its first stretch: particles */
+    int *counts; /* of a part, likewise: its particles; before it is laid, those of the one below */
     int *crossed;  /* of each line of a band: the stretch that is being passed; -1: none */
     handed *below; /* what the last band hands on */
     int below_count;
@@ -332,9 +360,10 @@ static void take_over(laying *w)
         const handed *h = &w->below[k];
         while (i < w->scan.count && s[i].line == 0 && s[i].x1 <= h->x0)
             i++;
-        if (i < w->scan.count && s[i].line == 0 && s[i].x0 < h->x1)
+        if (i < w->scan.count && s[i].line == 0 && s[i].x0 < h->x1) {
             w->room[s[i].part] += h->remainder;
-        else
+            w->counts[s[i].part] = h->count;
+        } else
             w->pool += h->remainder;
     }
 }
@@ -347,7 +376,8 @@ static void hand_on(laying *w)
     w->below_count = 0;
     for (int i = 0; i < w->scan.count; i++)
         if (s[i].line == w->c.lines - 1) {
-            w->below[w->below_count++] = (handed){s[i].x0, s[i].x1, w->room[s[i].part]};
+            w->below[w->below_count++] =
+                (handed){s[i].x0, s[i].x1, w->room[s[i].part], w->counts[s[i].part]};
             w->room[s[i].part] = 0;
         }
     for (int i = 0; i < w->scan.count; i++)
@@ -369,6 +399,19 @@ static void note_row(laying *w, int from)
     qsort(w->row_below, (size_t)w->row_below_count, sizeof *w->row_below, compare_places);
 }
 
+/* How many particles a part gets. As many as the part below has make a lattice with it. Fluids laid
+ * apart keep them while that is off by a particle at most, for heavy fluid over light is not put in
+ * order by settling, and sinks farther the less order there is; a pool is as calm without. The last
+ * band leaves no remainder. */
+static int count_for(const laying *w, int band, int part, double room)
+{
+    double count = floor(room + 0.5);
+    if (w->scan.fluid != ANY && band != w->c.last && w->counts[part] > 0 &&
+        fabs(room - w->counts[part]) <= 1)
+        count = w->counts[part];
+    return (int)skv_max(0, skv_min(count, w->count - w->laid));
+}
+
 /* Lays the part whose edges begin at `from`; returns where those of the next one do. */
 static int lay_next(laying *w, int band, int from)
 {
@@ -379,12 +422,13 @@ static int lay_next(laying *w, int band, int from)
         length += 0.5 * ((double)own->x1 - (double)own->x0);
     }
     double room = length / w->c.quota + w->room[part] + w->pool;
-    int count = (int)skv_max(0, skv_min(floor(room + 0.5), w->count - w->laid));
+    int count = count_for(w, band, part, room);
     if (count > 0)
         lay_part(w, band, &(parcel){w->edges + from, to - from, length, count});
     /* In the last band nothing lies above: the last part of all takes what remains. */
     w->pool = band == w->c.last ? room - count : 0;
     w->room[part] = band == w->c.last ? 0 : room - count;
+    w->counts[part] = count;
     return to;
 }
 
@@ -397,6 +441,7 @@ static void lay_band(laying *w, int band)
     const stretch *s = w->scan.list;
     for (int i = 0; i < w->scan.count; i++) {
         w->room[i] = 0;
+        w->counts[i] = 0;
         w->edges[2 * i] = (edge){s[i].x0, i, s[i].part};
         w->edges[2 * i + 1] = (edge){s[i].x1, i, s[i].part};
     }
@@ -429,18 +474,19 @@ static void make_cut(laying *w)
         c->last = w->scan.count ? i : c->last;
         length += sum_lengths(&w->scan);
     }
-    c->quota = length / w->count;
+    c->quota = length / (w->count - w->laid);
 }
 
-static skv_result lay_all(laying *w, skv_error *error)
+static skv_result lay_cut(laying *w, skv_error *error)
 {
     size_t most = (size_t)w->scan.capacity;
     w->edges = skv_malloc(2 * most, sizeof *w->edges);
     w->room = skv_malloc(most, sizeof *w->room);
+    w->counts = skv_malloc(most, sizeof *w->counts);
     w->below = skv_malloc(most, sizeof *w->below);
-    w->row_below = skv_malloc((size_t)w->count, sizeof *w->row_below);
+    w->row_below = skv_malloc((size_t)(w->count - w->laid), sizeof *w->row_below);
     w->crossed = skv_malloc((size_t)w->c.lines, sizeof *w->crossed);
-    bool complete = w->edges && w->room && w->below && w->row_below && w->crossed;
+    bool complete = w->edges && w->room && w->counts && w->below && w->row_below && w->crossed;
     for (int k = 0; complete && k < w->c.lines; k++)
         w->crossed[k] = -1;
     for (int i = 0; complete && i < w->c.bands; i++)
@@ -448,22 +494,79 @@ static skv_result lay_all(laying *w, skv_error *error)
     skv_free(w->crossed);
     skv_free(w->row_below);
     skv_free(w->below);
+    skv_free(w->counts);
     skv_free(w->room);
     skv_free(w->edges);
-    return complete ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the fluid");
+    return complete ? SKV_OK : fail_memory(error);
+}
+
+/* Lays `count` particles of the fluid looked for after those that are laid, and is done with the
+ * scanner. */
+static skv_result lay_fluid(laying *w, const scanner *scan, int count, skv_error *error)
+{
+    w->scan = *scan;
+    w->c = (cut){0};
+    w->count = w->laid + count;
+    w->below_count = w->row_below_count = 0;
+    w->pool = 0;
+    skv_result result = SKV_OK;
+    if (count > 0) {
+        make_cut(w);
+        result = w->scan.out_of_memory ? fail_memory(error)
+                 : !(w->c.quota > 0)   ? skv_fail(error, SKV_ERROR_VALUE,
+                                                  "water: is too thin for particles; draw more of it")
+                                       : lay_cut(w, error);
+    }
+    skv_free(w->scan.list);
+    return result;
+}
+
+/* Each fluid has rows of its own, so that it has its own mass, and the lower edge of one is no
+ * row's middle. */
+static skv_result lay_apart(laying *w, const skv_water *water, const skv_terrain *terrain,
+                            int count, skv_error *error)
+{
+    scanner own[FLUIDS];
+    double total = 0, passed = 0;
+    int last = 0;
+    for (int fluid = 0; fluid < FLUIDS; fluid++) {
+        own[fluid] = make_scanner(water, terrain, fluid);
+        measure(&own[fluid]);
+        total += own[fluid].water.area;
+        last = own[fluid].water.area > 0 ? fluid : last;
+    }
+    skv_result result = SKV_OK;
+    for (int fluid = 0; fluid < FLUIDS; fluid++) {
+        passed += own[fluid].water.area;
+        int until = fluid < last ? (int)floor(passed / total * count + 0.5) : count;
+        if (result == SKV_OK)
+            result = lay_fluid(w, &own[fluid], until - w->laid, error);
+        else
+            skv_free(own[fluid].list);
+    }
+    return result;
+}
+
+static bool has_several_fluids(const skv_water *water)
+{
+    size_t pixels = (size_t)water->width * (size_t)water->height;
+    for (size_t i = 0; water->paint && i < pixels; i++)
+        if (water->paint[i] == SKV_PAINT_OIL)
+            return true;
+    bool plain = water->paint || water->level > 0;
+    int first = plain || water->shape_count == 0 ? 0 : water->shapes[0].fluid;
+    for (int i = 0; i < water->shape_count; i++)
+        if (water->shapes[i].fluid != first)
+            return true;
+    return false;
 }
 
 skv_result skv_lay(const skv_water *water, const skv_terrain *terrain, float spacing, int count,
                    float *x, float *y, skv_error *error)
 {
-    laying w = {
-        .scan = make_scanner(water, terrain), .spacing = spacing, .x = x, .y = y, .count = count};
-    make_cut(&w);
-    skv_result result =
-        w.scan.out_of_memory ? skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the fluid")
-        : !(w.c.quota > 0)
-            ? skv_fail(error, SKV_ERROR_VALUE, "water: is too thin for particles; draw more of it")
-            : lay_all(&w, error);
-    skv_free(w.scan.list);
-    return result;
+    laying w = {.spacing = spacing, .x = x, .y = y};
+    if (has_several_fluids(water))
+        return lay_apart(&w, water, terrain, count, error);
+    scanner scan = make_scanner(water, terrain, ANY);
+    return lay_fluid(&w, &scan, count, error);
 }

@@ -159,6 +159,25 @@ static void each_vessel_has_its_own(void **unused)
     }
 }
 
+/* Of two fluids, one over the other, neither gets particles of the other. */
+static void each_fluid_has_its_own(void **unused)
+{
+    (void)unused;
+    const char *text = "{\"settle\": false, \"fluids\": [{\"name\": \"oil\", \"density\": 800}],"
+                       "\"water\": [{\"shape\": \"box\", \"y1\": 0.31},"
+                       "{\"shape\": \"box\", \"y0\": 0.31, \"y1\": 0.4, \"fluid\": \"oil\"}]}";
+    static const char *const numbers[] = {"300", "907", "1000", "3001"};
+    for (int i = 0; i < 4; i++) {
+        const char *const setting[] = {"particles", numbers[i], NULL};
+        skv_scene *scene;
+        assert_int_equal(load_text(text, setting, &scene, NULL), SKV_OK);
+        skv_world *world = fill(scene);
+        assert_near(skv_world_fluid_stats(world, 1).particles,
+                    skv_world_particle_count(world) * 0.09 / 0.4, 1);
+        skv_world_destroy(world);
+    }
+}
+
 /* Rows begin and end at walls as the lattice has it: a quarter and three quarters of a particle
  * from them, in turn. */
 static void both_walls_are_alike(void **unused)
@@ -186,6 +205,7 @@ int main(void)
         cmocka_unit_test(a_vessel_holds_what_is_drawn),
         cmocka_unit_test(a_tube_holds_what_is_drawn),
         cmocka_unit_test(each_vessel_has_its_own),
+        cmocka_unit_test(each_fluid_has_its_own),
         cmocka_unit_test(both_walls_are_alike),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
