@@ -360,10 +360,8 @@ static void density(const skv_rows *s, int row, bool later, const skv_constants 
     unsigned with = (c->clavet ? 0u : calibrated) | (s->massive ? WITH_MASSES : 0u);
     if (with == calibrated)
         density_row(s, row, calibrated, true, c->images, !later, c, b, keep);
-#if FULL_VARIANTS
     else if (with == 0)
         density_row(s, row, 0, true, false, false, c, b, keep);
-#endif
     else
         density_row(s, row, with, false, c->images, !c->clavet && !later, c, b, keep);
 }

@@ -270,9 +270,9 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_const
     /* What most substeps are made of has loops of its own. */
     if (with == calibrated)
         displacement_row(s, row, calibrated, true, c->images, !later, c, b, keep);
-#if FULL_VARIANTS
     else if (with == 0)
         displacement_row(s, row, 0, true, false, false, c, b, keep);
+#if FULL_VARIANTS
     else if (with == WITH_VISCOSITY)
         displacement_row(s, row, WITH_VISCOSITY, true, false, false, c, b, keep);
     else if (with == (calibrated | WITH_GAUGE))
