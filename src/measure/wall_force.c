@@ -1,9 +1,9 @@
 /* Force on walls: the walls' share in the corrections of one substep, times -m/dt^2.
  *
  * A wall acts on a particle through the wall density's push, through contact, and by stopping its
- * moves; what a particle gains by that, the wall loses. The reference solver takes the substep on a
- * copy of the fluid near the box, and reports that reaction. Invariant: the copy reaches so far
- * that no particle whose force counts has a neighbour, or a neighbour's neighbour, missing.
+ * moves; what a particle gains by that, the wall loses. A solver like the world's takes the substep
+ * on a copy of the fluid near the box, and reports that reaction. Invariant: the copy reaches so
+ * far that no particle whose force counts has a neighbour, or a neighbour's neighbour, missing.
  */
 #include "measure/wall_force.h"
 
@@ -55,6 +55,7 @@ static skv_result prepare_solver(skv_force_meter *m, const skv_world *world,
         .x1 = (float)(box->x1 + reach),
         .y1 = (float)(box->y1 + reach),
         .h = world->h,
+        .per_square = world->fluid.radius_ratio * world->fluid.radius_ratio,
         .boundary = &world->boundary,
     };
     const skv_solver_def *had = &m->made_for;
@@ -65,7 +66,7 @@ static skv_result prepare_solver(skv_force_meter *m, const skv_world *world,
         m->solver->type->destroy(m->solver);
     m->solver = NULL;
     m->made_for = def;
-    return skv_reference_solver.create(&def, &m->solver, error);
+    return world->solver->type->create(&def, &m->solver, error);
 }
 
 static bool is_near(const skv_force_meter *m, float x, float y)
@@ -126,6 +127,7 @@ skv_result skv_force_measure(skv_force_meter *m, const skv_world *world, double 
     if (result == SKV_OK)
         result = copy_fluid(m, &step.particles, error);
     step.reaction = &reaction;
+    step.pool = NULL; /* others may read the world meanwhile */
     if (result == SKV_OK)
         result = m->solver->type->reserve(m->solver, &step, error);
     if (result != SKV_OK)

@@ -68,7 +68,7 @@ typedef struct skv_solver_step {
     int substeps;
     bool ungauged;          /* nobody wants the pressures: they need not be written */
     skv_pool *pool;         /* null: the calling thread */
-    skv_reaction *reaction; /* the reference adds to it. Null: not wanted */
+    skv_reaction *reaction; /* is added to. Null: not wanted */
 } skv_solver_step;
 
 /* Bytes that a solver holds. */

@@ -185,9 +185,36 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
         pressure_calibrated(s, row, later, c);
 }
 
+/* Books what a wall gives a particle at (x, y) for the reaction that is asked for. */
+static __attribute__((noinline)) void book_in_box(const skv_rows *s, const skv_boundary *boundary,
+                                                  float x, float y, float dx, float dy,
+                                                  skv_row_given *walls)
+{
+    const skv_reaction *box = s->reaction;
+    float nx, ny;
+    skv_boundary_to_world(boundary, &x, &y);
+    skv_boundary_swap(boundary, &dx, &dy);
+    float distance = skv_terrain_normal(boundary->terrain, x, y, &nx, &ny);
+    double at_x = (double)(x - distance * nx), at_y = (double)(y - distance * ny);
+    if (at_x < box->x0 || at_x > box->x1 || at_y < box->y0 || at_y > box->y1)
+        return;
+    double arm_x = at_x - (box->x0 + box->x1) / 2, arm_y = at_y - (box->y0 + box->y1) / 2;
+    double moment = (arm_x * (double)dy - arm_y * (double)dx) * (double)boundary->per_unit;
+    skv_impulse_add(&walls->boxed, (double)dx, (double)dy, moment);
+}
+
+/* Books what a wall gives a particle: displacement times mass. */
+V8_INLINE void give(const skv_rows *s, const skv_boundary *boundary, float x, float y, float dx,
+                    float dy, skv_row_given *walls)
+{
+    skv_impulse_give(&walls->all, x, y, dx, dy);
+    if (s->reaction)
+        book_in_box(s, boundary, x, y, dx, dy, walls);
+}
+
 /* Friction along the wall and push out of it, Algorithm 7. */
 V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_constants *c,
-                          const skv_boundary *boundary, skv_impulse_sum *walls)
+                          const skv_boundary *boundary, skv_row_given *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     float nx, ny;
@@ -202,12 +229,12 @@ V8_INLINE void touch_wall(const skv_rows *s, int i, const skv_constants *c,
     p->u[i] += made * dx;
     p->v[i] += made * dy;
     float mass = skv_row_mass(s, i);
-    skv_impulse_give(walls, p->x[i], p->y[i], mass * (made * dx), mass * (made * dy));
+    give(s, boundary, p->x[i], p->y[i], mass * (made * dx), mass * (made * dy), walls);
 }
 
 /* The same for all of a row. */
 static void touch_walls(const skv_rows *s, int row, const skv_constants *c,
-                        const skv_boundary *boundary, skv_impulse_sum *walls)
+                        const skv_boundary *boundary, skv_row_given *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     const float near = s->acting.contact_distance;
@@ -221,9 +248,16 @@ static void touch_walls(const skv_rows *s, int row, const skv_constants *c,
     }
 }
 
+/* What the walls of a row push: added up before it is booked. */
+typedef struct row_booking {
+    skv_impulse sum;
+    const skv_boundary *boundary;
+    skv_row_given *walls;
+} row_booking;
+
 /* Adds what a wall gives a particle: displacement times mass. */
 V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float dx, float dy,
-                        skv_impulse *given)
+                        row_booking *given)
 {
     const skv_row_particles *p = &s->set[s->current];
     float x, y;
@@ -231,15 +265,17 @@ V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float 
     s->own_move.x[i] += dx;
     s->own_move.y[i] += dy;
     if (!(p->number[i] & ROW_HELD)) {
-        given->x += (double)dx;
-        given->y += (double)dy;
-        given->moment += (double)(x * dy - y * dx);
+        given->sum.x += (double)dx;
+        given->sum.y += (double)dy;
+        given->sum.moment += (double)(x * dy - y * dx);
+        if (s->reaction)
+            book_in_box(s, given->boundary, x, y, dx, dy, given->walls);
     }
 }
 
 /* Adds the wall's push. */
 V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
-                        void *impulse)
+                        void *booking)
 {
     int i = wall->particle;
     float lambda = s->lambda[i], near_lambda = s->near_lambda[i], dx, dy, gx, gy;
@@ -267,13 +303,13 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
         dy = rest * image->f1y + out * image->ny;
         let_fall(gx, gy, image->nx, image->ny, (1 - c->adhesion) * s->hanging[i], &dx, &dy);
     }
-    add_move(s, i, c, dx, dy, impulse);
+    add_move(s, i, c, dx, dy, booking);
 }
 
 /* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
  * u, v hold the rest of what it has moved in the substep. */
 V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
-                                 const skv_constants *c, void *impulse)
+                                 const skv_constants *c, void *booking)
 {
     const skv_row_particles *p = &s->set[s->current];
     const skv_image_sample *image = &wall->at.image;
@@ -287,7 +323,7 @@ V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
     float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]) / mass;
     float taken = skv_slip_taken(c->slip_friction, c->wall_drag, image->distance);
     float held = taken * (moved_x * tx + moved_y * ty) * mass;
-    add_move(s, i, c, -held * tx, -held * ty, impulse);
+    add_move(s, i, c, -held * tx, -held * ty, booking);
 }
 
 /* Zeroes the lanes of those of the eight particles at i that are held. */
@@ -308,8 +344,7 @@ typedef struct move_kind {
 /* Moves a particle that may meet a wall; returns false, and does nothing, if it meets none. */
 static __attribute__((noinline)) bool meet_wall(const skv_rows *s, int i, float dx, float dy,
                                                 move_kind kind, const skv_constants *c,
-                                                const skv_boundary *boundary,
-                                                skv_impulse_sum *walls)
+                                                const skv_boundary *boundary, skv_row_given *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     float lag = kind.lagged ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
@@ -327,14 +362,14 @@ static __attribute__((noinline)) bool meet_wall(const skv_rows *s, int i, float 
     p->x[i] = x - lag * p->u[i];
     p->y[i] = y - lag * p->v[i];
     float mass = skv_row_mass(s, i);
-    skv_impulse_give(walls, x, y, mass * ((made - 1) * dx + along_x),
-                     mass * ((made - 1) * dy + along_y));
+    give(s, boundary, x, y, mass * ((made - 1) * dx + along_x), mass * ((made - 1) * dy + along_y),
+         walls);
     return true;
 }
 
 /* Moves the eight particles at i; those whose way may meet a wall one by one. */
 RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind kind,
-                     const skv_constants *c, const skv_boundary *boundary, skv_impulse_sum *walls)
+                     const skv_constants *c, const skv_boundary *boundary, skv_row_given *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     v8 length = v8_sqrt(v8_add(v8_mul(dx, dx), v8_mul(dy, dy)));
@@ -389,15 +424,15 @@ RARE void move_eight(const skv_rows *s, int i, int end, v8 dx, v8 dy, move_kind 
 
 static void update(const skv_rows *s, int row, int iteration, const skv_constants *c,
                    const skv_boundary *boundary, const skv_row_samples *samples,
-                   skv_impulse_sum *walls)
+                   skv_row_given *walls)
 {
-    skv_impulse given = {0};
+    row_booking given = {.boundary = boundary, .walls = walls};
     if (iteration == 0 && c->images)
         find_hanging(s, row, c);
     for_walls(s, row, c, boundary, samples, add_push, &given);
     if (iteration == c->iterations - 1 && skv_resists_slip(c))
         for_walls(s, row, c, boundary, samples, add_slip_friction, &given);
-    skv_impulse_add(walls, given.x, given.y, given.moment);
+    skv_impulse_add(&walls->all, given.sum.x, given.sum.y, given.sum.moment);
     const bool last = iteration == c->iterations - 1, lag = c->pair_lag > 0;
     const move_kind correction = {.corrects = true, .lagged = lag, .lags = lag && !last};
     int end = s->row_end[row];
@@ -418,7 +453,7 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
 }
 
 static void advance(const skv_rows *s, int row, const skv_constants *c,
-                    const skv_boundary *boundary, skv_impulse_sum *walls)
+                    const skv_boundary *boundary, skv_row_given *walls)
 {
     const skv_row_particles *p = &s->set[s->current];
     const v8 gx = v8_set(s->acting.gravity_x), gy = v8_set(s->acting.gravity_y), one = v8_set(1);

@@ -135,6 +135,12 @@ typedef struct skv_row_samples {
     int used; /* -1: not all found a place, and all are taken again */
 } skv_row_samples;
 
+/* What walls have given particles: all of them, and those whose nearest point of a wall lies in the
+ * box of a reaction, about its middle and in the world's axes. */
+typedef struct skv_row_given {
+    skv_impulse_sum all, boxed;
+} skv_row_given;
+
 /* What a thread owns, on cache lines of its own. */
 typedef struct skv_row_thread {
     /* Particles per cell, of those that this thread sorts; 0 between sorts. */
@@ -145,8 +151,8 @@ typedef struct skv_row_thread {
     int old_first, old_end;
     skv_row_kept kept[ROW_KEPT_SLOTS];
     skv_row_samples samples[ROW_SAMPLE_SLOTS];
-    void *kept_memory;     /* of both */
-    skv_impulse_sum walls; /* what they have given this thread's particles in this call */
+    void *kept_memory;   /* of both */
+    skv_row_given walls; /* what they have given this thread's particles in this call */
 } skv_row_thread;
 
 struct skv_rows {
@@ -195,10 +201,11 @@ struct skv_rows {
 
     const struct skv_row_kernels *kernels;
     skv_row_thread *thread;
-    int thread_room, threads; /* threads to have memory for, and at work in this call */
-    bool held, gauged;        /* this substep computes the gauge pressure */
-    bool massive;             /* in this call particles have masses */
-    skv_row_acting acting;    /* in this call */
+    int thread_room, threads;     /* threads to have memory for, and at work in this call */
+    bool held, gauged;            /* this substep computes the gauge pressure */
+    bool massive;                 /* in this call particles have masses */
+    skv_row_acting acting;        /* in this call */
+    const skv_reaction *reaction; /* whose box is asked for in this call, or null */
     void *particle_block, *mass_block, *grid_block, *histogram_block;
     skv_solver_memory memory;
     double seconds[ROW_PHASES];

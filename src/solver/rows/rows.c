@@ -88,7 +88,7 @@ static void member(int thread, int threads, void *context)
         rows->threads = threads;
     skv_pool_barrier(shared->pool);
     skv_row_worker w = {.shared = shared, .own = &rows->thread[thread], .thread = thread};
-    w.own->walls = (skv_impulse_sum){0};
+    w.own->walls = (skv_row_given){0};
     double start = skv_clock();
     skv_rows_load(rows, thread, shared->frame, shared->boundary);
     book(rows, thread, ROW_TRANSFER, &start);
@@ -102,15 +102,25 @@ static void member(int thread, int threads, void *context)
     book(rows, thread, ROW_TRANSFER, &start);
 }
 
+/* Adds what has been booked for a reaction to it, in its units. */
+static void tell(skv_reaction *reaction, const skv_impulse_sum *boxed, double h)
+{
+    skv_impulse given = skv_impulse_value(boxed);
+    reaction->dx += given.x * h;
+    reaction->dy += given.y * h;
+    reaction->moment += given.moment * h * h;
+}
+
 skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
                           const skv_constants *constants, const skv_row_acting *acting,
-                          const skv_boundary *boundary, skv_pool *pool)
+                          const skv_boundary *boundary, skv_pool *pool, skv_reaction *reaction)
 {
     if (frame->count == 0)
         return (skv_impulse){0};
     rows->held = frame->part != NULL;
     rows->massive = frame->mass != NULL;
     rows->acting = *acting;
+    rows->reaction = reaction;
     skv_row_run shared = {.rows = rows,
                           .kernels = rows->kernels,
                           .constants = constants,
@@ -120,10 +130,14 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
                           .substeps = substeps,
                           .to_take = frame->pressure ? substeps : 0};
     skv_pool_team(pool, member, &shared);
-    skv_impulse_sum walls = {0};
-    for (int t = 0; t < rows->threads; t++)
-        skv_impulse_join(&walls, &rows->thread[t].walls);
-    return skv_impulse_value(&walls);
+    skv_row_given walls = {0};
+    for (int t = 0; t < rows->threads; t++) {
+        skv_impulse_join(&walls.all, &rows->thread[t].walls.all);
+        skv_impulse_join(&walls.boxed, &rows->thread[t].walls.boxed);
+    }
+    if (reaction)
+        tell(reaction, &walls.boxed, (double)boundary->unit);
+    return skv_impulse_value(&walls.all);
 }
 
 void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4])

@@ -10,7 +10,7 @@ typedef struct skv_row_kernels {
     const char *isa;
     /* Forces and advance. */
     void (*advance)(const skv_rows *rows, int row, const skv_constants *constants,
-                    const skv_boundary *boundary, skv_impulse_sum *walls);
+                    const skv_boundary *boundary, skv_row_given *walls);
     /* W: samples the walls, and finds the image distances beside them. */
     void (*sample)(const skv_rows *rows, int row, const skv_constants *constants,
                    const skv_boundary *boundary, skv_row_samples *samples);
@@ -27,7 +27,7 @@ typedef struct skv_row_kernels {
     /* U: carries out the displacement; in the last iteration the contact as well. */
     void (*update)(const skv_rows *rows, int row, int iteration, const skv_constants *constants,
                    const skv_boundary *boundary, const skv_row_samples *samples,
-                   skv_impulse_sum *walls);
+                   skv_row_given *walls);
 } skv_row_kernels;
 
 /* isa.c: the kernels of an instruction set; null if this machine lacks it. */

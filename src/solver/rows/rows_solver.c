@@ -82,8 +82,8 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .sunk_x = sunk * acting.gravity_x,
         .sunk_y = sunk * acting.gravity_y,
     };
-    skv_impulse given =
-        skv_rows_step(r->rows, &frame, step->substeps, &constants, &acting, &boundary, step->pool);
+    skv_impulse given = skv_rows_step(r->rows, &frame, step->substeps, &constants, &acting,
+                                      &boundary, step->pool, step->reaction);
     double h = (double)c->h, x = given.x * h, y = given.y * h, moment = given.moment * h * h;
     return r->swapped ? (skv_impulse){y, x, -moment} : (skv_impulse){x, y, moment};
 }
