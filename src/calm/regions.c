@@ -397,7 +397,7 @@ static bool look_for_layers(const regions *b, int count)
 {
     const skv_world *world = b->world;
     int fluids = world->fluid_count;
-    band *bands = b->masses ? skv_calloc((size_t)(count * fluids), sizeof *bands) : NULL;
+    band *bands = b->masses ? skv_calloc((size_t)count * (size_t)fluids, sizeof *bands) : NULL;
     if (!bands)
         return b->masses == NULL;
     for (int k = 0; k < count * fluids; k++)

@@ -106,8 +106,8 @@ double skv_surface_gradient(const skv_fluid_def *fluid);
 
 /* The areas, in that of the start, that a clavet fluid may take at rest: one that takes more bursts
  * as soon as it can, and of one that takes less its particles meet in points. From 1.5 on a dam's
- * drops fly faster than it falls. Down to 0.44 none of 121 dams burst, from there to 0.4 up to three
- * of 80 did. */
+ * drops fly faster than it falls. Down to 0.44 none of 121 dams burst, from there to 0.4 up to
+ * three of 80 did. */
 #define SKV_CLAVET_WIDEST    1.45
 #define SKV_CLAVET_NARROWEST 0.45
 

@@ -9,15 +9,11 @@
 #define SCALE_COLORS  9
 
 #define RGB(code)                                                                                  \
-    {                                                                                              \
-        (float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                       \
-            (float)((code)&255) / 255                                                              \
-    }
+    {(float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                          \
+     (float)((code) & 255) / 255}
 #define RGBA(code, alpha)                                                                          \
-    {                                                                                              \
-        (float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                       \
-            (float)((code)&255) / 255, alpha                                                       \
-    }
+    {(float)((code) >> 16 & 255) / 255, (float)((code) >> 8 & 255) / 255,                          \
+     (float)((code) & 255) / 255, alpha}
 
 static const skv_colors palettes[] =
     {
@@ -93,8 +89,9 @@ static const skv_colors palettes[] =
                 .foam = 0,
                 .murk = {1, 1, 1},
                 .dyes = {RGB(0xd23f73), RGB(0xc3880d), RGB(0x206b14), RGB(0x932c99)},
-                .fluids = {RGB(0xb0882e), RGB(0xad2b26), RGB(0x678660), RGB(0x8858a9),
-                           RGB(0xae630f), RGB(0x919291), RGB(0x0e7465)},
+                .fluids =
+                    {RGB(0xb0882e), RGB(0xad2b26), RGB(0x678660), RGB(0x8858a9), RGB(0xae630f),
+                     RGB(0x919291), RGB(0x0e7465)},
                 .ink = RGBA(0xffffff, 1),
                 .faint = RGBA(0xffffff, 0.4f),
                 .figures = RGBA(0xffffff, 1),

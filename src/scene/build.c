@@ -430,8 +430,8 @@ static skv_result count_particles(builder *c)
 }
 
 /* The number of particles is wanted: the spacing follows. A number that nobody asked for gives way
- * where it does not fit: the spacing is at least 1/400 of the width, so that a few blue pixels do not
- * become dust, unless nothing fits then; and it is at most the largest allowed. */
+ * where it does not fit: the spacing is at least 1/400 of the width, so that a few blue pixels do
+ * not become dust, unless nothing fits then; and it is at most the largest allowed. */
 static skv_result choose_spacing(builder *c)
 {
     skv_scene *scene = c->scene;

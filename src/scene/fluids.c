@@ -103,9 +103,9 @@ skv_result skv_scene_paint_oil(skv_scene *scene, const char *label, skv_error *e
             "%s: its yellow pixels are oil, one fluid too many; name one of the scene's "
             "%d fluids \"" OIL "\"",
             label, place);
-    const skv_material *material;
-    for (int i = 0; (material = skv_material_info(i)) && strcmp(material->name, OIL) != 0;)
-        i++;
+    const skv_material *material = skv_material_info(0);
+    for (int i = 1; strcmp(material->name, OIL) != 0 && skv_material_info(i); i++)
+        material = skv_material_info(i);
     skv_liquid *oil = &def->liquids[def->liquid_count++];
     *oil = skv_default_liquid();
     oil->density = material->density;

@@ -465,7 +465,7 @@ static void make_cut(laying *w)
     c->low = (double)water->low;
     c->bands = (int)skv_max(1, floor(height / row + 0.5));
     double fine = 2 * height / c->bands / (double)skv_terrain_pixel_size(w->scan.terrain);
-    fine = skv_min(ceil(fine), MOST_LINES / c->bands);
+    fine = skv_min(ceil(fine), (double)MOST_LINES / c->bands);
     c->lines = (int)skv_max(BAND_LINES, fine);
     c->apart = height / c->bands / c->lines;
     double length = 0;

@@ -4,8 +4,8 @@
 
 #include "scene/water.h"
 
-/* Sets a water's area, and where it begins and ends, from everything else. SKV_ERROR_MEMORY if there
- * is none. */
+/* Sets a water's area, and where it begins and ends, from everything else. SKV_ERROR_MEMORY if
+ * there is none. */
 skv_result skv_lay_measure(skv_water *water, const skv_terrain *terrain, skv_error *error);
 
 /* Lays exactly `count` particles into a measured water, from the bottom up: x and y have room for

@@ -300,7 +300,7 @@ static skv_result read_pixels(const skv_image *image, const char *label, skv_pai
                 class = resolve(p);
             if (class == WRONG)
                 return fail_wrong(p, label, error);
-            painting->paint[row + (size_t)x] |= (uint8_t) class;
+            painting->paint[row + (size_t)x] |= (uint8_t)class;
             painting->count[class]++;
             painting->coverage[row + (size_t)x] =
                 is_uniform(p) ? uniform_share(p, class) : solid_share(p, class);
@@ -317,12 +317,14 @@ skv_result skv_paint_read(const skv_image *image, const char *label, skv_paintin
     painting->coverage = skv_calloc(pixels, 1);
     painting->paint = skv_calloc(pixels, 1);
     bool room = painting->coverage != NULL && painting->paint != NULL;
-    if (room)
+    skv_result result =
+        room ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
+    if (room) {
         mark_oil(image, painting->paint);
-    skv_result result = room ? read_pixels(image, label, painting, error)
-                             : skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
-    for (size_t i = 0; result == SKV_OK && i < pixels; i++)
-        painting->paint[i] &= (uint8_t)~FLAT_OIL;
+        result = read_pixels(image, label, painting, error);
+        for (size_t i = 0; i < pixels; i++)
+            painting->paint[i] &= (uint8_t)~FLAT_OIL;
+    }
     if (result != SKV_OK)
         skv_painting_free(painting);
     return result;

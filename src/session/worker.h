@@ -61,6 +61,8 @@ typedef struct skv_worker {
     skv_pace pace;
     skv_toolbox tools;
     skv_probes probes;
+    skv_request *beside; /* a replay of the second world, for what is saved next; null: none */
+    uint64_t wary; /* hash of the last that was not opened because it asks for much; 0: none */
     double tilt_x, tilt_y; /* gravity as asked for, in units of the scene's own */
     skv_hand hands[SKV_MAX_HANDS];
     int hand_count;
@@ -73,14 +75,12 @@ typedef struct skv_worker {
     bool again;        /* it was played here before: nobody recorded it */
     bool halted;       /* a step was stopped for what is to be opened: the world is at no moment */
     skv_showing look;  /* what the face says of it */
-    skv_request *beside; /* a replay of the second world, for what is saved next; null: none */
-    bool timed;          /* time passes though the fluid rests */
-    bool led;            /* frames are granted (led.h) */
-    bool hands_known;    /* the world's are these */
-    bool begins;         /* an edit, with the next command that the world takes */
-    bool refused;        /* an edit was, since the last picture: said once */
-    bool dry;            /* taps stand at the limit of emitters, and it was told */
-    uint64_t wary; /* hash of the last that was not opened because it asks for much; 0: none */
+    bool timed;        /* time passes though the fluid rests */
+    bool led;          /* frames are granted (led.h) */
+    bool hands_known;  /* the world's are these */
+    bool begins;       /* an edit, with the next command that the world takes */
+    bool refused;      /* an edit was, since the last picture: said once */
+    bool dry;          /* taps stand at the limit of emitters, and it was told */
     skv_forecast forecast;
     bool unbalanced; /* no substep was taken since the balance was changed, and none foreseen */
     bool unread;     /* instruments, since they or the world were changed */

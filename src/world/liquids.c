@@ -138,7 +138,7 @@ bool skv_exchange_liquids(skv_port *port, skv_world_def *def)
     bool sane = true;
     for (int i = 0; i < def->liquid_count; i++) {
         skv_liquid *liquid = &def->liquids[i];
-        uint64_t color = (uint64_t)(liquid->color + 1);
+        uint64_t color = (uint64_t)liquid->color + 1;
         liquid->cookie = skv_liquid_cookie;
         sane = exchange_name(port, liquid->name) && sane;
         skv_exchange_float(port, &liquid->density);

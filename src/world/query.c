@@ -30,7 +30,7 @@ static skv_stats gather(const skv_world *world, int fluid)
 {
     skv_stats stats = {0};
     const skv_state *s = &world->state;
-    double first = (double)world->fluid.density, weights[SKV_MAX_FLUIDS];
+    double first = (double)world->fluid.density, weights[SKV_MAX_FLUIDS] = {0};
     double mass_of_first = first * (double)world->fluid.spacing * (double)world->fluid.spacing;
     double speeds_squared = 0, energies = 0, weight_of_all = 0;
     for (int i = 0; i < world->fluid_count; i++)

@@ -53,7 +53,7 @@ static skv_world *make_basin(int fluid, const char *color)
              fluid, fluid);
     strcat(text, one);
     skv_scene *scene;
-    skv_world *world;
+    skv_world *world = NULL;
     skv_error error;
     if (skv_scene_load_memory(text, strlen(text), "json", "basin", NULL, &scene, &error) ||
         skv_scene_create_world(scene, 1, &world, &error))

@@ -38,7 +38,7 @@ skv_world *fixture_blob(skv_law law, skv_solver_kind solver, float viscosity);
 
 /* How long, in frames, a tank's own swing takes to die down that a wall's drag ends in so many
  * seconds: without drag it loses 16 % instead of 21 % in a period (`skvalp lab slosh`). */
-#define FIXTURE_SWING(seconds) ((seconds)*60 * 4 / 3)
+#define FIXTURE_SWING(seconds) ((seconds) * 60 * 4 / 3)
 
 /* How much a particle at a distance from a wall, in spacings, counts for the layer there: 1 at the
  * wall, 0 from two spacings on. So the count is the fluid between the wall and a depth, averaged

@@ -1,5 +1,6 @@
-/* What stands in the page's modules for the reference solver, which nobody can choose there: without
- * its passes a first visit takes a fortieth less. Invariant: a world that asks for it is refused.
+/* What stands in the page's modules for the reference solver, which nobody can choose there:
+ * without its passes a first visit takes a fortieth less. Invariant: a world that asks for it is
+ * refused.
  */
 #include "solver/solver.h"
 
