@@ -204,7 +204,7 @@ static void yellow_is_painted_oil(void **unused)
         {"fluids[0].name", "milk"}, {"fluids[1].name", "oil"}, {"fluids[1].density", "700"}};
     for (int listed = 0; listed < 2; listed++) {
         skv_scene *scene;
-        skv_world *world;
+        skv_world *world = NULL;
         skv_error error;
         if (load_layers(own, listed ? 3 : 0, &scene, &error) != SKV_OK ||
             skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)

@@ -2,7 +2,8 @@
 # The host's readers (jsonc-parser, fast-png) and the native ones (jansson, libpng) accept and refuse
 # the same files, with the same code, and build the same worlds: the project's scenes and pictures,
 # what the fuzz targets have kept, and 100 mutations, 2000 with SKV_LONG_TESTS=1. Why a text is no
-# JSON or a PNG damaged each says in its own words. Arguments: build folder, source folder.
+# JSON or a PNG damaged each says in its own words, and hosts hear of options without a command line's
+# dashes. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_web_files.sh BUILD SOURCE}")
 cd "${2:?usage: test_web_files.sh BUILD SOURCE}"
@@ -16,7 +17,7 @@ count=100
 [[ ${SKV_LONG_TESTS:-0} != 1 ]] || count=2000
 
 outcomes() {
-    "$@" | sed 's/^3 .*/3/'
+    "$@" | sed -E 's/^3 .*/3/; s/^([0-9]+ )--(set )?/\1/'
 }
 
 node tests/web/cases.js "$count" "$work/cases"
