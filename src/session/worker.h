@@ -47,7 +47,8 @@ typedef struct skv_worker {
     atomic_uint played;      /* frames of those granted */
     atomic_int openings;     /* asked for and not begun */
     atomic_int savings;      /* of files and links, asked for and not done */
-    skv_threads *threads;    /* where both wait for the counters above */
+    atomic_bool paused, active, quit;
+    skv_threads *threads; /* where both wait for the counters above */
     /* For a link, for a second world, for the first's link. Who takes one out owns it; null: none,
      * or taken out. */
     _Atomic(skv_shared *) shared[SKV_SHARES];
@@ -66,30 +67,25 @@ typedef struct skv_worker {
     double tilt_x, tilt_y; /* gravity as asked for, in units of the scene's own */
     skv_hand hands[SKV_MAX_HANDS];
     int hand_count;
+    unsigned withheld; /* things that people did while it was watched */
     bool tilt_pending;
-    bool following;    /* plays what a replay says, until somebody takes over */
-    bool watching;     /* nobody has taken over: what people do is not done */
-    unsigned withheld; /* of that */
-    bool stops;        /* time stands still at the end of what is followed */
-    bool followed;     /* to the end */
-    bool again;        /* it was played here before: nobody recorded it */
-    bool halted;       /* a step was stopped for what is to be opened: the world is at no moment */
-    skv_showing look;  /* what the face says of it */
-    bool timed;        /* time passes though the fluid rests */
-    bool led;          /* frames are granted (led.h) */
-    bool hands_known;  /* the world's are these */
-    bool begins;       /* an edit, with the next command that the world takes */
-    bool refused;      /* an edit was, since the last picture: said once */
-    bool dry;          /* taps stand at the limit of emitters, and it was told */
+    bool following;   /* plays what a replay says, until somebody takes over */
+    bool watching;    /* nobody has taken over: what people do is not done */
+    bool stops;       /* time stands still at the end of what is followed */
+    bool followed;    /* to the end */
+    bool again;       /* it was played here before: nobody recorded it */
+    bool halted;      /* a step was stopped for what is to be opened: the world is at no moment */
+    bool timed;       /* time passes though the fluid rests */
+    bool led;         /* frames are granted (led.h) */
+    bool hands_known; /* the world's are these */
+    bool begins;      /* an edit, with the next command that the world takes */
+    bool refused;     /* an edit was, since the last picture: said once */
+    bool dry;         /* taps stand at the limit of emitters, and it was told */
+    bool unbalanced;  /* no substep was taken since the balance was changed, and none foreseen */
+    bool unread;      /* instruments, since they or the world were changed */
+    bool changed;     /* since the last picture */
+    skv_showing look; /* what the face says of it */
     skv_forecast forecast;
-    bool unbalanced; /* no substep was taken since the balance was changed, and none foreseen */
-    bool unread;     /* instruments, since they or the world were changed */
-    bool changed;    /* since the last picture */
-
-    /* Between the threads, again. */
-    atomic_bool paused;
-    atomic_bool active;
-    atomic_bool quit;
 } skv_worker;
 
 /* Nothing open, nothing asked for; pool and threads are the session's affair. */

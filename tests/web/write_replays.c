@@ -15,7 +15,7 @@ static const game games[] = {
     {"game",
      "dam-break",
      6,
-     {{.kind = SKV_COMMAND_POUR, .water = {0.6f, 0.7f, 0.9f, 0.7f, 0.04f, 0.5f, 0, 1}},
+     {{.kind = SKV_COMMAND_POUR, .water = {0.6f, 0.7f, 0.9f, 0.7f, 0.04f, 0.5f, 0, 1, 0}},
       {.kind = SKV_COMMAND_PAINT, .paint = {1, {{0.8f, 0.1f, 0.8f, 0.3f, 0.02f, false}}}},
       {.kind = SKV_COMMAND_SET, .set = {"fluid.viscosity", "0.001"}},
       {.kind = SKV_COMMAND_GRAVITY, .vector = {3, -9}},
