@@ -245,7 +245,7 @@ SKV_API const char *skv_lack_words(int i);
 SKV_API int skv_lab_history(const skv_lab *lab, skv_instrument id, int channel, double *times,
                             double *values, int capacity);
 
-/** Writes the histories as CSV: a head "t,name channel [unit],...", then a row for every sample
+/** Writes the histories as CSV: a head "t [s],name channel [unit],...", then a row for every sample
  * that the shortest history still holds, oldest first, an empty field for NaN. `id` 0: all
  * instruments.
  */

@@ -48,15 +48,21 @@ static bool read_color(const char *text, int *color)
     return true;
 }
 
+static skv_liquid liquid_of(const skv_material *material)
+{
+    skv_liquid liquid = skv_default_liquid();
+    liquid.density = material->density;
+    liquid.viscosity = material->viscosity;
+    return liquid;
+}
+
 static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scene, skv_error *error)
 {
     const skv_value *value = draft->values.list[SKV_LIST_FLUIDS].shapes[index].value;
     const skv_material *material = skv_material_info((int)value[SKV_LIQUID_MATERIAL].number);
     const char *name = value[SKV_LIQUID_NAME].text, *color = value[SKV_LIQUID_COLOR].text;
     skv_liquid *liquid = &scene->def.liquids[index];
-    *liquid = skv_default_liquid();
-    liquid->density = material->density;
-    liquid->viscosity = material->viscosity;
+    *liquid = liquid_of(material);
     if (value[SKV_LIQUID_DENSITY].origin.source != SKV_FROM_DEFAULT)
         liquid->density = (float)value[SKV_LIQUID_DENSITY].number;
     if (name == NULL)
@@ -107,9 +113,7 @@ skv_result skv_scene_paint_oil(skv_scene *scene, const char *label, skv_error *e
     for (int i = 1; strcmp(material->name, OIL) != 0 && skv_material_info(i); i++)
         material = skv_material_info(i);
     skv_liquid *oil = &def->liquids[def->liquid_count++];
-    *oil = skv_default_liquid();
-    oil->density = material->density;
-    oil->viscosity = material->viscosity;
+    *oil = liquid_of(material);
     memcpy(oil->name, OIL, sizeof OIL);
     skv_error cause;
     skv_result result = skv_check_liquids(def, &cause);

@@ -32,14 +32,11 @@ skv_result skv_world_set_dyes(skv_world *world, int first, int count, const uint
                               skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_change(world) && (dyes || count <= 0), SKV_ERROR_VALUE);
-    if (first < 0 || count < 0 || first > world->state.count - count)
-        return skv_fail(error, SKV_ERROR_VALUE, "dye: particles %d.. do not exist; there are %d",
-                        first, world->state.count);
-    for (int i = 0; i < count; i++) {
-        skv_result result = skv_check_dye(dyes[i], error);
-        if (result != SKV_OK)
-            return result;
-    }
+    skv_result result = skv_state_check_range(&world->state, "dye", first, count, error);
+    for (int i = 0; i < count && result == SKV_OK; i++)
+        result = skv_check_dye(dyes[i], error);
+    if (result != SKV_OK)
+        return result;
     if (count)
         memcpy(world->state.dye + first, dyes, (size_t)count);
     return SKV_OK;

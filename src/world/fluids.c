@@ -65,14 +65,11 @@ skv_result skv_world_set_fluids(skv_world *world, int first, int count, const ui
                                 skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_change(world) && (fluids || count <= 0), SKV_ERROR_VALUE);
-    if (first < 0 || count < 0 || first > world->state.count - count)
-        return skv_fail(error, SKV_ERROR_VALUE, "fluid: particles %d.. do not exist; there are %d",
-                        first, world->state.count);
-    for (int i = 0; i < count; i++) {
-        skv_result result = skv_check_fluid(fluids[i], world->fluid_count, error);
-        if (result != SKV_OK)
-            return result;
-    }
+    skv_result result = skv_state_check_range(&world->state, "fluid", first, count, error);
+    for (int i = 0; i < count && result == SKV_OK; i++)
+        result = skv_check_fluid(fluids[i], world->fluid_count, error);
+    if (result != SKV_OK)
+        return result;
     for (int i = first, k = 0; k < count; i++, k++) {
         if (skv_fluid_of(&world->state, i) == fluids[k])
             continue;

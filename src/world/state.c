@@ -57,6 +57,15 @@ skv_result skv_state_admit_fluids(skv_state *state, skv_error *error)
     return state->several ? SKV_OK : grow(state, state->capacity, true, error);
 }
 
+skv_result skv_state_check_range(const skv_state *state, const char *what, int first, int count,
+                                 skv_error *error)
+{
+    if (first >= 0 && count >= 0 && first <= state->count - count)
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE, "%s: particles %d.. do not exist; there are %d", what,
+                    first, state->count);
+}
+
 size_t skv_state_bytes(const skv_state *state)
 {
     skv_array arrays[ARRAYS];

@@ -66,6 +66,10 @@ static inline int skv_fluid_of(const skv_state *state, int particle)
 /* Makes room for `count` particles in all; nothing changes on failure. */
 skv_result skv_state_reserve(skv_state *state, int count, skv_error *error);
 
+/* Fails unless there are so many particles from the first on; `what` is to be set of them. */
+skv_result skv_state_check_range(const skv_state *state, const char *what, int first, int count,
+                                 skv_error *error);
+
 /* Bytes held. */
 size_t skv_state_bytes(const skv_state *state);
 

@@ -3,14 +3,6 @@
 #include "base/assert.h"
 #include "world/add.h"
 
-static skv_result check_range(const skv_world *world, int first, int count, skv_error *error)
-{
-    if (first >= 0 && count >= 0 && first <= world->state.count - count)
-        return SKV_OK;
-    return skv_fail(error, SKV_ERROR_VALUE, "velocity: particles %d.. do not exist; there are %d",
-                    first, world->state.count);
-}
-
 static bool is_sane(float vx, float vy)
 {
     return skv_within((double)vx, -1000, 1000) && skv_within((double)vy, -1000, 1000);
@@ -29,7 +21,7 @@ skv_result skv_world_add_velocity(skv_world *world, int first, int count, float 
     SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
     if (!is_sane(vx, vy))
         return skv_fail(error, SKV_ERROR_VALUE, "velocity: not finite or beyond 1000 m/s");
-    skv_result result = check_range(world, first, count, error);
+    skv_result result = skv_state_check_range(&world->state, "velocity", first, count, error);
     if (result != SKV_OK)
         return result;
     for (int i = first; i < first + count; i++) {
@@ -44,7 +36,7 @@ skv_result skv_world_set_velocities(skv_world *world, int first, int count, cons
                                     const float *vy, skv_error *error)
 {
     SKV_ASSERT_OR(skv_may_change(world) && ((vx && vy) || count <= 0), SKV_ERROR_VALUE);
-    skv_result result = check_range(world, first, count, error);
+    skv_result result = skv_state_check_range(&world->state, "velocity", first, count, error);
     if (result != SKV_OK)
         return result;
     for (int i = 0; i < count; i++)

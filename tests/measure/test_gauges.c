@@ -16,14 +16,7 @@
 static skv_instrument add(skv_lab *lab, skv_instrument_kind kind, double x0, double y0, double x1,
                           double y1)
 {
-    skv_instrument_def def = skv_default_instrument_def(kind);
-    def.x0 = x0;
-    def.y0 = y0;
-    def.x1 = x1;
-    def.y1 = y1;
-    skv_instrument id;
-    assert_int_equal(skv_lab_add(lab, &def, &id, NULL), SKV_OK);
-    return id;
+    return fixture_instrument(lab, kind, skv_default_instrument_def(kind).window, x0, y0, x1, y1);
 }
 
 static skv_lab *new_lab(void)

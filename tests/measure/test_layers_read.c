@@ -37,15 +37,7 @@ static skv_world *make_layers(void)
 static skv_instrument add(skv_lab *lab, skv_instrument_kind kind, double x0, double y0, double x1,
                           double y1)
 {
-    skv_instrument_def def = skv_default_instrument_def(kind);
-    def.x0 = x0;
-    def.y0 = y0;
-    def.x1 = x1;
-    def.y1 = y1;
-    def.window = kind == SKV_INSTRUMENT_FORCE ? 0.5 : 0;
-    skv_instrument id;
-    assert_int_equal(skv_lab_add(lab, &def, &id, NULL), SKV_OK);
-    return id;
+    return fixture_instrument(lab, kind, kind == SKV_INSTRUMENT_FORCE ? 0.5 : 0, x0, y0, x1, y1);
 }
 
 /* Of all particles above a height, N. */

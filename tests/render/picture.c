@@ -47,6 +47,26 @@ const uint8_t *at(const picture *p, int x, int y)
     return p->rgb + ((size_t)y * (size_t)p->width + (size_t)x) * 3;
 }
 
+const uint8_t *at_place(const picture *p, double x, double y)
+{
+    return at(p, (int)(x * p->width / 1.6), (int)((0.9 - y) * p->height / 0.9));
+}
+
+skv_render_style style_of(skv_palette palette, skv_view view, skv_detail detail)
+{
+    skv_render_style style = skv_default_render_style();
+    style.palette = palette;
+    style.view = view;
+    style.detail = detail;
+    return style;
+}
+
+void to_float(const uint8_t *rgb, float color[3])
+{
+    for (int k = 0; k < 3; k++)
+        color[k] = (float)rgb[k] / 255;
+}
+
 bool is_fluid(const uint8_t *c)
 {
     return c[2] > 150 && c[2] > c[0] + 60;

@@ -18,6 +18,14 @@ picture shoot(const skv_world *world, const skv_render_style *style, int width, 
 picture shoot_frame(const skv_frame *frame, const skv_render_style *style, int width, int height);
 
 const uint8_t *at(const picture *p, int x, int y);
+/* At a place in metres of a world of 1.6 x 0.9 m that fills the picture. */
+const uint8_t *at_place(const picture *p, double x, double y);
+
+/* The default style with these. */
+skv_render_style style_of(skv_palette palette, skv_view view, skv_detail detail);
+
+/* A pixel's colour, 0..1. */
+void to_float(const uint8_t *rgb, float color[3]);
 
 /* In the dark palette: water, air, wall; and what is white. */
 bool is_fluid(const uint8_t *c);

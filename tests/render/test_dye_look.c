@@ -72,27 +72,6 @@ static skv_world *make_basin(int left, int right)
     return world;
 }
 
-static skv_render_style style_of(skv_palette palette, skv_view view, skv_detail detail)
-{
-    skv_render_style style = skv_default_render_style();
-    style.palette = palette;
-    style.view = view;
-    style.detail = detail;
-    return style;
-}
-
-/* View pixels of a place in metres. */
-static const uint8_t *pixel(const picture *p, double x, double y)
-{
-    return at(p, (int)(x * WIDTH / 1.6), (int)((0.9 - y) * HEIGHT / 0.9));
-}
-
-static void to_float(const uint8_t *rgb, float color[3])
-{
-    for (int k = 0; k < 3; k++)
-        color[k] = (float)rgb[k] / 255;
-}
-
 /* From just below the surface to the floor: the colour that was asked for, and a contrast of 3:1
  * with walls and air. In the view of water with and without light, and in that of fluid. */
 static void colours_show_and_stand_out(void **state)
@@ -112,9 +91,10 @@ static void colours_show_and_stand_out(void **state)
                 skv_render_style style =
                     style_of((skv_palette)palette, ways[w].view, ways[w].detail);
                 picture p = shoot(world, &style, WIDTH, HEIGHT);
-                double wall = luminance(pixel(&p, 0.1, 0.3)), air = luminance(pixel(&p, 0.8, 0.8));
+                double wall = luminance(at_place(&p, 0.1, 0.3)),
+                       air = luminance(at_place(&p, 0.8, 0.8));
                 for (double y = 0.02; y < 0.46; y += 0.04) {
-                    const uint8_t *drawn = pixel(&p, 0.7, y);
+                    const uint8_t *drawn = at_place(&p, 0.7, y);
                     float color[3];
                     to_float(drawn, color);
                     for (int other = 1; other <= SKV_DYES; other++)
@@ -141,13 +121,13 @@ static void colours_mix_at_borders(void **state)
     skv_render_style style = style_of(SKV_PALETTE_DARK, SKV_VIEW_WATER, SKV_DETAIL_FULL);
     picture p = shoot(world, &style, WIDTH, HEIGHT);
     double s = (double)skv_world_spacing(world);
-    const uint8_t *amber = pixel(&p, 0.8 - 6 * s, 0.2), *clear = pixel(&p, 0.8 + 6 * s, 0.2);
-    const uint8_t *mixed = pixel(&p, 0.8, 0.2);
+    const uint8_t *amber = at_place(&p, 0.8 - 6 * s, 0.2), *clear = at_place(&p, 0.8 + 6 * s, 0.2);
+    const uint8_t *mixed = at_place(&p, 0.8, 0.2);
     assert_true(amber[0] > 2 * amber[2] && clear[2] > 2 * clear[0]);
     assert_true(mixed[1] > mixed[0] && mixed[1] > mixed[2]);
     int last = -1, steps = 0;
     for (double x = 0.8 - 6 * s; x < 0.8 + 6 * s; x += 1.6 / WIDTH) {
-        int blue = pixel(&p, x, 0.2)[2];
+        int blue = at_place(&p, x, 0.2)[2];
         assert_true(last < 0 || blue > last - 12);
         steps += last >= 0 && blue > last + 2;
         last = blue;

@@ -62,27 +62,6 @@ static skv_world *make_basin(int fluid, const char *color)
     return world;
 }
 
-static skv_render_style style_of(skv_palette palette, skv_view view, skv_detail detail)
-{
-    skv_render_style style = skv_default_render_style();
-    style.palette = palette;
-    style.view = view;
-    style.detail = detail;
-    return style;
-}
-
-/* View pixels of a place in metres. */
-static const uint8_t *pixel(const picture *p, double x, double y)
-{
-    return at(p, (int)(x * WIDTH / 1.6), (int)((0.9 - y) * HEIGHT / 0.9));
-}
-
-static void to_float(const uint8_t *rgb, float color[3])
-{
-    for (int k = 0; k < 3; k++)
-        color[k] = (float)rgb[k] / 255;
-}
-
 /* From the surface to the floor, in every palette. */
 static void fluids_show_and_stand_out(void **state)
 {
@@ -94,9 +73,10 @@ static void fluids_show_and_stand_out(void **state)
             skv_detail detail = fluid % 2 ? SKV_DETAIL_FULL : SKV_DETAIL_PLAIN;
             skv_render_style style = style_of((skv_palette)palette, SKV_VIEW_WATER, detail);
             picture p = shoot(world, &style, WIDTH, HEIGHT);
-            double wall = luminance(pixel(&p, 0.1, 0.3)), air = luminance(pixel(&p, 0.8, 0.8));
+            double wall = luminance(at_place(&p, 0.1, 0.3)),
+                   air = luminance(at_place(&p, 0.8, 0.8));
             for (double y = 0.02; y < 0.46; y += 0.04) {
-                const uint8_t *drawn = pixel(&p, 0.7, y);
+                const uint8_t *drawn = at_place(&p, 0.7, y);
                 float color[3];
                 to_float(drawn, color);
                 for (int other = 1; other < SKV_MAX_FLUIDS; other++)
@@ -109,7 +89,7 @@ static void fluids_show_and_stand_out(void **state)
             }
             /* A dye hides its fluid's colour. */
             float dyed[3];
-            to_float(pixel(&p, 1.2, 0.2), dyed);
+            to_float(at_place(&p, 1.2, 0.2), dyed);
             assert_true(colors_apart(0, dyed, colors->dyes[0]) <
                         colors_apart(0, dyed, colors->fluids[fluid - 1]));
             free(p.rgb);
@@ -133,7 +113,7 @@ static void a_scene_names_a_colour(void **state)
             skv_render_style style =
                 style_of((skv_palette)palette, SKV_VIEW_WATER, SKV_DETAIL_PLAIN);
             picture p = shoot(world, &style, WIDTH, HEIGHT);
-            const uint8_t *drawn = pixel(&p, 0.7, 0.25);
+            const uint8_t *drawn = at_place(&p, 0.7, 0.25);
             /* Halfway down; light goes with the depth. */
             for (int k = 0; k < 3; k++)
                 if (fabsf((float)drawn[k] - given[i].color[k]) > 0.12f * given[i].color[k] + 2)

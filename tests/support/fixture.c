@@ -218,3 +218,17 @@ void fixture_assert_near(double actual, double expected, double tolerance, const
     print_error("%.9g is not %.9g +- %.3g\n", actual, expected, tolerance);
     _fail(file, line);
 }
+
+skv_instrument fixture_instrument(skv_lab *lab, skv_instrument_kind kind, double window, double x0,
+                                  double y0, double x1, double y1)
+{
+    skv_instrument_def def = skv_default_instrument_def(kind);
+    def.x0 = x0;
+    def.y0 = y0;
+    def.x1 = x1;
+    def.y1 = y1;
+    def.window = window;
+    skv_instrument id;
+    assert_int_equal(skv_lab_add(lab, &def, &id, NULL), SKV_OK);
+    return id;
+}

@@ -57,6 +57,11 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow);
 /* What skv_world_hash gives for a world of clear fluid that has these particles. */
 uint64_t fixture_hash(const skv_particles *particles);
 
+/* Adds an instrument whose readings are means over `window` seconds; fails the test on any error.
+ */
+skv_instrument fixture_instrument(skv_lab *lab, skv_instrument_kind kind, double window, double x0,
+                                  double y0, double x1, double y1);
+
 skv_packing fixture_packing(const skv_world *world);
 
 /* Steps whole 1/60 s frames. */
