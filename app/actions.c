@@ -86,6 +86,16 @@ static void on_tool(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpoint
     play_window_show_page(window, "play");
 }
 
+static void on_fluid(G_GNUC_UNUSED GSimpleAction *action, GVariant *state, gpointer window)
+{
+    skv_control_fluid(stage_of(window), g_variant_get_int32(state));
+}
+
+ACTIVATION(on_next_fluid)
+{
+    skv_control_next_fluid(stage_of(window));
+}
+
 ACTIVATION(on_brush)
 {
     skv_control_scale_brush(stage_of(window), g_variant_get_double(value));
@@ -223,6 +233,8 @@ static const GActionEntry entries[] = {
     {.name = "change-speed", .parameter_type = "i", .activate = on_change_speed},
     {.name = "weightless", .activate = on_weightless},
     {.name = "tool", .parameter_type = "i", .state = "0", .change_state = on_tool},
+    {.name = "fluid", .parameter_type = "i", .state = "0", .change_state = on_fluid},
+    {.name = "next-fluid", .activate = on_next_fluid},
     {.name = "brush", .parameter_type = "d", .activate = on_brush},
     {.name = "measure", .parameter_type = "i", .activate = on_measure},
     {.name = "stopwatch", .parameter_type = "b", .activate = on_stopwatch},
@@ -258,6 +270,7 @@ static void update_states(PlayWindow *window)
     set_state(window, "pause", g_variant_new_boolean(skv_stage_paused(stage)));
     set_state(window, "speed", g_variant_new_double(skv_stage_speed(stage)));
     set_state(window, "tool", g_variant_new_int32(skv_stage_tool(stage)));
+    set_state(window, "fluid", g_variant_new_int32(skv_stage_fluid(stage)));
     set_state(window, "gallery",
               g_variant_new_boolean(g_strcmp0(play_window_page(window), "play") != 0));
     set_state(window, "fullscreen",

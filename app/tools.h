@@ -11,6 +11,4 @@ void play_tools_fill(GtkBox *box, PlayView *view);
 /* A button of that kind which opens a menu or a popover, to be given to it. */
 GtkWidget *play_tools_menu_button(const char *icon, const char *name, const char *tip);
 
-/* Makes hand or brush larger by a factor; smaller below 1. */
-
 #endif

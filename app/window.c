@@ -6,6 +6,7 @@
 
 #include "ball.h"
 #include "cards.h"
+#include "fluids.h"
 #include "gallery.h"
 #include "input.h"
 #include "legend.h"
@@ -30,7 +31,7 @@ struct _PlayWindow {
         *watching;
     AdwFlap *flap;
     GtkStack *pages;
-    GtkBox *properties, *tools;
+    GtkBox *properties, *tools, *fluids;
     AdwWindowTitle *title;
     AdwToastOverlay *toasts;
     AdwToast *toast; /* that was said last, while it is to be seen */
@@ -376,6 +377,7 @@ static void make_parts(PlayWindow *window)
     play_input_attach(window->view);
     play_input_attach_keys(GTK_WIDGET(window), window->view);
     play_tools_fill(window->tools, window->view);
+    play_fluids_attach(window->fluids, window->view);
     play_probes_attach(window->probes, window->view, GTK_BOX(window->tray));
     play_ball_attach(window->ball, window->view);
     play_legend_attach(window->legend, window->view);
@@ -448,6 +450,7 @@ static void play_window_class_init(PlayWindowClass *class)
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, pages);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, properties);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, tools);
+    gtk_widget_class_bind_template_child(widget_class, PlayWindow, fluids);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, title);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, toasts);
     gtk_widget_class_bind_template_child(widget_class, PlayWindow, message);

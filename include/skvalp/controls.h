@@ -62,6 +62,10 @@ SKV_API void skv_control_planet(skv_stage *stage, int side, const skv_named_numb
 
 /** Chooses a tool; one that dyes and is chosen already takes its next colour. */
 SKV_API void skv_control_tool(skv_stage *stage, int tool);
+/** Chooses what is poured, and the tool that pours it, unless one is chosen. */
+SKV_API void skv_control_fluid(skv_stage *stage, int fluid);
+/** The same with the next of the first side's fluids; nothing where there is but one. */
+SKV_API void skv_control_next_fluid(skv_stage *stage);
 /** Sets the brush's radius, m, within the limits; or makes it `factor` times as large. */
 SKV_API void skv_control_brush(skv_stage *stage, double radius);
 SKV_API void skv_control_scale_brush(skv_stage *stage, double factor);

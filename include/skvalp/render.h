@@ -109,6 +109,11 @@ typedef struct skv_legend {
 /** The scale with which a frame is drawn. Thread-safe. */
 SKV_API skv_legend skv_render_legend(const skv_frame *frame, const skv_render_style *style);
 
+/** What a frame's fluid looks like, by its number: 0xrrggbb, as halfway down. A fluid that names no
+ * colour has one that suits its material (skvalp/fluid.h), or else one of its own, as far from
+ * those of the others as can be; the first is blue. Thread-safe. */
+SKV_API int skv_render_fluid_color(const skv_frame *frame, skv_palette palette, int fluid);
+
 typedef struct skv_renderer skv_renderer;
 
 /** Makes a renderer for the current context, which must stay current for every later call,

@@ -307,6 +307,7 @@ typedef struct skv_tool {
     const char *help;  /**< one sentence */
     char key;          /**< that chooses it */
     bool dyes;         /**< works with a colour: skv_stage_set_dye */
+    bool pours;        /**< places fluid: skv_stage_set_fluid */
 } skv_tool;
 SKV_API const skv_tool *skv_tool_info(int i);
 
@@ -319,6 +320,11 @@ SKV_API void skv_stage_set_brush(skv_stage *stage, double radius);
 /** Chooses the colour that tools dye with, as skv_dye_name; default 1. With 0 they wash dye out. */
 SKV_API void skv_stage_set_dye(skv_stage *stage, int dye);
 SKV_API int skv_stage_dye(const skv_stage *stage);
+/** Chooses the fluid that tools pour, by its number in skv_frame.fluids; default 0, which is
+ * poured, too, where a world has none of the number chosen. */
+SKV_API void skv_stage_set_fluid(skv_stage *stage, int fluid);
+/** What is poured in the first side's world. */
+SKV_API int skv_stage_fluid(const skv_stage *stage);
 
 typedef enum skv_device {
     SKV_DEVICE_MOUSE,

@@ -4,6 +4,7 @@
 #include "render/look.h"
 
 #include <math.h>
+#include <string.h>
 
 #define EARTH_GRAVITY 9.81
 #define SCALE_COLORS  9
@@ -132,12 +133,54 @@ void skv_look_scale(skv_view view, double place, float color[3])
         color[k] = scale[i][k] + share * (scale[i + 1][k] - scale[i][k]);
 }
 
+/* The place in a palette's list of fluids whose colour suits a material; -1: none does. */
+static int place_of_material(const skv_liquid *liquid)
+{
+    static const struct {
+        const char *name;
+        int place;
+    } fitting[] = {{"oil", 0}, {"honey", 4}, {"mercury", 5}};
+    const skv_material *material;
+    for (int i = 0; (material = skv_material_info(i)); i++)
+        for (size_t k = 0; k < sizeof fitting / sizeof *fitting; k++)
+            if (strcmp(material->name, fitting[k].name) == 0 &&
+                material->density == liquid->density && material->viscosity == liquid->viscosity)
+                return fitting[k].place;
+    return -1;
+}
+
+/* A fluid's place in a palette's list: what suits its material, if it is the first that it suits;
+ * else the first from its own number on that suits no other and was not given to one before it. */
+static int place_of(const skv_frame *frame, int number)
+{
+    int given[SKV_MAX_FLUIDS];
+    bool taken[SKV_MAX_FLUIDS - 1] = {false};
+    for (int i = 1; i < frame->fluid_count; i++) {
+        given[i] = place_of_material(&frame->fluids[i]);
+        if (given[i] >= 0 && taken[given[i]])
+            given[i] = -1;
+        if (given[i] >= 0)
+            taken[given[i]] = true;
+    }
+    for (int i = 1; i < frame->fluid_count && i <= number; i++) {
+        int place = i - 1;
+        while (given[i] < 0 && taken[place])
+            place = (place + 1) % (SKV_MAX_FLUIDS - 1);
+        if (given[i] < 0)
+            given[i] = place;
+        taken[given[i]] = true;
+    }
+    return number < frame->fluid_count ? given[number] : number - 1;
+}
+
 void skv_look_fluid(const skv_colors *colors, const skv_frame *frame, int number, float color[3])
 {
     int own = number < frame->fluid_count ? frame->fluids[number].color : -1;
+    int place = number > 0 && own < 0 ? place_of(frame, number) : 0;
     for (int k = 0; k < 3; k++)
-        color[k] =
-            own < 0 ? colors->fluids[number - 1][k] : (float)(own >> (16 - 8 * k) & 255) / 255;
+        color[k] = own >= 0     ? (float)(own >> (16 - 8 * k) & 255) / 255
+                   : number > 0 ? colors->fluids[place][k]
+                                : sqrtf(colors->shallow[k] * colors->deep[k]);
 }
 
 double skv_look_line(const skv_camera *camera)

@@ -35,7 +35,8 @@ typedef struct skv_colors {
 /* Static. */
 const skv_colors *skv_look_colors(skv_palette palette);
 
-/* What a frame's fluid looks like halfway down: its own colour, or that of its number. */
+/* What a frame's fluid looks like halfway down: its own colour, or what suits its material, or that
+ * of its number. */
 void skv_look_fluid(const skv_colors *colors, const skv_frame *frame, int number, float color[3]);
 
 /* The colour of a view's scale at a place from 0 to 1, RGB 0..1. */

@@ -211,6 +211,17 @@ static void find_scale(const skv_frame *frame, const skv_render_style *style, sk
         legend->high = given;
 }
 
+int skv_render_fluid_color(const skv_frame *frame, skv_palette palette, int fluid)
+{
+    SKV_ASSERT_OR(frame && fluid >= 0 && fluid < SKV_MAX_FLUIDS, 0);
+    float color[3];
+    skv_look_fluid(skv_look_colors(palette), frame, fluid, color);
+    int code = 0;
+    for (int k = 0; k < 3; k++)
+        code = code << 8 | (int)lroundf(255 * color[k]);
+    return code;
+}
+
 skv_legend skv_render_legend(const skv_frame *frame, const skv_render_style *style)
 {
     skv_legend legend = {.label = "", .unit = "", .high = 1, .step = 1};

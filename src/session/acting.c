@@ -135,19 +135,24 @@ void skv_stage_show_all(skv_stage *stage)
 
 /* ---- Tools and pointers ---------------------------------------------------------------------- */
 
+static void ask_chosen(skv_stage *stage)
+{
+    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_CHOSEN, .chosen = stage->chosen});
+}
+
 void skv_stage_set_tool(skv_stage *stage, int tool)
 {
     SKV_ASSERT(stage);
     if (!skv_tool_info(tool))
         return;
-    stage->tool = tool;
-    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_TOOL, .number = tool});
+    stage->chosen.tool = tool;
+    ask_chosen(stage);
 }
 
 int skv_stage_tool(const skv_stage *stage)
 {
     SKV_ASSERT_OR(stage, 0);
-    return stage->tool;
+    return stage->chosen.tool;
 }
 
 void skv_stage_set_brush(skv_stage *stage, double radius)
@@ -155,8 +160,8 @@ void skv_stage_set_brush(skv_stage *stage, double radius)
     SKV_ASSERT(stage);
     if (isnan(radius))
         return;
-    stage->brush = fmin(fmax(radius, 0), WIDEST_BRUSH);
-    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_BRUSH, .x = stage->brush});
+    stage->chosen.brush = fmin(fmax(radius, 0), WIDEST_BRUSH);
+    ask_chosen(stage);
 }
 
 void skv_stage_set_dye(skv_stage *stage, int dye)
@@ -164,14 +169,29 @@ void skv_stage_set_dye(skv_stage *stage, int dye)
     SKV_ASSERT(stage);
     if (!skv_dye_name(dye))
         return;
-    stage->dye = dye;
-    skv_stage_ask(stage, &(skv_message){.kind = SKV_MESSAGE_DYE, .number = dye});
+    stage->chosen.dye = dye;
+    ask_chosen(stage);
 }
 
 int skv_stage_dye(const skv_stage *stage)
 {
     SKV_ASSERT_OR(stage, 0);
-    return stage->dye;
+    return stage->chosen.dye;
+}
+
+void skv_stage_set_fluid(skv_stage *stage, int fluid)
+{
+    SKV_ASSERT(stage);
+    if (fluid < 0 || fluid >= SKV_MAX_FLUIDS)
+        return;
+    stage->chosen.fluid = fluid;
+    ask_chosen(stage);
+}
+
+int skv_stage_fluid(const skv_stage *stage)
+{
+    SKV_ASSERT_OR(stage, 0);
+    return stage->chosen.fluid < stage->shown[0]->frame.fluid_count ? stage->chosen.fluid : 0;
 }
 
 /* A finger that is lifted is nowhere. */

@@ -179,6 +179,26 @@ void skv_control_tool(skv_stage *stage, int tool)
     skv_stage_set_tool(stage, tool);
 }
 
+void skv_control_fluid(skv_stage *stage, int fluid)
+{
+    SKV_ASSERT(stage);
+    int tool = 0;
+    skv_stage_set_fluid(stage, fluid);
+    if (skv_tool_info(skv_stage_tool(stage))->pours)
+        return;
+    while (!skv_tool_info(tool)->pours)
+        tool++;
+    skv_stage_set_tool(stage, tool);
+}
+
+void skv_control_next_fluid(skv_stage *stage)
+{
+    SKV_ASSERT(stage);
+    int count = skv_stage_picture(stage, 0)->frame.fluid_count;
+    if (count > 1)
+        skv_control_fluid(stage, (skv_stage_fluid(stage) + 1) % count);
+}
+
 void skv_control_brush(skv_stage *stage, double radius)
 {
     SKV_ASSERT(stage);

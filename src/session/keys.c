@@ -27,6 +27,7 @@ static const skv_key keys[] = {
     {PLAYBACK, "Stopwatch: start and stop, lap", "l", "stopwatch", "true", false},
     {TOOLS, "Smaller and larger", "[", "brush", "0.8", true},
     {TOOLS, "Smaller and larger", "]", "brush", "1.25", true},
+    {TOOLS, "Pour the next fluid", "n", "next-fluid", NULL, false},
     {TOOLS, "A pressure probe", "m", "measure", "0", false},
     {TOOLS, "A hand for the keyboard: arrow keys move it", "k", "keyboard-hand", NULL, false},
     {TOOLS, "Close that hand, and open it", "Return", NULL, NULL, false},

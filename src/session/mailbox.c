@@ -46,9 +46,7 @@ bool skv_message_outlives(const skv_message *message)
     case SKV_MESSAGE_LED:
     case SKV_MESSAGE_PLAY:
     case SKV_MESSAGE_GRAVITY:
-    case SKV_MESSAGE_TOOL:
-    case SKV_MESSAGE_BRUSH:
-    case SKV_MESSAGE_DYE:
+    case SKV_MESSAGE_CHOSEN:
     case SKV_MESSAGE_POINTER:
     case SKV_MESSAGE_CANCEL:
         return true;

@@ -5,6 +5,7 @@
 
 #include <stdatomic.h>
 
+#include "session/tools.h"
 #include "skvalp/stage.h"
 
 typedef enum skv_message_kind {
@@ -28,9 +29,7 @@ typedef enum skv_message_kind {
     SKV_MESSAGE_PLAY,    /* play */
     SKV_MESSAGE_GRAVITY, /* x, y */
     SKV_MESSAGE_PUSH,    /* x, y */
-    SKV_MESSAGE_TOOL,    /* number */
-    SKV_MESSAGE_BRUSH,   /* x */
-    SKV_MESSAGE_DYE,     /* number */
+    SKV_MESSAGE_CHOSEN,  /* chosen */
     SKV_MESSAGE_POINTER, /* pointer */
     SKV_MESSAGE_CANCEL,
     SKV_MESSAGE_PROBE_ADD,   /* probe */
@@ -80,6 +79,7 @@ typedef struct skv_message {
             int frames;
             double factor;
         } play;
+        skv_chosen chosen;
         skv_pointer_event pointer; /* px, py in metres, y up */
         struct {
             uint32_t id;

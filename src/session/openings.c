@@ -211,6 +211,7 @@ static void take_over(skv_worker *worker, skv_player *player, const skv_player_d
     const skv_terrain *terrain = skv_world_terrain(world);
     worker->tools.world_size =
         fmax((double)skv_terrain_width(terrain), (double)skv_terrain_height(terrain));
+    worker->tools.fluids = skv_world_frame(world).fluid_count;
     worker->tools.steps = skv_steps_of(world);
     float x, y;
     skv_world_gravity(world, &x, &y);

@@ -67,8 +67,8 @@ static void paint_tools(const skv_worker *worker, skv_picture *picture)
 {
     picture->tilt_x = worker->tilt_x;
     picture->tilt_y = worker->tilt_y;
-    picture->tool = worker->tools.tool;
-    picture->brush = skv_tools_radius(&worker->tools, worker->tools.tool);
+    picture->tool = worker->tools.chosen.tool;
+    picture->brush = skv_tools_radius(&worker->tools, worker->tools.chosen.tool);
     picture->hand_count = worker->hand_count;
     for (int i = 0; i < worker->hand_count; i++)
         picture->hands[i] = worker->hands[i];

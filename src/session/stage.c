@@ -34,7 +34,7 @@ skv_result skv_stage_create(const skv_stage_def *def, skv_stage **out, skv_error
     stage->count = 1;
     stage->shown[0] = skv_session_acquire(stage->worlds[0]);
     stage->speed = 1;
-    stage->dye = 1;
+    stage->chosen.dye = 1;
     stage->goal = -1;
     *out = stage;
     return SKV_OK;
@@ -184,9 +184,7 @@ static void join(skv_stage *stage)
     stage->worlds[1] = second;
     stage->shown[1] = skv_session_acquire(second);
     stage->count = 2;
-    skv_stage_set_tool(stage, stage->tool);
-    skv_stage_set_dye(stage, stage->dye);
-    skv_stage_set_brush(stage, stage->brush);
+    skv_session_post(second, &(skv_message){.kind = SKV_MESSAGE_CHOSEN, .chosen = stage->chosen});
     skv_stage_set_speed(stage, stage->speed);
     skv_session_post(second, &(skv_message){.kind = SKV_MESSAGE_TIMED, .number = stage->timed});
     skv_stage_join(stage, shown ? SKV_REPLAY_OPENED : SKV_REPLAY_OFFERED);

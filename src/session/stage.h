@@ -21,8 +21,8 @@ struct skv_stage {
     bool timed;                  /* as in skv_stage_set_timed */
     bool apart;                  /* hands and gravity are for one side only */
     /* What a second world is told, too. */
-    int tool, dye;
-    double brush, speed;
+    skv_chosen chosen;
+    double speed;
     uint32_t next_probe;
     int64_t goal; /* the moment sought last, until it is reached; -1: none */
     skv_fingers fingers[2];

@@ -41,6 +41,12 @@ typedef struct tool {
     double share; /* default radius */
 } tool;
 
+/* What is poured. */
+static int fluid_of(const skv_toolbox *box)
+{
+    return box->chosen.fluid < box->fluids ? box->chosen.fluid : 0;
+}
+
 static void apply(skv_toolbox *box, const skv_command *command)
 {
     box->apply(command, box->user);
@@ -75,6 +81,7 @@ static void dab(skv_toolbox *box, skv_command_kind kind, const skv_pointer *poin
     command.water.y1 = (float)y;
     command.water.radius = (float)skv_tools_radius(box, pointer->tool);
     command.water.dye = dye;
+    command.water.fluid = kind == SKV_COMMAND_POUR ? fluid_of(box) : 0;
     apply(box, &command);
 }
 
@@ -105,7 +112,7 @@ static void pour(skv_toolbox *box, const skv_pointer *pointer, double x, double 
 
 static void dye(skv_toolbox *box, const skv_pointer *pointer, double x, double y)
 {
-    dab(box, SKV_COMMAND_DYE, pointer, x, y, box->dye);
+    dab(box, SKV_COMMAND_DYE, pointer, x, y, box->chosen.dye);
 }
 
 static void drain(skv_toolbox *box, const skv_pointer *pointer, double x, double y)
@@ -138,6 +145,7 @@ static void tap(skv_toolbox *box, const skv_pointer *pointer, double x, double y
     command.source.vx = (float)vx;
     command.source.vy = (float)vy;
     command.source.width = 2 * (float)skv_tools_radius(box, pointer->tool);
+    command.source.fluid = fluid_of(box);
     apply(box, &command);
 }
 
@@ -171,33 +179,35 @@ static void erase(skv_toolbox *box, const skv_pointer *pointer, double x, double
 enum { HAND, WALL, WATER, ERASER, TAP, DRAIN, DYE, WIND };
 
 static const tool tools[] = {
-    [HAND] = {.info = {"hand", "Hand", "Holds water, lifts it and throws it.", '1', false},
+    [HAND] = {.info = {"hand", "Hand", "Holds water, lifts it and throws it.", '1', false, false},
               .share = HAND_SHARE},
-    [WALL] = {.info = {"wall", "Wall", "Draws walls.", '2', false},
+    [WALL] = {.info = {"wall", "Wall", "Draws walls.", '2', false, false},
               .draw = draw_wall,
               .share = WALL_SHARE},
-    [WATER] = {.info = {"water", "Water", "Pours water.", '3', false},
+    [WATER] = {.info = {"water", "Water", "Pours water.", '3', false, true},
                .draw = pour,
                .goes_on = true,
                .share = BRUSH_SHARE},
     [ERASER] = {.info = {"eraser", "Eraser", "Takes walls, taps, drains, wind and water away.", '4',
-                         false},
+                         false, false},
                 .draw = erase,
                 .goes_on = true,
                 .share = BRUSH_SHARE},
-    [TAP] = {.info = {"tap", "Tap", "Lets water flow: draw the way it is to take.", '5', false},
+    [TAP] = {.info = {"tap", "Tap", "Lets water flow: draw the way it is to take.", '5', false,
+                      true},
              .draw = tap,
              .at_end = true,
              .share = WALL_SHARE},
-    [DRAIN] = {.info = {"drain", "Drain", "Lets water out.", '6', false},
+    [DRAIN] = {.info = {"drain", "Drain", "Lets water out.", '6', false, false},
                .draw = drain,
                .at_end = true,
                .share = BRUSH_SHARE},
-    [DYE] = {.info = {"dye", "Dye", "Colours water and taps; again: the next colour.", '7', true},
+    [DYE] = {.info = {"dye", "Dye", "Colours water and taps; again: the next colour.", '7', true,
+                      false},
              .draw = dye,
              .goes_on = true,
              .share = BRUSH_SHARE},
-    [WIND] = {.info = {"wind", "Wind", "Blows on: draw the way it is to take.", '8', false},
+    [WIND] = {.info = {"wind", "Wind", "Blows on: draw the way it is to take.", '8', false, false},
               .draw = blow,
               .at_end = true,
               .share = WIND_SHARE},
@@ -211,7 +221,7 @@ const skv_tool *skv_tool_info(int i)
 
 double skv_tools_radius(const skv_toolbox *box, int number)
 {
-    return box->brush > 0 ? box->brush : tools[number].share * box->world_size;
+    return box->chosen.brush > 0 ? box->chosen.brush : tools[number].share * box->world_size;
 }
 
 /* ---- Brushes --------------------------------------------------------------------------------- */
@@ -275,7 +285,7 @@ static void go_down(skv_toolbox *box, const skv_pointer_event *event, skv_pointe
     if (!pointer)
         return;
     bool erases = event->secondary || event->device == SKV_DEVICE_ERASER;
-    pointer->tool = erases ? ERASER : box->tool;
+    pointer->tool = erases ? ERASER : box->chosen.tool;
     pointer->straight = event->straight;
     pointer->pressure = event->pressure;
     pointer->start_x = pointer->held_x = pointer->done_x = event->px;
@@ -407,7 +417,7 @@ static skv_mark segment(skv_mark_role role, double x0, double y0, double x1, dou
 static skv_mark brush_at(const skv_toolbox *box, int number, double x, double y)
 {
     skv_mark mark = circle(SKV_MARK_BRUSH, x, y, skv_tools_radius(box, number));
-    mark.dye = tools[number].info.dyes ? box->dye : 0;
+    mark.dye = tools[number].info.dyes ? box->chosen.dye : 0;
     return mark;
 }
 
@@ -436,7 +446,7 @@ int skv_tools_marks(const skv_toolbox *box, skv_mark marks[SKV_MOST_MARKS])
     int count = 0;
     for (int i = 0; i < box->pointers.count; i++)
         count += mark_pointer(box, &box->pointers.list[i], &marks[count]);
-    if (box->hovering && count == 0 && tools[box->tool].draw)
-        marks[count++] = brush_at(box, box->tool, box->hover_x, box->hover_y);
+    if (box->hovering && count == 0 && tools[box->chosen.tool].draw)
+        marks[count++] = brush_at(box, box->chosen.tool, box->hover_x, box->hover_y);
     return count;
 }

@@ -6,13 +6,20 @@
 #include "session/pointers.h"
 #include "skvalp/player.h"
 
+/* What people have chosen for pointers that go down. */
+typedef struct skv_chosen {
+    int tool;
+    double brush; /* m; 0: by the world's size */
+    int dye;      /* of tools that dye */
+    int fluid;    /* of those that pour; the first, where a world lacks it */
+} skv_chosen;
+
 /* What tools are given to work with. */
 typedef struct skv_toolbox {
     skv_pointers pointers;
-    int tool;          /* of those that go down */
-    double brush;      /* m; 0: by the world's size */
-    int dye;           /* of those that dye */
+    skv_chosen chosen;
     double world_size; /* m, the longer side */
+    int fluids;        /* of the world */
     skv_steps steps;   /* of what pointers do */
     bool hovering;     /* a pointer that is not down is at (hover_x, hover_y) */
     double hover_x, hover_y;

@@ -423,14 +423,8 @@ static void handle(skv_worker *worker, const skv_message *message)
             act(worker, &(skv_command){.kind = SKV_COMMAND_PUSH,
                                        .vector = {(float)message->x, (float)message->y}});
         break;
-    case SKV_MESSAGE_TOOL:
-        worker->tools.tool = message->number;
-        break;
-    case SKV_MESSAGE_BRUSH:
-        worker->tools.brush = message->x;
-        break;
-    case SKV_MESSAGE_DYE:
-        worker->tools.dye = message->number;
+    case SKV_MESSAGE_CHOSEN:
+        worker->tools.chosen = message->chosen;
         break;
     case SKV_MESSAGE_POINTER:
         if (message->pointer.phase != SKV_PHASE_DOWN || !withhold(worker))
@@ -579,7 +573,7 @@ void skv_worker_start(skv_worker *worker, const skv_stage_def *def)
     worker->pace = skv_pace_start();
     worker->tools.apply = edit;
     worker->tools.user = worker;
-    worker->tools.dye = 1;
+    worker->tools.chosen.dye = 1;
     skv_gallery_create(&worker->gallery);
 }
 

@@ -113,6 +113,18 @@ static void tell_cells(GString *json, const skv_frame *frame)
     g_string_append_c(json, ']');
 }
 
+/* How many particles there are of each. */
+static void tell_fluids(GString *json, const skv_frame *frame)
+{
+    int counts[SKV_MAX_FLUIDS] = {0};
+    for (int i = 0; i < frame->particles.count; i++)
+        counts[frame->particles.fluid ? frame->particles.fluid[i] : 0]++;
+    open(json, "fluids", '[');
+    for (int i = 0; i < frame->fluid_count; i++)
+        number(json, NULL, counts[i]);
+    g_string_append_c(json, ']');
+}
+
 static void tell_probes(GString *json, const skv_picture *picture)
 {
     open(json, "probes", '[');
@@ -160,6 +172,7 @@ static void tell_world(GString *json, PlayView *view)
     open(json, NULL, '{');
     text(json, "name", picture->name);
     text(json, "title", picture->title);
+    tell_fluids(json, &picture->frame);
     number(json, "opened", picture->opened);
     number(json, "picture", (double)picture->number);
     number(json, "time", picture->frame.time);
@@ -218,6 +231,7 @@ static void tell_stage(GString *json, PlayView *view)
     number(json, "tool", skv_stage_tool(stage));
     number(json, "brush", picture->brush);
     number(json, "dye", skv_stage_dye(stage));
+    number(json, "fluid", skv_stage_fluid(stage));
     truth(json, "linked", skv_stage_linked(stage));
 }
 

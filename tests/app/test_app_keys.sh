@@ -71,6 +71,7 @@ await brush
 old=$answer
 does '[' "brush < 0.9 * $old"
 does ']' "brush > 0.95 * $old"
+does n 'fluid == 0 and not shows("oil")' # test_app_fluids.sh has more of it
 does m 'len(worlds[0].probes) == 1'
 for one in 8 7 6 5 4 3 2 1; do
     key "$one"

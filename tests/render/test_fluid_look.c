@@ -35,6 +35,55 @@ static void every_eye_tells_fluids_apart(void **state)
     }
 }
 
+static skv_liquid made_of(const char *name)
+{
+    skv_liquid liquid = skv_default_liquid();
+    const skv_material *material;
+    for (int i = 0; (material = skv_material_info(i)); i++)
+        if (strcmp(material->name, name) == 0) {
+            liquid.density = material->density;
+            liquid.viscosity = material->viscosity;
+        }
+    return liquid;
+}
+
+/* Wherever they stand in the list: oil is yellow, honey orange, mercury grey. No two are alike, and
+ * a scene's own colour goes first. */
+static void materials_have_their_colours(void **state)
+{
+    (void)state;
+    skv_liquid fluids[SKV_MAX_FLUIDS] = {made_of("water"), made_of("mercury"), made_of("honey"),
+                                         made_of("water"), made_of("oil"),     made_of("oil"),
+                                         made_of("water"), made_of("mercury")};
+    skv_frame frame = {.fluids = fluids, .fluid_count = SKV_MAX_FLUIDS};
+    for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+        int colors[SKV_MAX_FLUIDS];
+        double lab[3][3];
+        for (int i = 0; i < SKV_MAX_FLUIDS; i++) {
+            colors[i] = skv_render_fluid_color(&frame, (skv_palette)palette, i);
+            for (int j = 0; j < i; j++)
+                assert_int_not_equal(colors[i], colors[j]);
+        }
+        for (int i = 0; i < 3; i++) {
+            int code = colors[(int[]){1, 2, 4}[i]];
+            float color[3] = {(float)(code >> 16) / 255, (float)(code >> 8 & 255) / 255,
+                              (float)(code & 255) / 255};
+            color_seen_by(0, color, lab[i]);
+        }
+        double hues[3], purities[3];
+        for (int i = 0; i < 3; i++) {
+            hues[i] = atan2(lab[i][2], lab[i][1]) * 57.29577951308232;
+            purities[i] = hypot(lab[i][1], lab[i][2]);
+        }
+        if (purities[0] > 0.03 || hues[1] < 45 || hues[1] > 75 || hues[2] < hues[1] + 5)
+            fail_msg("palette %d: mercury's purity %.3f, honey's hue %.0f, oil's %.0f", palette,
+                     purities[0], hues[1], hues[2]);
+        fluids[1].color = 0x123456;
+        assert_int_equal(skv_render_fluid_color(&frame, (skv_palette)palette, 1), 0x123456);
+        fluids[1].color = -1;
+    }
+}
+
 /* Walls around 0.4 m of one of seven fluids, and a drop of water dyed rose. */
 static skv_world *make_basin(int fluid, const char *color)
 {
@@ -128,6 +177,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_eye_tells_fluids_apart),
+        cmocka_unit_test(materials_have_their_colours),
         cmocka_unit_test(fluids_show_and_stand_out),
         cmocka_unit_test(a_scene_names_a_colour),
     };

@@ -58,6 +58,33 @@ const trials = {
         assert.equal(await page.evaluate(() => scrollY + document.documentElement.scrollTop), 0);
     },
 
+    async 'what is poured is chosen'(browser) {
+        const page = await begin(browser, phone, '?scene=oil&paused=1');
+        const chip = (name) => page.getByRole('group', { name: 'What is poured' }).getByRole('button', { name });
+        const chosen = (fluid, tool) => until(page, ([fluid, tool]) =>
+            window.skvalp.state.value.fluid === fluid && window.skvalp.state.value.tool === tool, `fluid ${fluid}`, [fluid, tool]);
+        await chip('oil').click(); // and the tool that pours
+        await chosen(1, 2);
+        assert.equal(await chip('oil').getAttribute('aria-pressed'), 'true');
+        const colors = await page.locator('.drop').evaluateAll((drops) => drops.map((drop) => getComputedStyle(drop).backgroundColor));
+        const { worlds: [{ fluids, particles, camera }] } = await stateOf(page);
+        const canvas = await page.locator('canvas.canvas').boundingBox();
+        assert.deepEqual(fluids.map(({ name }) => name), ['water', 'oil']);
+        assert.notEqual(...colors);
+        await touch(page, 'touchStart', [
+            canvas.x + camera.originX + 0.8 * camera.scale, canvas.y + camera.originY - 0.75 * camera.scale,
+        ]);
+        await until(page, (before) => window.skvalp.state.value.worlds[0].particles > before, 'oil is poured', particles);
+        await touch(page, 'touchEnd');
+        await page.keyboard.press('n');
+        await chosen(0, 2);
+        await page.keyboard.press('n');
+        await chosen(1, 2);
+        assert.deepEqual(await faults(page, 'chips'), []);
+        const other = await begin(browser, phone, '?scene=pool');
+        assert.equal(await other.locator('.drop').count(), 0, 'a choice of one fluid');
+    },
+
     async 'a wall is drawn and undone'(browser) {
         const page = await begin(browser, desk);
         await button(page, 'Wall').click();

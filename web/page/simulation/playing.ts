@@ -217,6 +217,7 @@ export class Playing {
             tool: picture.tool,
             brush: picture.brush,
             dye: c.skv_stage_dye(stage),
+            fluid: c.skv_stage_fluid(stage),
             linked: c.skv_stage_linked(stage),
             threads: this.#surroundings.threads,
             chosen: this.#chosen,

@@ -102,6 +102,9 @@ export interface Simulation {
     setDye(dye: number): void;
     /** As setTool; one that dyes and is chosen again takes its next colour. */
     chooseTool(tool: number): void;
+    /** What is poured, as worlds[0].fluids; and the next of them. */
+    chooseFluid(fluid: number): void;
+    nextFluid(): void;
     pointer(event: PointerMessage): void;
     cancelPointers(): void;
     keyboard(right: number, up: number, down: boolean): void;
@@ -200,6 +203,8 @@ export interface WorldState {
     height: number;
     spacing: number;
     parameters: Record<string, string>;
+    /** The first included; colours as CSS writes them. */
+    fluids: { name: string; color: string }[];
     /** Where on the canvas it is drawn, in CSS pixels. */
     area: { x: number; y: number; width: number; height: number };
     /** A point of the world in m is at (originX + scale x, originY - scale y) in CSS pixels. */
@@ -238,6 +243,7 @@ export interface State {
     tool: number;
     brush: number;
     dye: number;
+    fluid: number;
     linked: boolean;
     threads: number;
     /** How many particles a scene of 3000 begins with here, as was measured; null: not yet. */

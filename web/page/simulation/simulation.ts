@@ -325,6 +325,14 @@ export class Simulator implements Simulation {
         this.#ask(this.#library.c.skv_control_tool, tool);
     }
 
+    chooseFluid(fluid: number) {
+        this.#ask(this.#library.c.skv_control_fluid, fluid);
+    }
+
+    nextFluid() {
+        this.#ask(this.#library.c.skv_control_next_fluid);
+    }
+
     pointer(event: PointerMessage) {
         this.#pointers.tell(event);
         this.#playing.asked();

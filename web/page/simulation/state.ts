@@ -1,6 +1,6 @@
 // The state: what a picture says, as plain data.
 import type { Library } from '../../src/library.js';
-import type { Located, skv_picture, skv_probe } from '../../src/interface.js';
+import type { Located, skv_picture, skv_probe, skv_render_style } from '../../src/interface.js';
 import { using } from '../../src/memory.js';
 
 import { parametersOf, texts } from './catalogue';
@@ -32,7 +32,7 @@ export class Reader {
         this.#units.clear();
     }
 
-    world(world: World, { ratio }: Worlds, style: Located): WorldState {
+    world(world: World, { ratio }: Worlds, style: skv_render_style): WorldState {
         const { c } = this.#library;
         const { picture, area, camera } = world;
         const { frame } = picture;
@@ -52,6 +52,7 @@ export class Reader {
             height: terrain ? c.skv_terrain_height(terrain) : camera.world_height,
             spacing: frame.spacing,
             parameters: this.#readParameters(world),
+            fluids: this.#readFluids(frame, style.palette),
             area: { ...area },
             camera: {
                 scale: camera.scale / ratio,
@@ -102,6 +103,14 @@ export class Reader {
             const { label, low, high, step } = legend;
             return { label, ...this.#unit(legend.unit), low, high, step, colors };
         });
+    }
+
+    #readFluids(frame: skv_picture['frame'], palette: number) {
+        const library = this.#library, size = library.size('skv_liquid');
+        return Array.from({ length: frame.fluid_count }, (_, i) => ({
+            name: library.view('skv_liquid', frame.fluids + i * size).name,
+            color: `#${library.c.skv_render_fluid_color(frame, palette, i).toString(16).padStart(6, '0')}`,
+        }));
     }
 
     #channelsOf(kind: number) {

@@ -4,7 +4,7 @@ import { openFile } from './actions';
 import { Header } from './Header';
 import { Messages } from './Messages';
 import { later } from './later';
-import { controls, measures, part, ready } from './model';
+import { controls, fluids, measures, part, ready } from './model';
 import { Panel } from './Panel';
 import { Stage } from './Stage';
 import { Tools } from './Tools';
@@ -12,6 +12,7 @@ import { Transport } from './Transport';
 import { _ } from './words';
 
 const Chips = later(() => import('./Chips'), true);
+const Fluids = later(() => import('./Fluids'), true);
 const Watching = later(() => import('./Watching'), true);
 const watching = part((s) => s.watching, false);
 
@@ -35,7 +36,10 @@ export function App({ canvas }: { canvas: HTMLCanvasElement }) {
             </div>
             {shown !== 'none' && (
                 <div class="dock">
-                    {measures.value && <Chips />}
+                    <div class="trays">
+                        {measures.value && <Chips />}
+                        {shown === 'all' && fluids.value && <Fluids />}
+                    </div>
                     <div class="playback">
                         {watching.value && <Watching />}
                         <Transport />

@@ -23,6 +23,7 @@ export const actions: Record<string, ((argument: string) => void) | null> = {
     undo: () => simulation.undo(),
     redo: () => simulation.redo(),
     stopwatch: (lap) => simulation.pressStopwatch(lap === 'true'),
+    'next-fluid': () => simulation.nextFluid(),
     brush: (factor) => simulation.scaleBrush(Number(factor)),
     measure: (kind) => simulation.addGauge(Number(kind)),
     'keyboard-hand': toggleKeyboardHand,

@@ -29,6 +29,8 @@ export const world = computed<WorldState | null>(() => state.value?.worlds[0] ??
 export const paused = part((s) => s.paused, true);
 export const tool = part((s) => s.tool, 0);
 export const dye = part((s) => s.dye, 0);
+/** Whether there is a choice of what to pour. */
+export const fluids = part((s) => s.worlds[0].fluids.length > 1, false);
 /** Whether there are instruments. */
 export const measures = part((s) => s.worlds.some(({ probes }) => probes.length > 0), false);
 export const compared = part((s) => s.worlds.length > 1, false);
