@@ -62,7 +62,7 @@ typedef struct skv_liquid {
                                     world; "water" is the first */
     float density;             /**< kg/m^2 of the sheet, 0.01..20 times that of the first */
     float viscosity;           /**< m^2/s; it does not act yet: the first fluid's does on all */
-    int color;                 /**< 0xrrggbb, as it looks in deep layers; -1: by its number */
+    int color;                 /**< 0xrrggbb, as it looks in deep layers; -1: by material and number */
 } skv_liquid;
 
 /** A liquid like the default fluid, which still needs a name of its own; and the same for binders

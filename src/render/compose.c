@@ -16,6 +16,11 @@ static skv_result find_program(skv_compose *compose, skv_shown shown, bool full,
         [SKV_SHOWN_WATER] = {"#define WATER\n", "#define WATER\n#define FULL\n"},
         [SKV_SHOWN_TINTED] = {"#define WATER\n#define TINTED\n",
                               "#define WATER\n#define TINTED\n#define FULL\n"},
+        [SKV_SHOWN_PARTED] = {"#define WATER\n#define PARTED\n",
+                              "#define WATER\n#define PARTED\n#define FULL\n"},
+        [SKV_SHOWN_PARTED_TINTED] = {"#define WATER\n#define PARTED\n#define TINTED\n",
+                                     "#define WATER\n#define PARTED\n#define TINTED\n"
+                                     "#define FULL\n"},
         [SKV_SHOWN_VALUE] = {"#define SCALE\n", "#define SCALE\n#define FULL\n"}};
     GLuint *made = &compose->programs[shown][full];
     skv_result result = SKV_OK;
@@ -138,12 +143,24 @@ static void set_scale(const skv_compose *compose, GLuint program, const skv_comp
                      legend->colors);
 }
 
-static skv_shown choose_shown(const skv_composition *picture, bool tinted)
+static void set_fluids(GLuint program, const skv_splats *splats, const skv_composition *picture)
+{
+    float fluids[SKV_MAX_FLUIDS][3];
+    for (int i = 0; i < SKV_MAX_FLUIDS; i++)
+        skv_look_fluid(picture->colors, picture->frame, i, fluids[i]);
+    glUniform3fv(glGetUniformLocation(program, "u_fluids"), SKV_MAX_FLUIDS, fluids[0]);
+    glUniform1i(glGetUniformLocation(program, "u_last"), splats->last_fluid);
+}
+
+static skv_shown choose_shown(const skv_composition *picture, const bool used[SKV_SPLATS])
 {
     if (picture->view == SKV_VIEW_PARTICLES)
         return SKV_SHOWN_NO_FLUID;
     if (picture->legend->shown)
         return SKV_SHOWN_VALUE;
+    bool tinted = used[SKV_SPLAT_TINTS];
+    if (used[SKV_SPLAT_FEW])
+        return tinted ? SKV_SHOWN_PARTED_TINTED : SKV_SHOWN_PARTED;
     return tinted ? SKV_SHOWN_TINTED : SKV_SHOWN_WATER;
 }
 
@@ -151,8 +168,8 @@ skv_result skv_compose_draw(skv_compose *compose, const skv_splats *splats, cons
                             const skv_composition *picture, skv_error *error)
 {
     GLuint program;
-    skv_result result = find_program(compose, choose_shown(picture, splats->tinted), picture->full,
-                                     &program, error);
+    skv_result result =
+        find_program(compose, choose_shown(picture, splats->used), picture->full, &program, error);
     if (result != SKV_OK)
         return result;
     glUseProgram(program);
@@ -161,8 +178,11 @@ skv_result skv_compose_draw(skv_compose *compose, const skv_splats *splats, cons
     set_splats(program, splats, picture);
     set_scale(compose, program, picture);
     bind(program, "u_walls", 2, walls->texture);
-    bind(program, "u_tints", 1, splats->tints);
-    bind(program, "u_splats", 0, splats->sums);
+    set_fluids(program, splats, picture);
+    bind(program, "u_more", 5, splats->textures[SKV_SPLAT_MORE]);
+    bind(program, "u_few", 4, splats->textures[SKV_SPLAT_FEW]);
+    bind(program, "u_tints", 1, splats->textures[SKV_SPLAT_TINTS]);
+    bind(program, "u_splats", 0, splats->textures[SKV_SPLAT_SUMS]);
     glBindVertexArray(compose->attributes);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

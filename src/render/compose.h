@@ -10,8 +10,10 @@
 typedef enum skv_shown {
     SKV_SHOWN_NO_FLUID,
     SKV_SHOWN_WATER,  /* by its depth */
-    SKV_SHOWN_TINTED, /* fluid with colours of its own */
-    SKV_SHOWN_VALUE,  /* on a scale */
+    SKV_SHOWN_TINTED, /* with dyes */
+    SKV_SHOWN_PARTED, /* several fluids */
+    SKV_SHOWN_PARTED_TINTED,
+    SKV_SHOWN_VALUE, /* on a scale */
     SKV_SHOWN_KINDS
 } skv_shown;
 

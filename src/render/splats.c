@@ -1,5 +1,5 @@
 /* Splats: particles added up in textures of a quarter to the whole of the view's resolution.
- * Invariant: `target` is the size of `sums`, and of `tints` while `tinted`. */
+ * Invariant: `target` is the size of the textures that are `used`. */
 #include "render/splats.h"
 
 #include <math.h>
@@ -30,21 +30,23 @@ skv_result skv_splats_create(skv_splats *splats, bool half_float, skv_error *err
     glGenVertexArrays(1, &splats->attributes);
     glGenBuffers(1, &splats->buffer);
     glGenFramebuffers(1, &splats->framebuffer);
-    splats->sums = skv_gl_texture();
-    splats->tints = skv_gl_texture();
+    for (int i = 0; i < SKV_SPLATS; i++)
+        splats->textures[i] = skv_gl_texture();
 
     glBindVertexArray(splats->attributes);
     glBindBuffer(GL_ARRAY_BUFFER, splats->buffer);
     const struct {
         GLint size;
         GLenum type;
+        GLboolean share;
         size_t offset;
-    } parts[] = {{2, GL_FLOAT, offsetof(skv_vertex, x)},
-                 {2, GL_FLOAT, offsetof(skv_vertex, value)},
-                 {4, GL_UNSIGNED_SHORT, offsetof(skv_vertex, tint)}};
-    for (GLuint i = 0; i < 3; i++) {
+    } parts[] = {{2, GL_FLOAT, GL_FALSE, offsetof(skv_vertex, x)},
+                 {2, GL_FLOAT, GL_FALSE, offsetof(skv_vertex, value)},
+                 {4, GL_UNSIGNED_SHORT, GL_TRUE, offsetof(skv_vertex, tint)},
+                 {1, GL_UNSIGNED_BYTE, GL_FALSE, offsetof(skv_vertex, fluid)}};
+    for (GLuint i = 0; i < sizeof parts / sizeof *parts; i++) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, parts[i].size, parts[i].type, GL_TRUE, sizeof(skv_vertex),
+        glVertexAttribPointer(i, parts[i].size, parts[i].type, parts[i].share, sizeof(skv_vertex),
                               (const void *)parts[i].offset);
     }
     glBindVertexArray(0);
@@ -53,40 +55,41 @@ skv_result skv_splats_create(skv_splats *splats, bool half_float, skv_error *err
 
 void skv_splats_destroy(skv_splats *splats)
 {
-    const GLuint textures[] = {splats->sums, splats->tints};
     glDeleteProgram(splats->program);
     glDeleteVertexArrays(1, &splats->attributes);
     glDeleteBuffers(1, &splats->buffer);
     glDeleteFramebuffers(1, &splats->framebuffer);
-    glDeleteTextures(2, textures);
+    glDeleteTextures(SKV_SPLATS, splats->textures);
     *splats = (skv_splats){0};
 }
 
-static void resize_texture(const skv_splats *splats, GLuint texture, GLenum attachment)
+static void resize_texture(const skv_splats *splats, int number)
 {
-    glBindTexture(GL_TEXTURE_2D, texture);
+    glBindTexture(GL_TEXTURE_2D, splats->textures[number]);
     glTexImage2D(GL_TEXTURE_2D, 0, splats->half_float ? GL_RGBA16F : GL_RGBA8, splats->target.width,
                  splats->target.height, 0, GL_RGBA,
                  splats->half_float ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, NULL);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
 }
 
-/* Makes the textures fit; leaves the framebuffer bound, with one or two targets. */
-static skv_result fit_textures(skv_splats *splats, skv_gl_target target, bool tinted,
-                               skv_error *error)
+/* Makes the textures fit; leaves the framebuffer bound, with those that are wanted as targets. */
+static skv_result fit_textures(skv_splats *splats, skv_gl_target target,
+                               const bool wanted[SKV_SPLATS], skv_error *error)
 {
     bool same = target.width == splats->target.width && target.height == splats->target.height;
+    GLenum buffers[SKV_SPLATS];
     splats->target = target;
     glBindFramebuffer(GL_FRAMEBUFFER, splats->framebuffer);
-    if (!same)
-        resize_texture(splats, splats->sums, GL_COLOR_ATTACHMENT0);
-    if (tinted && !(same && splats->tinted))
-        resize_texture(splats, splats->tints, GL_COLOR_ATTACHMENT1);
-    else if (!tinted && splats->tinted)
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
-    const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    glDrawBuffers(tinted ? 2 : 1, buffers);
-    splats->tinted = tinted;
+    for (int i = 0; i < SKV_SPLATS; i++) {
+        GLenum attachment = GL_COLOR_ATTACHMENT0 + (GLenum)i;
+        if (wanted[i] && !(same && splats->used[i]))
+            resize_texture(splats, i);
+        if (wanted[i] != splats->used[i])
+            glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D,
+                                   wanted[i] ? splats->textures[i] : 0, 0);
+        splats->used[i] = wanted[i];
+        buffers[i] = wanted[i] ? attachment : GL_NONE;
+    }
+    glDrawBuffers(SKV_SPLATS, buffers);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
         return SKV_OK;
     splats->target = (skv_gl_target){0};
@@ -127,10 +130,15 @@ skv_result skv_splats_draw(skv_splats *splats, const skv_vertices *vertices, dou
     skv_gl_target target;
     double radius =
         choose_target(splats, SKV_SPLAT_RADIUS * spacing * camera->scale, full, camera, &target);
-    skv_result result = fit_textures(splats, target, vertices->tinted, error);
+    const bool wanted[SKV_SPLATS] = {[SKV_SPLAT_SUMS] = true,
+                                     [SKV_SPLAT_TINTS] = vertices->tinted,
+                                     [SKV_SPLAT_FEW] = vertices->last_fluid > 0,
+                                     [SKV_SPLAT_MORE] = vertices->last_fluid > 3};
+    skv_result result = fit_textures(splats, target, wanted, error);
     if (result != SKV_OK)
         return result;
     splats->foamy = vertices->foamy;
+    splats->last_fluid = vertices->last_fluid;
 
     glBindBuffer(GL_ARRAY_BUFFER, splats->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)vertices->count * (GLsizeiptr)sizeof(skv_vertex),

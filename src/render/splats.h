@@ -5,10 +5,22 @@
 #include "render/gl.h"
 #include "render/vertices.h"
 
+/* What is added up: values; what dyes take; the shares of fluids 1 to 3 and of all, and of 4 to 7.
+ */
+typedef enum skv_splat {
+    SKV_SPLAT_SUMS,
+    SKV_SPLAT_TINTS,
+    SKV_SPLAT_FEW,
+    SKV_SPLAT_MORE,
+    SKV_SPLATS
+} skv_splat;
+
 typedef struct skv_splats {
     GLuint program, attributes, buffer, framebuffer;
-    GLuint sums, tints; /* textures; the second is as large as the first once it was needed */
-    bool half_float, tinted, foamy;
+    GLuint textures[SKV_SPLATS];
+    bool used[SKV_SPLATS]; /* in the picture that was drawn last */
+    bool half_float, foamy;
+    int last_fluid;       /* as in skv_vertices */
     skv_gl_target target; /* the textures' size and its relation to the view */
     double reach;         /* radius of a splat, view pixels */
     double crowd;         /* the sums by those of splats of the usual width */

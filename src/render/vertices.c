@@ -158,25 +158,6 @@ static void fill_foam(skv_vertices *vertices, const skv_frame *frame)
     }
 }
 
-/* Tints by number: first the fluids but for the first, then the dyes. A dye hides its fluid's. */
-enum { FLUID_TINTS = SKV_MAX_FLUIDS - 1, TINTS = FLUID_TINTS + SKV_DYES };
-
-/* A particle's; -1: none. */
-static int tint_of(const skv_particles *particles, int i)
-{
-    if (particles->dye && particles->dye[i])
-        return FLUID_TINTS + particles->dye[i] - 1;
-    return particles->fluid && particles->fluid[i] ? particles->fluid[i] - 1 : -1;
-}
-
-static void color_of(const skv_frame *frame, const skv_colors *colors, int tint, float color[3])
-{
-    if (tint < FLUID_TINTS)
-        skv_look_fluid(colors, frame, tint + 1, color);
-    else
-        memcpy(color, colors->dyes[tint - FLUID_TINTS], 3 * sizeof *color);
-}
-
 /* Adds to what a vertex shows `share` of a colour; colours multiply, as inks do. */
 static void add_tint(skv_vertex *vertex, const float taken[3], float share)
 {
@@ -186,43 +167,45 @@ static void add_tint(skv_vertex *vertex, const float taken[3], float share)
 }
 
 /* A dye shows on the fluid around its particles, too: where it mixes fluid becomes cloudy as with
- * ink, not speckled. Fluids part, and show where. */
-static void fill_tint(skv_vertices *vertices, const skv_frame *frame, int tint,
-                      const float color[3])
+ * ink, not speckled. */
+static void fill_dye(skv_vertices *vertices, const skv_frame *frame, int dye, const float color[3])
 {
     const skv_particles particles = frame->particles;
     skv_mesh *mesh = &vertices->mesh;
-    bool mixes = tint >= FLUID_TINTS;
     float taken[3]; /* share of the most */
     for (int k = 0; k < 3; k++)
-        taken[k] = fminf((float)-skv_log((double)fmaxf(color[k], FLT_MIN)) / SKV_TINT_LIGHT, 1);
-    if (mixes)
-        skv_mesh_begin_values(mesh, 0);
-    for (int i = 0; mixes && i < particles.count; i++)
-        skv_mesh_add_value(mesh, particles.x[i], particles.y[i], tint_of(&particles, i) == tint, 1);
+        taken[k] = fminf((float)-skv_log((double)color[k]) / SKV_TINT_LIGHT, 1);
+    skv_mesh_begin_values(mesh, 0);
+    for (int i = 0; i < particles.count; i++)
+        skv_mesh_add_value(mesh, particles.x[i], particles.y[i], particles.dye[i] == dye, 1);
     for (int i = 0; i < particles.count; i++) {
-        float own = tint_of(&particles, i) == tint;
-        float around = mixes ? skv_mesh_value(mesh, particles.x[i], particles.y[i], 0) : own;
-        /* Less than the whole, so that rounding of all tints stays within it. */
+        float own = particles.dye[i] == dye;
+        float around = skv_mesh_value(mesh, particles.x[i], particles.y[i], 0);
+        /* Less than the whole, so that rounding of all dyes stays within it. */
         add_tint(&vertices->list[i], taken, 0.9998f * (around + OWN_COLOR * (own - around)));
     }
 }
 
-static void fill_tints(skv_vertices *vertices, const skv_frame *frame, const skv_colors *colors)
+static void fill_dyes(skv_vertices *vertices, const skv_frame *frame, const skv_colors *colors)
 {
-    bool shown[TINTS] = {false};
-    for (int i = 0; i < frame->particles.count; i++) {
-        int tint = tint_of(&frame->particles, i);
-        if (tint >= 0)
-            shown[tint] = true;
-    }
-    for (int tint = 0; tint < TINTS; tint++) {
-        if (!shown[tint])
-            continue;
-        float color[3];
-        color_of(frame, colors, tint, color);
-        fill_tint(vertices, frame, tint, color);
-        vertices->tinted = true;
+    const skv_particles particles = frame->particles;
+    bool shown[SKV_DYES + 1] = {false};
+    for (int i = 0; particles.dye && i < particles.count; i++)
+        shown[particles.dye[i]] = true;
+    for (int dye = 1; dye <= SKV_DYES; dye++)
+        if (shown[dye]) {
+            fill_dye(vertices, frame, dye, colors->dyes[dye - 1]);
+            vertices->tinted = true;
+        }
+}
+
+static void fill_fluids(skv_vertices *vertices, const skv_frame *frame)
+{
+    const skv_particles particles = frame->particles;
+    for (int i = 0; particles.fluid && i < particles.count; i++) {
+        vertices->list[i].fluid[0] = particles.fluid[i];
+        if (particles.fluid[i] > vertices->last_fluid)
+            vertices->last_fluid = particles.fluid[i];
     }
 }
 
@@ -239,6 +222,7 @@ skv_result skv_vertices_fill(skv_vertices *vertices, const skv_frame *frame, skv
     vertices->count = particles.count;
     vertices->foamy = foam;
     vertices->tinted = false;
+    vertices->last_fluid = 0;
     for (int k = 0; k < 3; k++)
         vertices->slope[k] = 0;
     for (int i = 0; i < particles.count; i++)
@@ -252,7 +236,8 @@ skv_result skv_vertices_fill(skv_vertices *vertices, const skv_frame *frame, skv
         fill_density(vertices, frame, legend);
     if (view == SKV_VIEW_WATER || view == SKV_VIEW_FLUID) {
         fill_depth(vertices, frame);
-        fill_tints(vertices, frame, colors);
+        fill_dyes(vertices, frame, colors);
+        fill_fluids(vertices, frame);
     }
     if (foam)
         fill_foam(vertices, frame);

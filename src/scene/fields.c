@@ -94,7 +94,7 @@ static const skv_field fields[SKV_F_COUNT] = {
     OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_DENSITY, "fluids[].density", "kg/m^2", 0.01, 400000, "",
                "mass of a square metre of the sheet; else the material's")
     OWN_TEXT(SKV_F_FLUIDS + SKV_LIQUID_COLOR, "fluids[].color", 7,
-             "as it looks where it is deep, \"#rrggbb\"; else by its place in the list")
+             "as it looks where it is deep, \"#rrggbb\"; else by material and place in the list")
     LINE_FIELDS(SKV_F_SOLID, "solid[]")
     OWN_FLAG(SKV_F_SOLID + SKV_SOLID_CARVE, "solid[].carve", "false",
              "cut the shape out of the solid before it in the list")

@@ -14,6 +14,7 @@
 #include "render/eyes.h"
 #include "render/look.h"
 #include "render/picture.h"
+#include "skvalp/acting.h"
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
@@ -147,6 +148,49 @@ static void fluids_show_and_stand_out(void **state)
     }
 }
 
+/* Between oil and water, as they lie and where they are stirred: but for a line of two pixels all
+ * is of the one's colour or the other's. */
+static void fluids_part_in_a_clean_line(void **state)
+{
+    (void)state;
+    skv_world *world = make_world("oil", 1000, 1);
+    for (int frame = 0; frame < 30; frame++) {
+        skv_hand hand = (skv_hand){.x = 0.4f + 0.02f * (float)frame,
+                                   .y = 0.3f,
+                                   .vx = 1.2f,
+                                   .radius = 0.1f,
+                                   .attraction = 100,
+                                   .follow = 40};
+        assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+        assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_OK);
+    }
+    skv_frame frame = skv_world_frame(world);
+    for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+        skv_detail detail = palette == SKV_PALETTE_LIGHT ? SKV_DETAIL_PLAIN : SKV_DETAIL_FULL;
+        skv_render_style style = style_of((skv_palette)palette, SKV_VIEW_FLUID, detail);
+        picture p = shoot_frame(&frame, &style, WIDTH, HEIGHT);
+        float colors[2][3], drawn[3];
+        for (int fluid = 0; fluid < 2; fluid++)
+            skv_look_fluid(skv_look_colors((skv_palette)palette), &frame, fluid, colors[fluid]);
+        int neither = 0, longest = 0, seen[2] = {0};
+        for (int x = 4; x < WIDTH - 4; x++)
+            for (int y = HEIGHT - 5, run = 0; y > HEIGHT - 130; y--) {
+                to_float(at(&p, x, y), drawn);
+                double first = colors_apart(0, drawn, colors[0]);
+                double second = colors_apart(0, drawn, colors[1]);
+                run = first > 0.13 && second > 0.13 ? run + 1 : 0;
+                seen[second < first] += run == 0;
+                neither += run > 0;
+                longest = run > longest ? run : longest;
+            }
+        if (longest > 14 || neither > 1000 || seen[0] < 40000 || seen[1] < 5000)
+            fail_msg("palette %d: %d pixels of neither, %d of them in a row; %d, %d", palette,
+                     neither, longest, seen[0], seen[1]);
+        free(p.rgb);
+    }
+    skv_world_destroy(world);
+}
+
 static void a_scene_names_a_colour(void **state)
 {
     (void)state;
@@ -179,6 +223,7 @@ int main(void)
         cmocka_unit_test(every_eye_tells_fluids_apart),
         cmocka_unit_test(materials_have_their_colours),
         cmocka_unit_test(fluids_show_and_stand_out),
+        cmocka_unit_test(fluids_part_in_a_clean_line),
         cmocka_unit_test(a_scene_names_a_colour),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

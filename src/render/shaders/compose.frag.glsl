@@ -1,11 +1,16 @@
 // Pass two: background, fluid where the splats' sum exceeds the threshold, walls on top. The fluid
-// is water by its depth if WATER is defined, with dyes and other fluids in it if TINTED is, a value on
-// a scale if SCALE is, else it is left out. With FULL defined, light and smoothness that software drawing cannot
+// is water by its depth if WATER is defined, with other fluids beside it if PARTED is and dyes in them
+// if TINTED is, a value on a scale if SCALE is, else it is left out. With FULL defined, light and smoothness that software drawing cannot
 // afford.
 
-// Sums over splats: value, trust in it or foam, squared weight, weight; and what tints take.
+// Sums over splats: value, trust in it or foam, squared weight, weight; what dyes take; shares of
+// fluids 1 to 3, and of all; and of 4 to 7.
 uniform sampler2D u_splats;
 uniform sampler2D u_tints;
+uniform sampler2D u_few;
+uniform sampler2D u_more;
+uniform int u_last;        // the highest number of them
+uniform vec3 u_fluids[8];  // their colours
 uniform bool u_foamy;      // foam it is
 uniform vec2 u_splat_size; // texels
 uniform float u_texels;    // texels a view pixel
@@ -94,6 +99,7 @@ vec4 sample_at(sampler2D image, Taps taps)
     return mix(below, above, taps.weight.y);
 }
 #else
+#define Taps vec2
 vec2 taps_at(vec2 texel)
 {
     return texel / u_splat_size;
@@ -137,13 +143,64 @@ vec3 lit(vec3 water, vec2 outwards, float inside, float rim, float foam)
 }
 #endif
 
-#ifdef TINTED
-// Water with dyes or other fluids in it, each of which takes its part of the light: colours multiply,
-// as inks do. `tint` is the light that they take, and how much of the fluid they are.
-vec3 tinted(vec3 water, vec4 tint, float depth)
+#if defined(TINTED) || defined(PARTED)
+// What is left of the light that a colour was chosen in.
+float light_at(float depth)
 {
-    float light = 1.0 + u_relief * (0.26 * exp(-depth) - 0.16);
-    return exp(max(1.0 - tint.a, 0.0) * log(water) + tint.a * log(light) - u_tint_light * tint.rgb);
+    return 1.0 + u_relief * (0.26 * exp(-depth) - 0.16);
+}
+#endif
+
+#ifdef TINTED
+// Fluid with dyes in it, each of which takes its part of the light: colours multiply, as inks do.
+// `tint` is the light that they take, and how much of the fluid they are.
+vec3 tinted(vec3 fluid, vec4 tint, float depth)
+{
+    return exp(max(1.0 - tint.a, 0.0) * log(fluid) + tint.a * log(light_at(depth)) - u_tint_light * tint.rgb);
+}
+#endif
+
+#ifdef PARTED
+// The two fluids that have most of a place, and their colours.
+struct Two {
+    float most, next;
+    vec3 here, there;
+};
+
+void consider(inout Two two, float share, vec3 color)
+{
+    bool leads = share > two.most, follows = share > two.next;
+    two.there = leads ? two.here : follows ? color : two.there;
+    two.next = leads ? two.most : follows ? share : two.next;
+    two.here = leads ? color : two.here;
+    two.most = leads ? share : two.most;
+}
+
+// The fluid that has most of a place. Where the next has about as much, within a pixel, the line
+// between both is smooth; no third colour comes of it.
+vec3 parted(vec3 water, Taps taps, float depth)
+{
+    vec4 few = sample_at(u_few, taps), more = vec4(0.0);
+    if (u_last > 3)
+        more = sample_at(u_more, taps);
+    float rest = few.a - dot(few.rgb, vec3(1.0)) - dot(more, vec4(1.0));
+    float light = light_at(depth);
+    Two two = Two(rest, few.r, water, light * u_fluids[1]);
+    if (few.r > rest)
+        two = Two(few.r, rest, two.there, water);
+    if (u_last > 1) {
+        consider(two, few.g, light * u_fluids[2]);
+        consider(two, few.b, light * u_fluids[3]);
+    }
+    if (u_last > 3) {
+        consider(two, more.r, light * u_fluids[4]);
+        consider(two, more.g, light * u_fluids[5]);
+        consider(two, more.b, light * u_fluids[6]);
+        consider(two, more.a, light * u_fluids[7]);
+    }
+    // Across a straight line the lead grows by 1.5 a spacing, 0.3 of a splat's radius.
+    float lead = 0.3 * u_reach / u_pixel * (two.most - two.next) / max(few.a, 1.0e-5 * u_gain);
+    return mix(two.there, two.here, 0.5 + 0.5 * min(lead, 1.0));
 }
 #endif
 
@@ -153,11 +210,7 @@ vec3 tinted(vec3 water, vec4 tint, float depth)
 vec4 fluid_at(vec2 pixel, vec2 point, float wall)
 {
     vec2 texel = pixel * u_texels + u_margin;
-#ifdef FULL
     Taps taps = taps_at(texel);
-#else
-    vec2 taps = taps_at(texel);
-#endif
     vec4 sums = sample_at(u_splats, taps);
     float fluid = excess(sums, 1.0 / free_share(wall));
     vec2 rise = vec2(dFdx(fluid), dFdy(fluid));
@@ -191,6 +244,9 @@ vec4 fluid_at(vec2 pixel, vec2 point, float wall)
 #ifdef WATER
     vec3 water = mix(u_deep, u_shallow, exp(-max(value, 0.0) * u_murk));
     float weight = max(sums.a, 1.0e-5 * u_gain);
+#ifdef PARTED
+    water = parted(water, taps, max(value, 0.0));
+#endif
 #ifdef TINTED
     water = tinted(water, sample_at(u_tints, taps) / weight, max(value, 0.0));
 #endif
