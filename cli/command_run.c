@@ -196,7 +196,7 @@ static skv_result open_run(cli_run *run, skv_error *error)
         if (!options->quiet && run->scene)
             print_notices(run->scene);
         if (options->csv)
-            series_head(&run->csv);
+            series_head(&run->csv, run->world);
         if (options->trace)
             trace_head(&run->trace);
     }
@@ -215,11 +215,10 @@ static skv_result record(cli_run *run, skv_error *error)
     const run_timeline *now = &run->timeline;
     skv_result result = SKV_OK;
     if (run->csv.stream && (now->at_frame || now->at_end)) {
-        skv_stats stats = skv_world_stats(run->world);
         skv_packing packing;
         result = skv_world_packing(run->world, &packing, error);
         if (!result) {
-            series_row(&run->csv, &stats, &packing, now->time);
+            series_row(&run->csv, run->world, &packing, now->time);
             result = output_file_check(&run->csv, error);
         }
     }

@@ -8,7 +8,8 @@
 void trace_head(output_file *file);
 void trace_rows(output_file *file, const skv_world *world, double time);
 
-void series_head(output_file *file);
-void series_row(output_file *file, const skv_stats *stats, const skv_packing *packing, double time);
+/* Of several fluids each has columns of its own behind those of all. */
+void series_head(output_file *file, const skv_world *world);
+void series_row(output_file *file, const skv_world *world, const skv_packing *packing, double time);
 
 #endif

@@ -350,6 +350,35 @@ static void expect_fluid(const json_t *fluid, const char *trace, int number_of, 
     assert_true(fabs(number(fluid, "centre_y") - y / count) < 1e-6);
 }
 
+/* Each fluid has columns of its own in the time series; their last row is what the result says. */
+static void test_columns_of_fluids(void **state)
+{
+    static const char scene[] =
+        "{\"particles\": 300, \"fluids\": [{\"name\": \"oil, \\\"old\\\"\", \"material\": "
+        "\"oil\"}, {\"name\": \"none\"}], \"water\": [{\"shape\": \"box\", \"y1\": 0.2}, "
+        "{\"shape\": \"box\", \"y0\": 0.2, \"y1\": 0.3, \"fluid\": \"oil, \\\"old\\\"\"}]}";
+    file_write(*state, "two.json", scene);
+    json_t *object = RUN_JSON(*state, "two.json", "--seconds", "0.25", "--csv", "s.csv");
+    char *text = file_read(*state, "s.csv");
+    assert_non_null(strstr(text, ",centre_y,water.particles,water.kinetic_energy,water.centre_x,"
+                                 "water.centre_y,\"oil, \"\"old\"\".particles\",\"oil, "));
+    const char *last = text, *empty = ",0,0,,\n";
+    for (const char *line = next_line(text); *line; line = next_line(line))
+        last = line;
+    double row[19];
+    assert_int_equal(read_row(last, row, 19), 19); /* those that are not empty, before the end */
+    assert_string_equal(last + strlen(last) - strlen(empty), empty);
+    for (size_t i = 0; i < 2; i++) {
+        static const char *const keys[] = {"particles", "kinetic_energy", "centre_x", "centre_y"};
+        const json_t *fluid = json_array_get(json_object_get(object, "fluids"), i);
+        for (size_t k = 0; k < 4; k++)
+            assert_true(fabs(row[11 + 4 * i + k] - number(fluid, keys[k])) <
+                        1e-6 * (1e-3 + row[11 + 4 * i + k]));
+    }
+    free(text);
+    json_decref(object);
+}
+
 /* Each fluid is told of, in the result and in the trace, and a link and a state keep it. */
 static void test_fluids(void **state)
 {
@@ -415,6 +444,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_trace_is_the_state, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_series, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_tables_on_stdout, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_columns_of_fluids, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_fluids, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_summary, folder_setup, folder_teardown),
     };
