@@ -76,8 +76,9 @@ save_readings() {
     key Return
     await 'not dialog()'
 }
+point 40 25
 key m
-await 'says("1  Pressure") and not says("1  Pressure  –")'
+await 'says("1  Pressure") and says("cm of water")'
 await '[one.text for one in windows[0].widgets if one.text.startswith("1  Pressure")][0]'
 press "$answer" Toggle
 await 'menus() == 1'
@@ -86,11 +87,33 @@ await 'says("kept.csv was saved")'
 [[ -s $work/kept.csv ]] || fail "no readings were saved"
 save_readings /sys/kept.csv
 await 'message.startswith("kept.csv was not saved: ")'
-await 'windows[0].xid'
-xdotool windowfocus --sync "$answer"
-key Escape
-await 'closed()'
-focus
+close_card() {
+    await 'windows[0].xid'
+    xdotool windowfocus --sync "$answer"
+    key Escape
+    await 'closed()'
+    focus
+}
+close_card
+# Of two worlds: a table of three columns, though what theory says of B has a comma in its name.
+key c
+await 'len(worlds) == 2'
+key space s
+await paused
+await '[one.text for one in windows[0].widgets if one.text.startswith("1  Pressure  A")][0]'
+press "$answer" Toggle
+await 'menus() == 1 and all(world.probes[0].samples > 0 for world in worlds)'
+save_readings "$work/both.csv"
+await 'says("both.csv was saved")'
+close_card
+python3 - "$work/both.csv" <<'END' || fail "what was saved is no table of both worlds: $(head -n 5 "$work/both.csv")"
+import csv, sys
+head, *rows = csv.reader(open(sys.argv[1], newline=""), strict=True)
+assert head[:2] == ["series", "time (s)"] and all(len(row) == 3 for row in [head, *rows])
+assert {row[0] for row in rows} == {"World A", "World B", "theory: density g depth", "theory, B"}
+END
+key c
+await 'len(worlds) == 1'
 # What was asked for just before the window closes is written nevertheless.
 save_as ctrl+s 'Save What Happened' "$work/last.skv"
 quit_app

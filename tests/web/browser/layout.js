@@ -102,6 +102,18 @@ const trials = {
         assert.deepEqual((await overlapping(page, ['.reading', '.disc'])).filter((pair) => pair.includes('reading')), []);
     },
 
+    async 'the legends of two worlds lie each within its own half'(browser) {
+        const page = await begin(browser, phone, '?scene=pool&view=pressure');
+        await page.evaluate(() => window.skvalp.simulation.compareWith('honey'));
+        await until(page, () => document.querySelectorAll('.side > .legend').length === 2, 'a legend each');
+        for (const [width, height] of [[360, 740], [320, 568]]) {
+            await page.setViewportSize({ width, height });
+            await until(page, () => window.skvalp.state.value.worlds[1].area.x + window.skvalp.state.value.worlds[1].area.width === innerWidth, 'room');
+            const [a, b] = await page.locator('.side > .legend').evaluateAll((legends) => legends.map((one) => one.getBoundingClientRect().toJSON()));
+            assert.ok(a.left >= 0 && a.right <= b.left && b.right <= width, `${width}: to ${a.right}, and ${b.left} to ${b.right}`);
+        }
+    },
+
     async 'the bar stays as wide as it is, whatever is said beside it'(browser) {
         const page = await begin(browser, phone, '?scene=pool&particles=500');
         await until(page, () => window.skvalp.state.value.moment > 10, 'time passes');

@@ -862,7 +862,8 @@ const trials = {
     async 'every screen is accessible'(browser) {
         const found = [];
         const still = { reducedMotion: 'reduce' };
-        for (const view of [{ ...phone, more: { ...still, colorScheme: 'light' } }, { ...desk, more: still }]) {
+        for (const [screen, colorScheme] of [[phone, 'light'], [phone, 'dark'], [desk, 'light'], [desk, 'dark']]) {
+            const view = { ...screen, more: { ...still, colorScheme } };
             const page = await begin(browser, view, '?view=pressure&scene=pool');
             await page.keyboard.press('m');
             await page.locator('.chip').waitFor();
