@@ -169,10 +169,10 @@ static float resting_depth(const settling *s)
 static bool is_calm(const settling *s)
 {
     const skv_state *p = &s->world->state;
-    double squares = 0;
-    for (int i = 0; i < p->count; i++)
+    double squares = 0, most = s->calm * s->calm * p->count;
+    for (int i = 0; i < p->count && squares <= most; i++)
         squares += (double)(p->vx[i] * p->vx[i] + p->vy[i] * p->vy[i]);
-    return squares <= s->calm * s->calm * p->count;
+    return squares <= most;
 }
 
 /* What a round costs, in particles with no thin wall near. */
@@ -240,6 +240,9 @@ static skv_result relax_all(settling *s, skv_error *error)
     const plan *most = anything_rests(s) ? &aided : &flowing;
     if (!(softness_of(s, world->load.wanted) > 0))
         most = &unaided;
+    /* Without weight, images draw fluid to where a row fits them, and leave cavities between. */
+    if (most == &flowing)
+        s->fluid.wall_images = false;
     float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
     float depth = world->filled * skv_extent_along_gravity(world);
     float resting = resting_depth(s);
