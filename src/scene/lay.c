@@ -71,14 +71,30 @@ static int fluid_at(const skv_water *water, float x, float y)
     return shape ? shape->fluid : skv_water_is_oil(water, x, y) ? PAINTED_OIL : 0;
 }
 
-/* Whether there is fluid, and how far at least the next edge of a wall is along the line. */
+static bool is_drawn(scanner *scan, float x, float y)
+{
+    return skv_water_inside(x, y, &scan->water) &&
+           (scan->fluid == ANY || fluid_at(&scan->water, x, y) == scan->fluid);
+}
+
+/* Whether there is fluid, and how far at least the next edge of a wall is along the line; less than
+ * 0 in a wall. */
 static bool is_wet(scanner *scan, float x, float y, float *room)
 {
-    float distance = skv_terrain_distance(scan->terrain, x, y);
     /* A sampled distance falls by at most sqrt(2) a pixel. */
-    *room = 0.7f * fabsf(distance);
-    return distance > 0 && skv_water_inside(x, y, &scan->water) &&
-           (scan->fluid == ANY || fluid_at(&scan->water, x, y) == scan->fluid);
+    *room = 0.7f * skv_terrain_distance(scan->terrain, x, y);
+    return *room > 0 && is_drawn(scan, x, y);
+}
+
+/* The same so far along the line. Where walls are more than two steps away they need not be asked:
+ * the next step will be a whole one, whatever they say. */
+static bool is_wet_after(scanner *scan, float way, float x, float y, float *room)
+{
+    float left = fabsf(*room) - way;
+    if (!(left > scan->step))
+        return is_wet(scan, x, y, room);
+    *room = *room < 0 ? -left : left;
+    return *room > 0 && is_drawn(scan, x, y);
 }
 
 /* The wet side of the edge between two points, of which one is dry. */
@@ -120,8 +136,9 @@ static void scan_line(scanner *scan, float y, int line)
     float x = scan->water.x0, start = x, room;
     bool wet = is_wet(scan, x, y, &room);
     while (x < end) {
-        float next = skv_minf(x + skv_minf(scan->step, skv_maxf(room, least)), end);
-        bool next_wet = is_wet(scan, next, y, &room);
+        float way = skv_minf(scan->step, skv_maxf(fabsf(room), least));
+        float next = skv_minf(x + way, end);
+        bool next_wet = is_wet_after(scan, way, next, y, &room);
         if (next_wet && !wet)
             start = find_edge(scan, next, x, y);
         else if (wet && !next_wet)
