@@ -197,6 +197,18 @@ void play_window_hide_description(PlayWindow *window)
     hide_description(window);
 }
 
+/* Beside the legend a narrow window has no room for it. */
+static void put_description_below(GtkWidget *legend, G_GNUC_UNUSED GParamSpec *property,
+                                  PlayWindow *window)
+{
+    int high = 0, status;
+    if (gtk_widget_get_visible(legend))
+        gtk_widget_measure(legend, GTK_ORIENTATION_VERTICAL, -1, NULL, &high, NULL, NULL);
+    gtk_widget_measure(GTK_WIDGET(window->status), GTK_ORIENTATION_VERTICAL, -1, NULL, &status,
+                       NULL, NULL);
+    gtk_widget_set_margin_top(GTK_WIDGET(window->description), MAX(0, high - status));
+}
+
 /* For as long as it takes to read it. */
 static void show_description(PlayWindow *window, const char *text)
 {
@@ -381,6 +393,7 @@ static void make_parts(PlayWindow *window)
     play_probes_attach(window->probes, window->view, GTK_BOX(window->tray));
     play_ball_attach(window->ball, window->view);
     play_legend_attach(window->legend, window->view);
+    g_signal_connect(window->legend, "notify::visible", G_CALLBACK(put_description_below), window);
     play_transport_attach(window->transport, window->view);
     play_properties_fill(window->properties, window->view);
 

@@ -129,6 +129,15 @@ start_app pool
 await 'worlds[0].opened == 1 and worlds[0].particles == 1000'
 quit_app
 
+# In a narrow window the scene's description begins below the legend; it goes after some seconds.
+window_size 360 640
+start_app pool
+key v
+await 'find("Legend") and find("Legend").height > 0'
+is '(lambda one, legend: not one or legend.y + legend.height <= one.y)(find("description_text"), find("Legend"))' ||
+    fail "the legend lies over the description: $answer"
+quit_app
+
 # 8. Where nothing can be remembered it goes on all the same; and it ends well though the gallery's pictures
 # are being made.
 rm -rf "$work/.config"
