@@ -17,7 +17,7 @@
 #define DRY   0.95
 #define EMPTY 1.25
 
-static skv_world *open(const char *name, int particles, const char *law, const char *settle)
+static skv_world *open_scene(const char *name, int particles, const char *law, const char *settle)
 {
     const skv_setting settings[] = {{"fluid.law", law}, {"settle", settle}};
     skv_scene_options options = skv_default_scene_options();
@@ -25,7 +25,7 @@ static skv_world *open(const char *name, int particles, const char *law, const c
     options.setting_count = 2;
     options.particles = particles;
     skv_scene *scene;
-    skv_world *world;
+    skv_world *world = NULL;
     skv_error error = {0};
     if (skv_scene_load(name, &options, &scene, &error) != SKV_OK ||
         skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
@@ -39,6 +39,13 @@ typedef struct places {
     int columns, rows;
     double apart; /* m */
 } places;
+
+static void find_place(const places *all, int i, double *x, double *y)
+{
+    int column = i % all->columns, row = i / all->columns;
+    *x = (column + 0.5) * all->apart;
+    *y = (row + 0.5) * all->apart;
+}
 
 static double nearest(const skv_world *world, double x, double y)
 {
@@ -54,12 +61,13 @@ static double nearest(const skv_world *world, double x, double y)
 /* Whether a place is drawn dry; of one in a wall it is not. */
 static bool *find_dry(const places *all, const skv_world *drawn)
 {
-    bool *dry = calloc((size_t)(all->columns * all->rows), sizeof *dry);
+    bool *dry = calloc((size_t)all->columns * (size_t)all->rows, sizeof *dry);
     assert_non_null(dry);
     const skv_terrain *terrain = skv_world_terrain(drawn);
     double spacing = (double)skv_world_spacing(drawn);
     for (int i = 0; i < all->columns * all->rows; i++) {
-        double x = (i % all->columns + 0.5) * all->apart, y = (i / all->columns + 0.5) * all->apart;
+        double x, y;
+        find_place(all, i, &x, &y);
         dry[i] = skv_terrain_distance(terrain, (float)x, (float)y) > 0 &&
                  nearest(drawn, x, y) > DRY * spacing;
     }
@@ -78,8 +86,8 @@ static bool is_deep(const places *all, const bool *dry, int i)
 
 static void expect_none(const char *name, int particles, const char *law)
 {
-    skv_world *drawn = open(name, particles, law, "false"),
-              *begun = open(name, particles, law, "true");
+    skv_world *drawn = open_scene(name, particles, law, "false"),
+              *begun = open_scene(name, particles, law, "true");
     double spacing = (double)skv_world_spacing(drawn);
     places all = {.apart = STEP * spacing};
     all.columns = (int)((double)skv_terrain_width(skv_world_terrain(drawn)) / all.apart);
@@ -87,7 +95,8 @@ static void expect_none(const char *name, int particles, const char *law)
     bool *dry = find_dry(&all, drawn);
     int deep = 0;
     for (int i = 0; i < all.columns * all.rows; i++) {
-        double x = (i % all.columns + 0.5) * all.apart, y = (i / all.columns + 0.5) * all.apart;
+        double x, y;
+        find_place(&all, i, &x, &y);
         if (skv_terrain_distance(skv_world_terrain(drawn), (float)x, (float)y) <= 0 ||
             !is_deep(&all, dry, i))
             continue;
