@@ -8,6 +8,7 @@
 #define SKVALP_FRAME_H
 
 #include "skvalp/base.h"
+#include "skvalp/bodies.h"
 #include "skvalp/particles.h"
 #include "skvalp/terrain.h"
 #include "skvalp/world.h"
@@ -28,6 +29,8 @@ typedef struct skv_frame {
     float gravity_x, gravity_y; /**< m/s^2 */
     const skv_liquid *fluids;   /**< by number, the first included */
     int fluid_count;            /**< of them; 0: who shows particles of his own knows none */
+    const skv_body *bodies;     /**< in the order in which they were added; null: there are none */
+    int body_count;             /**< of them */
 } skv_frame;
 
 /** The world as it is, without a copy: its arrays and terrain, which are valid as long as

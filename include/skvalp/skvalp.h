@@ -9,6 +9,7 @@
 
 #include "skvalp/acting.h"
 #include "skvalp/base.h"
+#include "skvalp/bodies.h"
 #include "skvalp/camera.h"
 #include "skvalp/fluid.h"
 #include "skvalp/frame.h"

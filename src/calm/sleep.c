@@ -23,6 +23,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/bodies.h"
 #include "world/emitters.h"
 #include "world/world_internal.h"
 
@@ -109,6 +110,15 @@ static void wake_for_acting(skv_world *world)
                 skv_sleep_wake(world, i);
         }
     }
+}
+
+/* A body that may move wakes the fluid around it. */
+static void wake_for_body(skv_world *world, const skv_rigid *body)
+{
+    const skv_state *p = &world->state;
+    for (int i = 0; !skv_rigid_is_still(body) && i < p->count; i++)
+        if (skv_rigid_stirs(body, p->x[i], p->y[i], world->h))
+            skv_sleep_wake(world, i);
 }
 
 /* Marks the tiles on a restless particle's way within `dt`, on which forces may lead it `astray`.
@@ -209,6 +219,8 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
     *partial = false;
     if (s->calm)
         wake_for_acting(world);
+    for (int k = 0; s->calm && k < skv_world_has_bodies(world); k++)
+        wake_for_body(world, &world->bodies->body[k]);
     if (s->calm == 0)
         return s->stepped = world->state.count;
     *partial = true;

@@ -133,6 +133,9 @@ static void paint_world(skv_canvas *canvas, const skv_world *world)
                                        .fluid = frame->particles.fluid ? canvas->fluid : NULL};
     memcpy(canvas->fluids, frame->fluids, (size_t)frame->fluid_count * sizeof *frame->fluids);
     frame->fluids = canvas->fluids;
+    if (frame->body_count > 0)
+        memcpy(canvas->bodies, frame->bodies, (size_t)frame->body_count * sizeof *frame->bodies);
+    frame->bodies = canvas->bodies;
     canvas->terrain = skv_terrain_share(frame->terrain);
     frame->terrain = canvas->terrain;
 }

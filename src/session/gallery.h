@@ -30,6 +30,7 @@ typedef struct skv_canvas {
     skv_particle_id *id;
     uint8_t *dye, *fluid;
     skv_liquid fluids[SKV_MAX_FLUIDS];
+    skv_body bodies[SKV_MAX_BODIES];
     int room;
     double *samples; /* of the probes' histories */
     size_t sample_room;

@@ -20,6 +20,9 @@ typedef struct skv_boundary {
     const skv_wall_map *walls;
     float margin;           /* how close a move may come to a wall, m */
     float contact_distance; /* closer to a wall than this is contact, m */
+    /* What stands in the fluid beside the terrain, terrain/solids.h, which alone knows of them: the
+     * functions here are of the terrain. Null: nothing. */
+    const struct skv_solids *solids;
 
     float unit, per_unit; /* the asker's unit of length, in m, and its reciprocal */
     bool swapped;         /* the asker's x is the world's y */

@@ -73,6 +73,18 @@ double skv_image_distance(const skv_image_law *law, double share, double *slope)
     return distance;
 }
 
+/* A deeper one is taken for so deep: its share is finite then. */
+#define DEEPEST 1e-4
+
+double skv_image_share_at(const skv_image_law *law, double distance, double *fall)
+{
+    if (!(distance < NEAR))
+        return skv_image_share(law, skv_min(distance, 1), fall);
+    double part = skv_max(distance, DEEPEST) / NEAR;
+    *fall = 1 / (law->near_slope * part * part);
+    return law->near_share + NEAR * (1 / part - 1) / law->near_slope;
+}
+
 double skv_image_share(const skv_image_law *law, double distance, double *fall)
 {
     int i = (int)(distance / step);

@@ -33,6 +33,10 @@ void skv_image_law_make(bool cells, skv_image_law *law);
  * on themselves would feel it without end. */
 double skv_image_distance(const skv_image_law *law, double share, double *slope);
 
+/* The share of which that is the distance, 0..1, and how fast it falls with the distance: its
+ * inverse, which is more than any share deep in the solid. */
+double skv_image_share_at(const skv_image_law *law, double distance, double *fall);
+
 /* The share at a distance from a flat wall, 0..1 radii, and how fast it falls with it. */
 double skv_image_share(const skv_image_law *law, double distance, double *fall);
 

@@ -6,6 +6,7 @@
 #include "world/add.h"
 
 #include "base/assert.h"
+#include "world/bodies.h"
 
 #include <math.h>
 
@@ -102,7 +103,8 @@ static bool is_outside(const skv_world *world, float x, float y)
 
 bool skv_world_is_blocked(const skv_world *world, float x, float y)
 {
-    return is_outside(world, x, y) || skv_terrain_distance(world->terrain, x, y) <= 0;
+    return is_outside(world, x, y) || skv_terrain_distance(world->terrain, x, y) <= 0 ||
+           skv_bodies_distance(world, x, y) <= 0;
 }
 
 static bool is_sane(float x, float y, float vx, float vy)

@@ -11,6 +11,7 @@
 #include "terrain/terrain.h"
 #include "world/add.h"
 #include "world/area.h"
+#include "world/bodies.h"
 #include "world/dye.h"
 #include "world/liquids.h"
 
@@ -52,6 +53,7 @@ static bool is_sane(const skv_fill_def *def)
 typedef struct walk {
     const skv_fill_def *def;
     const skv_terrain *terrain;
+    const skv_world *world;        /* whose bodies are in the way; null: there are none */
     skv_region area;               /* only places in it */
     float spacing, x0, y0, x1, y1; /* the part of box and area that the terrain covers */
     const skv_occupancy *others;   /* null: there are none */
@@ -103,7 +105,10 @@ static bool is_blocked(walk *w, float x, float y)
 {
     if (x <= w->clear_to)
         return false;
-    float room = skv_terrain_distance(w->terrain, x, y) - WALL_GAP * w->spacing;
+    float distance = skv_terrain_distance(w->terrain, x, y);
+    if (w->world)
+        distance = skv_minf(skv_bodies_distance(w->world, x, y), distance);
+    float room = distance - WALL_GAP * w->spacing;
     w->clear_to = x + room - SKV_PIXEL_SLACK * skv_terrain_pixel_size(w->terrain);
     return room < 0;
 }
@@ -202,6 +207,7 @@ skv_result skv_world_fill(skv_world *world, const skv_fill_def *def, skv_placed 
     /* One more than there can be, so that too many are noticed. */
     walk w = make_walk(world->terrain, world->fluid.spacing, def, SKV_MAX_PARTICLES + 1);
     w.keep = true;
+    w.world = world;
     w.next_id = world->next_id;
     skv_occupancy others = {0};
     skv_result result = skv_check_dye(def->dye, error);

@@ -4,6 +4,7 @@
 #include "base/defs.h"
 #include "base/memory.h"
 #include "terrain/terrain.h"
+#include "world/bodies.h"
 #include "world/fluids.h"
 #include "world/parameters.h"
 #include "world/snapshot.h"
@@ -73,8 +74,12 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
     skv_result result = skv_world_reserve(world, s->count, error);
     if (result == SKV_OK && s->with_fluids)
         result = skv_world_admit_fluids(world, error);
+    skv_bodies *bodies = NULL;
+    if (result == SKV_OK && s->with_bodies)
+        result = skv_bodies_load(world, s->bodies, &bodies, error);
     if (result != SKV_OK)
         return result;
+    skv_bodies_take_over(world, bodies);
     skv_snapshot_particles(s, &world->state);
     take_facts(world, s);
     take_sleep(world, s);

@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/envelope.h"
 #include "terrain/terrain.h"
+#include "world/bodies.h"
 #include "world/liquids.h"
 #include "world/names.h"
 #include "world/parameters.h"
@@ -21,13 +22,14 @@ enum {
     WITH_LOAD = 4,
     WITH_WARM = 8,
     WITH_NAMES = 16,
-    WITH_RAMP = 32,  /* of a world on its way, so that others are read by older libraries */
-    WITH_FLUIDS = 64 /* of a world with several fluids, likewise */
+    WITH_RAMP = 32,   /* of a world on its way, so that others are read by older libraries */
+    WITH_FLUIDS = 64, /* of a world with several fluids, likewise */
+    WITH_BODIES = 128 /* of a world that has had bodies, likewise */
 };
 
 static const skv_envelope kind = {"snapshot", 'V', 1, 1,
                                   WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
-                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS};
+                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -79,6 +81,8 @@ static void put_facts(skv_writer *w, const skv_world *world)
     skv_acting acting = world->acting;
     skv_exchange_acting(&(skv_port){.to = w}, &acting, world->fluid_count, NULL);
     skv_exchange_names(&(skv_port){.to = w}, &acting, NULL);
+    if (world->bodies)
+        skv_bodies_save(w, world->bodies);
 }
 
 /* The picture in runs of equal bytes, from the lower left corner on. */
@@ -139,11 +143,11 @@ static void put_particles(skv_writer *w, const skv_world *world)
 static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *bytes)
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
-    skv_envelope_put(w, &kind,
-                     WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
-                         (world->ramp.left > 0 ? WITH_RAMP : 0u) |
-                         (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
-                         (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
+    skv_envelope_put(
+        w, &kind,
+        WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
+            (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
+            (world->bodies ? WITH_BODIES : 0u) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
     put_facts(w, world);
@@ -198,6 +202,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_names = flags & WITH_NAMES;
     s->with_ramp = flags & WITH_RAMP;
     s->with_fluids = flags & WITH_FLUIDS;
+    s->with_bodies = flags & WITH_BODIES;
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
                (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u);
     return SKV_OK;
@@ -287,8 +292,12 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     skv_result result =
         skv_exchange_acting(&(skv_port){.from = r}, &s->acting, s->def.liquid_count + 1, error);
     if (result == SKV_OK && s->with_names)
-        return skv_exchange_names(&(skv_port){.from = r}, &s->acting, error);
-    skv_acting_rename(&s->acting);
+        result = skv_exchange_names(&(skv_port){.from = r}, &s->acting, error);
+    else
+        skv_acting_rename(&s->acting);
+    s->bodies = *r;
+    if (result == SKV_OK && s->with_bodies)
+        return skv_bodies_check(r, s->def.fluid.spacing, error);
     return result;
 }
 

@@ -9,7 +9,7 @@
 /* What a snapshot says, its particles apart. */
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
-    bool substeps_fixed, with_load, with_names, with_ramp, with_fluids;
+    bool substeps_fixed, with_load, with_names, with_ramp, with_fluids, with_bodies;
     unsigned holds; /* of the particles' attributes: skv_saved */
     skv_load load;
     skv_ramp ramp;
@@ -19,6 +19,7 @@ typedef struct skv_snapshot {
     int stepped;
     uint32_t next_id;
     skv_acting acting;
+    skv_reader bodies; /* where they begin */
 
     uint64_t terrain_hash;
     bool with_terrain;

@@ -2,6 +2,7 @@
  * How a substep moves the fluid is in src/solver/reference/reference.c. */
 #include "base/assert.h"
 #include "base/fields.h"
+#include "world/bodies.h"
 #include "world/emitters.h"
 #include "world/flow.h"
 #include "world/fluids.h"
@@ -58,11 +59,17 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, skv_
     skv_result result = solver->reserve(world->solver, &step, error);
     if (result != SKV_OK)
         return result;
-    bool partial;
-    if (skv_sleep_plan(world, time, &partial) == 0)
-        return SKV_OK;
+    bool bodies = skv_world_has_bodies(world) > 0;
+    if (bodies)
+        skv_bodies_move(world, (double)world->constants.dt);
+    bool partial, moves = skv_sleep_plan(world, time, &partial) > 0;
     step.particles.part = partial ? world->state.part : NULL;
-    skv_impulse given = solver->advance(world->solver, &step);
+    step.solid_given = bodies ? world->bodies->given : NULL;
+    skv_impulse given = moves ? solver->advance(world->solver, &step) : (skv_impulse){0};
+    if (bodies)
+        skv_bodies_feel(world, (double)world->constants.dt);
+    if (!moves)
+        return SKV_OK;
     double s = (double)world->fluid.spacing, mass = (double)world->fluid.density * s * s;
     double scale = mass / (double)world->constants.dt;
     world->wall_impulse.x += scale * given.x;
@@ -112,8 +119,8 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
 {
     bool open = skv_terrain_open_sides(world->terrain) != 0;
     bool flows = has_flow(&world->acting);
-    bool one_by_one =
-        open || flows || world->before_substep || world->solver->type->most_substeps < count;
+    bool one_by_one = open || flows || world->before_substep || skv_world_has_bodies(world) ||
+                      world->solver->type->most_substeps < count;
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
     skv_pool_go(world->pool);
@@ -130,8 +137,10 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
             result = take_substeps(world, at_once, (float)time, error);
         if (result != SKV_OK)
             return result;
-        if (open)
+        if (open) {
             skv_world_remove_leavers(world);
+            skv_bodies_remove_leavers(world);
+        }
         world->time += time;
         world->steps += at_once;
     }
@@ -161,6 +170,7 @@ skv_result skv_world_step(skv_world *world, float dt, skv_error *error)
     }
     world->busy = SKV_AT_WORK;
     skv_events_begin(&world->events);
+    skv_bodies_begin_step(world);
     int done = 0;
     skv_result result = advance(world, count, &done, error);
     if (result != SKV_OK)

@@ -5,6 +5,7 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "skvalp/frame.h"
+#include "world/bodies.h"
 #include "world/fluids.h"
 #include "world/parameters.h"
 #include "world/world_internal.h"
@@ -184,6 +185,7 @@ void skv_world_destroy(skv_world *world)
         skv_pool_destroy(world->pool);
     skv_sleep_destroy(world);
     skv_load_destroy(world);
+    skv_bodies_destroy(world->bodies);
     if (world->solver)
         world->solver->type->destroy(world->solver);
     skv_wall_map_destroy(world->walls);
@@ -298,5 +300,7 @@ skv_frame skv_world_frame(const skv_world *world)
         .gravity_y = world->gravity_y,
         .fluids = world->liquids,
         .fluid_count = world->fluid_count,
+        .bodies = world->bodies ? world->bodies->shown : NULL,
+        .body_count = skv_world_has_bodies(world),
     };
 }

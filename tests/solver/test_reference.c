@@ -36,6 +36,7 @@ static const skv_fluid_def *fluid_of(skv_law law, bool images)
 static skv_constants constants;
 static float place_x[N], place_y[N];
 static uint32_t id[N];
+static const skv_boundary no_walls;
 
 /* Particles about a spacing apart, some much closer, displaced and pressed at random; with images
  * one in three stands beside a wall of its own. */
@@ -78,6 +79,7 @@ static skv_reference *make(skv_law law, bool images, uint32_t seed)
     skv_reference *f = (skv_reference *)solver;
     f->constants = &constants;
     f->count = N;
+    f->boundary = &no_walls;
     for (int i = 0; i < N; i++)
         f->mass[i] = 1;
     f->id = id;

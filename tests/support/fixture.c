@@ -158,7 +158,7 @@ double fixture_wall_layer(const skv_world *world, double level)
     return particles * parts * parts / points;
 }
 
-void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
+void fixture_take_over(skv_world *slow, const skv_world *fast)
 {
     skv_particles p = skv_world_particles(fast);
     for (int i = 0; i < p.count; i++)
@@ -167,17 +167,27 @@ void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
     memcpy(slow->state.warm_lambda, fast->state.warm_lambda, (size_t)p.count * sizeof(float));
     slow->load = fast->load;
     slow->substeps = fast->substeps;
-    float dt = 1.0f / 60 / (float)skv_world_substeps_per_frame(fast);
-    assert_int_equal(skv_world_step(fast, dt, NULL), SKV_OK);
-    assert_int_equal(skv_world_step(slow, dt, NULL), SKV_OK);
-    p = skv_world_particles(fast);
-    skv_particles q = skv_world_particles(slow);
+}
+
+void fixture_expect_same_particles(const skv_world *fast, const skv_world *slow, float dt)
+{
+    skv_particles p = skv_world_particles(fast), q = skv_world_particles(slow);
+    assert_int_equal(p.count, q.count);
     double most = 2e-5 * (double)skv_world_smoothing_radius(fast);
     for (int i = 0; i < p.count; i++) {
         assert_true(hypot((double)(p.x[i] - q.x[i]), (double)(p.y[i] - q.y[i])) < most);
         assert_true(hypot((double)(p.vx[i] - q.vx[i]), (double)(p.vy[i] - q.vy[i])) <
                     most / (double)dt);
     }
+}
+
+void fixture_expect_same_substep(skv_world *fast, skv_world *slow)
+{
+    fixture_take_over(slow, fast);
+    float dt = 1.0f / 60 / (float)skv_world_substeps_per_frame(fast);
+    assert_int_equal(skv_world_step(fast, dt, NULL), SKV_OK);
+    assert_int_equal(skv_world_step(slow, dt, NULL), SKV_OK);
+    fixture_expect_same_particles(fast, slow, dt);
     skv_world_destroy(fast);
     skv_world_destroy(slow);
 }

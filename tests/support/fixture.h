@@ -50,6 +50,12 @@ double fixture_wall_weight(double distance);
  * than three smoothing radii below `level`. Any walls. */
 double fixture_wall_layer(const skv_world *world, double level);
 
+/* Gives `slow`, which is empty, the particles of `fast`, and as many substeps. */
+void fixture_take_over(skv_world *slow, const skv_world *fast);
+
+/* Fails unless the particles of two worlds agree to the rounding of one substep. */
+void fixture_expect_same_particles(const skv_world *fast, const skv_world *slow, float dt);
+
 /* Gives `slow`, which is empty, the particles of `fast`, lets both take one substep, and fails
  * unless they agree to rounding; frees both. */
 void fixture_expect_same_substep(skv_world *fast, skv_world *slow);

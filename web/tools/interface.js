@@ -33,7 +33,7 @@ function classify(type) {
     const numbers = {
         'bool': 'bool', '_Bool': 'bool', 'char': 'i8', 'uint8_t': 'u8', 'int': 'i32', 'unsigned': 'u32',
         'unsigned int': 'u32', 'int32_t': 'i32', 'uint32_t': 'u32', 'size_t': 'u32',
-        'skv_instrument': 'u32', 'skv_acting_id': 'u32', 'skv_particle_id': 'u32', 'int64_t': 'i64', 'uint64_t': 'u64', 'float': 'f32', 'double': 'f64',
+        'skv_instrument': 'u32', 'skv_acting_id': 'u32', 'skv_body_id': 'u32', 'skv_particle_id': 'u32', 'int64_t': 'i64', 'uint64_t': 'u64', 'float': 'f32', 'double': 'f64',
         'void': 'void',
     };
     if (bare in numbers) {

@@ -45,7 +45,9 @@ static void take_substep(skv_reference *f)
     const skv_constants *c = f->constants;
     run(f, FORCES, skv_pass_external_forces); /* v += dt (g + a_hand): Algorithm 2 */
     run(f, ADVANCE, skv_pass_predict);        /* x += dt v, stopped at walls: 4 */
+    f->advances = true;
     run(f, ADVANCE, skv_pass_move);
+    f->advances = false;
     run(f, ADVANCE, skv_pass_lag);            /* pairs are taken behind that */
     run(f, NEIGHBOURS, list_neighbours);      /* lists of pairs within h: 5 */
     for (int i = 0; i < c->iterations; i++) { /* until the density is right: 6 */
@@ -127,6 +129,9 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
     f->forces = step->forces;
     f->force_count = step->force_count;
     f->reaction = step->reaction;
+    f->solid_given = f->boundary->solids ? step->solid_given : NULL;
+    for (int k = 0; f->solid_given && k < f->boundary->solids->count; k++)
+        f->solid_given[k] = (skv_impulse){0};
     f->given = (skv_impulse){0};
     load(f, &step->particles);
     for (int i = 0; i < step->substeps; i++)

@@ -13,6 +13,7 @@
 
 #include "solver/reference/neighbours.h"
 #include "solver/solver.h"
+#include "terrain/solids.h"
 
 typedef struct skv_reference {
     skv_solver solver;
@@ -24,9 +25,11 @@ typedef struct skv_reference {
     double gravity_x, gravity_y; /* m/s^2 */
     const skv_external_force *forces;
     int force_count;
-    bool first, last;       /* which iteration it is */
-    skv_impulse given;      /* by walls, m and m^2 */
-    skv_reaction *reaction; /* null: not wanted */
+    bool first, last;         /* which iteration it is */
+    bool advances;            /* the move under way is the advance, while solids move, too */
+    skv_impulse given;        /* by walls, m and m^2 */
+    skv_impulse *solid_given; /* null: not wanted */
+    skv_reaction *reaction;   /* null: not wanted */
 
     /* The particles, one element each. */
     int count;
@@ -127,7 +130,13 @@ skv_pass skv_pass_move;
  * push out of it, carried out at once. */
 skv_pass skv_pass_contact;
 
-/* Books (dx, dy) times its mass, in m, which a wall has given particle i. */
-void skv_book_reaction(skv_reference *fluid, int i, double dx, double dy);
+/* Books (dx, dy) times its mass, in m, which the walls' part of the displacement has given particle
+ * i: `out` times D's slope, P F1 + N F2, and what holds it there. */
+void skv_book_push(skv_reference *fluid, int i, double out, double lambda, double near_lambda,
+                   double dx, double dy);
+
+/* Books what the tension of particle i turns the walls beside it by: its energy knows which way
+ * they face, since what they add to the gradient is part of it. */
+void skv_book_turn(skv_reference *fluid, int i);
 
 #endif

@@ -201,7 +201,7 @@ static void add_solid(skv_reference *f, int i, double virial)
         let_fall(f, i, f->f1x[i], f->f1y[i], 1, &push_x, &push_y);
     f->dx[i] += push_x;
     f->dy[i] += push_y;
-    skv_book_reaction(f, i, push_x, push_y);
+    skv_book_push(f, i, 0, lambda, near_lambda, push_x, push_y);
     /* The virial of a smooth solid, by parts in terms of h R and h Rn. */
     virial += (double)c->wall_virial * lambda * f->wall_density[i] +
               2.0 / SKV_NEAR_GAIN * near_lambda * f->wall_near[i];
@@ -221,7 +221,7 @@ static void add_imaged(skv_reference *f, int i, double out)
     let_fall(f, i, f->facing_x[i], f->facing_y[i], share, &push_x, &push_y);
     f->dx[i] += push_x;
     f->dy[i] += push_y;
-    skv_book_reaction(f, i, push_x, push_y);
+    skv_book_push(f, i, out, lambda, near_lambda, push_x, push_y);
     /* Fluid and images are one body, so it is that of the bulk, and goes with how dense the last
      * iteration finds it, its own W included. */
     gauge(f, i, (double)c->image_virial * lambda + (double)c->image_near_virial * near_lambda);
@@ -284,6 +284,7 @@ void skv_pass_tension(skv_reference *f)
         }
         f->dx[i] += scale * sum_x;
         f->dy[i] += scale * sum_y;
+        skv_book_turn(f, i);
         if (!skv_has_image(f, i))
             gauge(f, i, scale * virial);
     }

@@ -9,6 +9,7 @@
 #include "solver/rows/hanging.h"
 #include "solver/rows/pair_displacement.h"
 #include "solver/rows/pressure_laws.h"
+#include "solver/rows/solids.h"
 
 /* Where a particle is while its pairs lag behind: there it meets walls. */
 V8_INLINE void place_of(const skv_row_particles *p, int i, const skv_constants *c, float *x,
@@ -56,6 +57,9 @@ static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, i
     float x, y;
     place_of(p, i, c, &x, &y);
     to->particle = i;
+    to->solid = 0;
+    if (boundary->solids)
+        return skv_rows_sample_solids(boundary, c->images, x, y, to);
     return c->images ? skv_boundary_sample_image(boundary, x, y, &to->at.image)
                      : skv_boundary_sample(boundary, x, y, &to->at.wall);
 }
@@ -185,31 +189,13 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
         pressure_calibrated(s, row, later, c);
 }
 
-/* Books what a wall gives a particle at (x, y) for the reaction that is asked for. */
-static __attribute__((noinline)) void book_in_box(const skv_rows *s, const skv_boundary *boundary,
-                                                  float x, float y, float dx, float dy,
-                                                  skv_row_given *walls)
-{
-    const skv_reaction *box = s->reaction;
-    float nx, ny;
-    skv_boundary_to_world(boundary, &x, &y);
-    skv_boundary_swap(boundary, &dx, &dy);
-    float distance = skv_terrain_normal(boundary->terrain, x, y, &nx, &ny);
-    double at_x = (double)(x - distance * nx), at_y = (double)(y - distance * ny);
-    if (at_x < box->x0 || at_x > box->x1 || at_y < box->y0 || at_y > box->y1)
-        return;
-    double arm_x = at_x - (box->x0 + box->x1) / 2, arm_y = at_y - (box->y0 + box->y1) / 2;
-    double moment = (arm_x * (double)dy - arm_y * (double)dx) * (double)boundary->per_unit;
-    skv_impulse_add(&walls->boxed, (double)dx, (double)dy, moment);
-}
-
-/* Books what a wall gives a particle: displacement times mass. */
+/* Books what a wall of the terrain gives a particle: displacement times mass. */
 V8_INLINE void give(const skv_rows *s, const skv_boundary *boundary, float x, float y, float dx,
                     float dy, skv_row_given *walls)
 {
     skv_impulse_give(&walls->all, x, y, dx, dy);
     if (s->reaction)
-        book_in_box(s, boundary, x, y, dx, dy, walls);
+        skv_rows_book_reaction(s, boundary, x, y, dx, dy, walls);
 }
 
 /* Friction along the wall and push out of it, Algorithm 7. */
@@ -243,7 +229,11 @@ static void touch_walls(const skv_rows *s, int row, const skv_constants *c,
         if (!any_closer(p, eight, near))
             continue;
         for (int i = eight; i < eight + ROW_LANES && i < end; i++)
-            if (!(p->clearance[i] >= near || p->number[i] & ROW_HELD))
+            if (p->clearance[i] >= near || p->number[i] & ROW_HELD)
+                continue;
+            else if (boundary->solids)
+                skv_rows_touch_solids(s, i, c, boundary, walls);
+            else
                 touch_wall(s, i, c, boundary, walls);
     }
 }
@@ -256,11 +246,12 @@ typedef struct row_booking {
 } row_booking;
 
 /* Adds what a wall gives a particle: displacement times mass. */
-V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float dx, float dy,
-                        row_booking *given)
+V8_INLINE void add_move(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
+                        float dx, float dy, skv_push_made made, row_booking *given)
 {
     const skv_row_particles *p = &s->set[s->current];
     float x, y;
+    int i = wall->particle;
     place_of(p, i, c, &x, &y);
     s->own_move.x[i] += dx;
     s->own_move.y[i] += dy;
@@ -268,8 +259,11 @@ V8_INLINE void add_move(const skv_rows *s, int i, const skv_constants *c, float 
         given->sum.x += (double)dx;
         given->sum.y += (double)dy;
         given->sum.moment += (double)(x * dy - y * dx);
-        if (s->reaction)
-            book_in_box(s, given->boundary, x, y, dx, dy, given->walls);
+        if (wall->solid)
+            skv_rows_book_push(s, wall, c->images, given->boundary, x, y, dx, dy, made,
+                               given->walls);
+        else if (s->reaction)
+            skv_rows_book_reaction(s, given->boundary, x, y, dx, dy, given->walls);
     }
 }
 
@@ -279,6 +273,7 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
 {
     int i = wall->particle;
     float lambda = s->lambda[i], near_lambda = s->near_lambda[i], dx, dy, gx, gy;
+    skv_push_made made = {0, lambda, near_lambda};
     find_fall(s, i, &gx, &gy);
     if (!c->images) {
         /* A wall pushes with the particle's own pressure, once; twice, as if it were a mirrored
@@ -299,11 +294,24 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
         q = q > 0 ? q : 0;
         float out = s->own_move.outward[i] + s->next_move.outward[i];
         out += 2 * (lambda * skv_kernel_forcef(SKV_KERNEL_SMOOTH, q) + near_lambda * (q * q));
+        made = (skv_push_made){out, rest, 0};
         dx = rest * image->f1x + out * image->nx;
         dy = rest * image->f1y + out * image->ny;
         let_fall(gx, gy, image->nx, image->ny, (1 - c->adhesion) * s->hanging[i], &dx, &dy);
     }
-    add_move(s, i, c, dx, dy, booking);
+    add_move(s, wall, c, dx, dy, made, booking);
+}
+
+/* Books what the tension of a particle turns the solids beside it by. */
+static void add_turn(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
+                     void *booking)
+{
+    const row_booking *given = booking;
+    float x, y;
+    if (wall->solid == 0 || !s->graded[wall->particle / ROW_LANES])
+        return;
+    place_of(&s->set[s->current], wall->particle, c, &x, &y);
+    skv_rows_book_turn(s, wall, c, given->boundary, x, y, given->walls);
 }
 
 /* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
@@ -321,9 +329,17 @@ V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
     float mass = skv_row_mass(s, i);
     float moved_x = p->u[i] + (s->own_move.x[i] + s->next_move.x[i]) / mass;
     float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]) / mass;
+    if (wall->solid) { /* it slips along what moves itself */
+        const skv_boundary *boundary = ((const row_booking *)booking)->boundary;
+        float x, y, way_x, way_y;
+        place_of(p, i, c, &x, &y);
+        skv_rows_way_of_walls(boundary, c->images, x, y, &way_x, &way_y);
+        moved_x -= way_x;
+        moved_y -= way_y;
+    }
     float taken = skv_slip_taken(c->slip_friction, c->wall_drag, image->distance);
     float held = taken * (moved_x * tx + moved_y * ty) * mass;
-    add_move(s, i, c, -held * tx, -held * ty, booking);
+    add_move(s, wall, c, -held * tx, -held * ty, (skv_push_made){0, 0, 0}, booking);
 }
 
 /* Zeroes the lanes of those of the eight particles at i that are held. */
@@ -349,8 +365,12 @@ static __attribute__((noinline)) bool meet_wall(const skv_rows *s, int i, float 
     const skv_row_particles *p = &s->set[s->current];
     float lag = kind.lagged ? lag_of_one(p, i, c->pair_lag, c->lag_rise) : 0;
     float x = p->x[i] + lag * p->u[i], y = p->y[i] + lag * p->v[i], along_x, along_y;
-    float made = skv_boundary_slide(boundary, c->images, &x, &y, dx, dy, &along_x, &along_y,
-                                    &p->clearance[i]);
+    skv_cuts cuts = {0};
+    float made = boundary->solids
+                     ? skv_solids_slide(boundary, !kind.corrects, c->images, &x, &y, dx, dy,
+                                        &along_x, &along_y, &p->clearance[i], &cuts)
+                     : skv_boundary_slide(boundary, c->images, &x, &y, dx, dy, &along_x, &along_y,
+                                          &p->clearance[i]);
     if (!(made < 1))
         return false;
     /* What a wall has cut off the advance leaves the velocity; a correction enters it as far as it
@@ -362,8 +382,11 @@ static __attribute__((noinline)) bool meet_wall(const skv_rows *s, int i, float 
     p->x[i] = x - lag * p->u[i];
     p->y[i] = y - lag * p->v[i];
     float mass = skv_row_mass(s, i);
-    give(s, boundary, x, y, mass * ((made - 1) * dx + along_x), mass * ((made - 1) * dy + along_y),
-         walls);
+    if (boundary->solids)
+        skv_rows_book_cuts(s, boundary, i, x, y, &cuts, walls);
+    else
+        give(s, boundary, x, y, mass * ((made - 1) * dx + along_x),
+             mass * ((made - 1) * dy + along_y), walls);
     return true;
 }
 
@@ -427,6 +450,8 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
                    skv_row_given *walls)
 {
     row_booking given = {.boundary = boundary, .walls = walls};
+    if (iteration == 0 && !c->clavet && boundary->solids)
+        for_walls(s, row, c, boundary, samples, add_turn, &given);
     if (iteration == 0 && c->images)
         find_hanging(s, row, c);
     for_walls(s, row, c, boundary, samples, add_push, &given);
@@ -463,6 +488,8 @@ static void advance(const skv_rows *s, int row, const skv_constants *c,
         v8_store(p->u + i, v8_add(v8_load(p->u + i), gx));
         v8_store(p->v + i, v8_add(v8_load(p->v + i), gy));
     }
+    if (boundary->solids)
+        skv_rows_expect_solids(s, row, boundary);
     for (int i = s->row_start[row]; s->acting.force_count > 0 && i < end; i++)
         add_forces(s, p->x[i], p->y[i], &p->u[i], &p->v[i]);
     for (int i = s->row_start[row]; i < end; i += ROW_LANES) {

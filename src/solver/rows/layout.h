@@ -62,6 +62,7 @@
 #define SKV_ROWS_LAYOUT_H
 
 #include "solver/rows/rows.h"
+#include "terrain/solids.h"
 
 enum {
     ROW_CELLS = 4, /* cells per smoothing radius along a row */
@@ -122,6 +123,7 @@ typedef struct skv_row_kept {
 /* A wall sample of a particle near a wall. */
 typedef struct skv_near_wall {
     int particle;
+    int solid; /* whose the wall is, terrain/solids.h; -1: several are one wall here */
     union {
         skv_wall_sample wall;
         skv_image_sample image; /* with walls by images */
@@ -139,6 +141,7 @@ typedef struct skv_row_samples {
  * box of a reaction, about its middle and in the world's axes. */
 typedef struct skv_row_given {
     skv_impulse_sum all, boxed;
+    skv_impulse_sum solid[SKV_MOST_SOLIDS]; /* each, about its middle and in the rows' axes */
 } skv_row_given;
 
 /* What a thread owns, on cache lines of its own. */

@@ -151,7 +151,7 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
         skv_near_wall *samples = (skv_near_wall *)(void *)memory;
         for (int slot = 0; slot < ROW_SAMPLE_SLOTS; slot++, samples += fullest)
             own->samples[slot] = (skv_row_samples){samples, fullest, 0};
-        rows->memory.kept = bytes * (size_t)rows->thread_room;
+        rows->memory.kept = (bytes + sizeof own->walls) * (size_t)rows->thread_room;
     }
     return SKV_OK;
 }

@@ -62,10 +62,12 @@ typedef struct skv_row_frame {
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The
  * state lies in the frame's arrays alone: nothing is kept from call to call but memory. The
  * constants are those of h = dt = 1. Returns what walls have given the particles that are not held,
- * and adds to a reaction what it asks for; null: nobody wants it. */
+ * adds to a reaction what it asks for, and writes what each solid has given; null: nobody wants it.
+ */
 skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
                           const skv_constants *constants, const skv_row_acting *acting,
-                          const skv_boundary *boundary, skv_pool *pool, skv_reaction *reaction);
+                          const skv_boundary *boundary, skv_pool *pool, skv_reaction *reaction,
+                          skv_impulse *solid_given);
 
 /* Wall seconds since the last call with `reset`: advance, sort, relaxation, transfer in and out. */
 void skv_rows_profile(skv_rows *rows, bool reset, double seconds[4]);

@@ -38,6 +38,10 @@ extern const skv_row_kernels skv_row_kernels_base; /* SSE2, NEON or WebAssembly 
 extern const skv_row_kernels skv_row_kernels_avx2;
 extern const skv_row_kernels skv_row_kernels_avx512;
 
+/* reaction.c: books what a wall gives a particle at (x, y) for the reaction that is asked for. */
+void skv_rows_book_reaction(const skv_rows *rows, const skv_boundary *boundary, float x, float y,
+                            float dx, float dy, skv_row_given *walls);
+
 /* memory.c: who borrows which buffer, now that the other set's particles are not needed any more;
  * after each sort. */
 void skv_rows_lend_buffers(skv_rows *rows);

@@ -1,0 +1,218 @@
+/* Rigid bodies in the fluid.
+ *
+ * In a substep the bodies move first, as fast as they are. Then the solver moves the fluid, which
+ * meets them as walls that have come from where they were (terrain/solids.h), and tells what they
+ * gave it. That, gravity, and contacts with walls and with each other change their velocities. So a
+ * body at rest has no velocity between substeps. Once a frame would be too seldom: what is lighter
+ * than the water that it moves would swing ever more.
+ *
+ * Invariant: what the fluid gets from a body the body loses, and all of it is summed in fixed
+ * orders or in fixed point; so threads change nothing. Where a world has no bodies, none of this is
+ * asked.
+ */
+#include "world/bodies.h"
+
+#include "base/exact.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- The list -------------------------------------------------------------------------------- */
+
+skv_bodies *skv_bodies_create(void)
+{
+    skv_bodies *bodies = skv_calloc(1, sizeof *bodies);
+    if (!bodies)
+        return NULL;
+    bodies->next_id = 1;
+    skv_image_law_make(true, &bodies->solids.law);
+    return bodies;
+}
+
+void skv_bodies_destroy(skv_bodies *bodies)
+{
+    for (int k = 0; bodies && k < bodies->count; k++)
+        skv_body_shape_destroy(bodies->body[k].shape);
+    skv_free(bodies);
+}
+
+void skv_bodies_take_over(skv_world *world, skv_bodies *bodies)
+{
+    skv_bodies_destroy(world->bodies);
+    world->bodies = bodies;
+    world->boundary.solids = NULL;
+    if (bodies)
+        skv_bodies_show(world);
+}
+
+void skv_rigid_derive(skv_rigid *r)
+{
+    const skv_outline *o = &r->shape->outline;
+    r->mass = (double)r->density * o->area;
+    r->inertia = (double)r->density * o->inertia;
+    r->cos = skv_cos(r->angle);
+    r->sin = skv_sin(r->angle);
+}
+
+static skv_pose pose_of(const skv_rigid *r)
+{
+    return (skv_pose){(float)r->x, (float)r->y, (float)r->cos, (float)r->sin};
+}
+
+/* A body as a host sees it. */
+static skv_body tell(const skv_bodies *b, const skv_rigid *r)
+{
+    const skv_outline *o = &r->shape->outline;
+    double per_second = b->felt > 0 ? 1 / b->felt : 0;
+    skv_body body = {
+        .id = r->id,
+        .x = (float)r->x,
+        .y = (float)r->y,
+        .angle = (float)r->angle,
+        .vx = (float)r->vx,
+        .vy = (float)r->vy,
+        .spin = (float)r->spin,
+        .density = r->density,
+        .friction = r->friction,
+        .restitution = r->restitution,
+        .fixed = r->fixed,
+        .area = (float)o->area,
+        .mass = (float)r->mass,
+        .inertia = (float)r->inertia,
+        .force_x = (float)(per_second * r->felt.x),
+        .force_y = (float)(per_second * r->felt.y),
+        .torque = (float)(per_second * r->felt.moment),
+        .corners = o->corners,
+    };
+    for (int k = 0; k < 2 * o->corners; k++)
+        body.outline[k] = (float)o->corner[k / 2][k % 2];
+    return body;
+}
+
+void skv_bodies_show(skv_world *world)
+{
+    skv_bodies *b = world->bodies;
+    b->solids.count = b->count;
+    for (int k = 0; k < b->count; k++) {
+        const skv_rigid *r = &b->body[k];
+        const skv_body_shape *shape = r->shape;
+        b->solids.solid[k] = (skv_solid){
+            .shape = &shape->boundary,
+            .middle_x = shape->middle_x,
+            .middle_y = shape->middle_y,
+            .reach = (float)shape->outline.reach,
+            .before = pose_of(r),
+            .now = pose_of(r),
+        };
+        b->shown[k] = tell(b, r);
+    }
+    world->boundary.solids = b->count ? &b->solids : NULL;
+}
+
+void skv_bodies_take_out(skv_world *world, int index)
+{
+    skv_bodies *b = world->bodies;
+    skv_body_shape_destroy(b->body[index].shape);
+    memmove(&b->body[index], &b->body[index + 1], (size_t)(b->count - index - 1) * sizeof *b->body);
+    b->count--;
+    skv_bodies_show(world);
+}
+
+/* ---- The fluid around ------------------------------------------------------------------------ */
+
+float skv_body_distance(const skv_world *world, int index, float x, float y)
+{
+    const skv_solid *s = &world->bodies->solids.solid[index];
+    float rx = x - s->now.x, ry = y - s->now.y;
+    float away = sqrtf(rx * rx + ry * ry) - s->reach;
+    if (away > world->h)
+        return away;
+    skv_solid_enter(s, &s->now, &x, &y);
+    return skv_maxf(skv_minf(skv_distance_at(s->shape->terrain, x, y), world->h), away);
+}
+
+float skv_bodies_distance(const skv_world *world, float x, float y)
+{
+    float least = INFINITY;
+    for (int k = 0; k < skv_world_has_bodies(world); k++)
+        least = skv_minf(skv_body_distance(world, k, x, y), least);
+    return least;
+}
+
+/* ---- A substep ------------------------------------------------------------------------------- */
+
+void skv_bodies_begin_step(skv_world *world)
+{
+    if (!world->bodies)
+        return;
+    world->bodies->felt = 0;
+    for (int k = 0; k < world->bodies->count; k++)
+        world->bodies->body[k].felt = (skv_impulse){0};
+}
+
+void skv_bodies_move(skv_world *world, double dt)
+{
+    skv_bodies *b = world->bodies;
+    if (b->set)
+        skv_bodies_solve_contacts(world, dt);
+    b->set = false;
+    for (int k = 0; k < b->count; k++) {
+        skv_rigid *r = &b->body[k];
+        r->x += dt * r->vx;
+        r->y += dt * r->vy;
+        r->angle += dt * r->spin;
+        skv_rigid_derive(r);
+        b->given[k] = (skv_impulse){0};
+    }
+    skv_pose before[SKV_MAX_BODIES];
+    for (int k = 0; k < b->count; k++)
+        before[k] = b->solids.solid[k].now;
+    skv_bodies_show(world);
+    for (int k = 0; k < b->count; k++) {
+        skv_solid *s = &b->solids.solid[k];
+        s->before = before[k];
+        s->dx = (float)(dt * b->body[k].vx);
+        s->dy = (float)(dt * b->body[k].vy);
+        s->turn = (float)(dt * b->body[k].spin);
+    }
+}
+
+void skv_bodies_feel(skv_world *world, double dt)
+{
+    skv_bodies *b = world->bodies;
+    double s = (double)world->fluid.spacing;
+    double scale = -(double)world->fluid.density * s * s / dt;
+    for (int k = 0; k < b->count; k++) {
+        skv_rigid *r = &b->body[k];
+        double x = scale * b->given[k].x, y = scale * b->given[k].y;
+        double moment = scale * b->given[k].moment;
+        r->felt.x += x;
+        r->felt.y += y;
+        r->felt.moment += moment;
+        if (r->fixed)
+            continue;
+        r->vx += x / r->mass + dt * (double)world->gravity_x;
+        r->vy += y / r->mass + dt * (double)world->gravity_y;
+        r->spin += moment / r->inertia;
+    }
+    b->felt += dt;
+    skv_bodies_solve_contacts(world, dt);
+    skv_bodies_show(world); /* at rest, for who asks between substeps */
+}
+
+void skv_bodies_remove_leavers(skv_world *world)
+{
+    unsigned open = skv_terrain_open_sides(world->terrain);
+    double width = (double)skv_terrain_width(world->terrain);
+    double height = (double)skv_terrain_height(world->terrain);
+    for (int k = skv_world_has_bodies(world) - 1; k >= 0; k--) {
+        const skv_rigid *r = &world->bodies->body[k];
+        double beyond = r->shape->outline.reach + (double)world->h;
+        if ((r->x < -beyond && open & SKV_SIDE_LEFT) ||
+            (r->x > width + beyond && open & SKV_SIDE_RIGHT) ||
+            (r->y < -beyond && open & SKV_SIDE_BOTTOM) ||
+            (r->y > height + beyond && open & SKV_SIDE_TOP))
+            skv_bodies_take_out(world, k);
+    }
+}

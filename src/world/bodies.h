@@ -1,0 +1,109 @@
+/* The bodies of a world: their list, and what a substep does with them; see bodies.c. */
+#ifndef SKV_WORLD_BODIES_H
+#define SKV_WORLD_BODIES_H
+
+#include "base/bytes.h"
+#include "skvalp/bodies.h"
+#include "terrain/solids.h"
+#include "world/body_shape.h"
+
+/* A body at work. Double precision: a substep's changes are small against what they change. */
+typedef struct skv_rigid {
+    skv_body_id id;
+    skv_body_shape *shape;
+    double x, y, angle; /* centre of mass, m, and rad */
+    double cos, sin;    /* of the angle */
+    double vx, vy, spin;
+    double mass, inertia; /* by its density, kg/m and kg m */
+    float density, friction, restitution;
+    bool fixed;
+    skv_impulse felt; /* from the fluid in this step: N s/m and N s */
+} skv_rigid;
+
+/* A contact of body a, made for a substep; see body_contacts.c. */
+typedef struct skv_body_contact {
+    skv_rigid *a, *b; /* b null: the terrain */
+    double x, y;      /* where, against a's centre of mass and b's */
+    double bx, by;
+    double nx, ny;                  /* out of b */
+    double part;                    /* speed along the normal that it is to have at least, m/s */
+    double normal, along;           /* impulses so far */
+    double normal_mass, along_mass; /* what resists these */
+} skv_body_contact;
+
+/* More are passed over. */
+enum { SKV_MOST_CONTACTS = 1024 };
+typedef struct skv_body_contacts {
+    int count;
+    skv_body_contact list[SKV_MOST_CONTACTS];
+} skv_body_contacts;
+
+typedef struct skv_bodies {
+    int count;
+    skv_rigid body[SKV_MAX_BODIES]; /* in the order in which they were added */
+    skv_body_id next_id;
+    bool set;    /* somebody has added or set one: contacts are yet to be solved */
+    double felt; /* s of which `felt` are the sum */
+    skv_solids solids;
+    skv_impulse given[SKV_MAX_BODIES]; /* by the solver, m and m^2 */
+    skv_body_contacts contacts;
+    skv_body shown[SKV_MAX_BODIES]; /* as a host sees them */
+} skv_bodies;
+
+static inline int skv_world_has_bodies(const skv_world *world)
+{
+    return world->bodies ? world->bodies->count : 0;
+}
+
+/* A substep of `dt`: bodies move before the solver does, which is to tell what they gave; then they
+ * feel it, and gravity, and each other. */
+void skv_bodies_begin_step(skv_world *world);
+void skv_bodies_move(skv_world *world, double dt);
+void skv_bodies_feel(skv_world *world, double dt);
+
+/* Takes one out, and those that have left through open sides. */
+void skv_bodies_take_out(skv_world *world, int index);
+void skv_bodies_remove_leavers(skv_world *world);
+
+/* Whether fluid at (x, y) wakes when the body moves, comes or goes: within two smoothing radii, as
+ * around what moves in the fluid itself (calm/sleep.c). */
+static inline bool skv_rigid_stirs(const skv_rigid *body, float x, float y, float h)
+{
+    double dx = (double)x - body->x, dy = (double)y - body->y;
+    double reach = body->shape->outline.reach + 2 * (double)h;
+    return dx * dx + dy * dy <= reach * reach;
+}
+
+/* Whether it stays where it is, whatever happens. */
+static inline bool skv_rigid_is_still(const skv_rigid *body)
+{
+    return body->fixed && body->vx == 0 && body->vy == 0 && body->spin == 0;
+}
+
+/* The distance of a place from a body's surface, below 0 inside; a lower bound of it farther away
+ * than h, which is as far as the shape's picture reaches around it. */
+float skv_body_distance(const skv_world *world, int index, float x, float y);
+/* Lower bound of a place's distance from all bodies, below 0 in one; INFINITY if there is none. */
+float skv_bodies_distance(const skv_world *world, float x, float y);
+
+/* Finds what follows from a body's shape, density and angle. */
+void skv_rigid_derive(skv_rigid *body);
+/* Tells the solver's boundary of all bodies, at rest where they are. */
+void skv_bodies_show(skv_world *world);
+/* An empty list. */
+skv_bodies *skv_bodies_create(void);
+void skv_bodies_destroy(skv_bodies *bodies);
+/* Gives a world another list, and frees its own. */
+void skv_bodies_take_over(skv_world *world, skv_bodies *bodies);
+
+/* body_snapshot.c: in a snapshot. Reading checks all of it; loading makes a list of what has been
+ * read, with the shapes that the world has already, for a world that is like the snapshot's. */
+void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies);
+skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error);
+skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
+                           skv_error *error);
+
+/* body_contacts.c: lets no body move into the terrain or another in the next `dt`. */
+void skv_bodies_solve_contacts(const skv_world *world, double dt);
+
+#endif

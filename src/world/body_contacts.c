@@ -1,0 +1,183 @@
+/* Contacts of bodies with the terrain and with each other.
+ *
+ * Points of a body's rim are asked how far they are from the walls and from other bodies, whatever
+ * their shapes are. Where one would come closer than it may within a substep, an impulse along the
+ * normal stops it, and one along the surface holds it as far as Coulomb's friction can; rounds over
+ * all contacts in turn spread what one does to the others (sequential impulses, Catto 2005).
+ * Invariant: contacts are found and solved in the order of bodies and rim points.
+ */
+#include "base/exact.h"
+#include "terrain/sample.h"
+#include "world/bodies.h"
+
+#include <math.h>
+
+enum { ROUNDS = 20 };
+
+/* How deep a contact may be, m: it stays one from substep to substep. */
+#define SLOP 3e-4
+
+/* What is deeper is parted by such a share in a substep, and at most so fast, m/s: a jolt would be
+ * speed. */
+#define PARTS      0.1
+#define PARTS_MOST 0.5
+
+/* m/s: what meets slower does not bounce. A fall of 5 mm. */
+#define BOUNCES_FROM 0.3
+
+typedef skv_body_contact contact;
+typedef skv_body_contacts contacts;
+
+static double inverse_mass(const skv_rigid *r)
+{
+    return r && !r->fixed ? 1 / r->mass : 0;
+}
+
+static double inverse_inertia(const skv_rigid *r)
+{
+    return r && !r->fixed ? 1 / r->inertia : 0;
+}
+
+/* How fast a moves away from b, there. */
+static void velocity_at(const contact *c, double *x, double *y)
+{
+    *x = c->a->vx - c->a->spin * c->y;
+    *y = c->a->vy + c->a->spin * c->x;
+    if (c->b) {
+        *x -= c->b->vx - c->b->spin * c->by;
+        *y -= c->b->vy + c->b->spin * c->bx;
+    }
+}
+
+static void push(const contact *c, double x, double y)
+{
+    c->a->vx += x * inverse_mass(c->a);
+    c->a->vy += y * inverse_mass(c->a);
+    c->a->spin += (c->x * y - c->y * x) * inverse_inertia(c->a);
+    if (!c->b)
+        return;
+    c->b->vx -= x * inverse_mass(c->b);
+    c->b->vy -= y * inverse_mass(c->b);
+    c->b->spin -= (c->bx * y - c->by * x) * inverse_inertia(c->b);
+}
+
+/* The mass that an impulse along (nx, ny) moves. */
+static double mass_along(const contact *c, double nx, double ny)
+{
+    double a = c->x * ny - c->y * nx, b = c->bx * ny - c->by * nx;
+    return 1 / (inverse_mass(c->a) + inverse_mass(c->b) + a * a * inverse_inertia(c->a) +
+                b * b * inverse_inertia(c->b));
+}
+
+static void add(contacts *all, skv_rigid *a, skv_rigid *b, double x, double y, double nx, double ny,
+                double distance, double dt)
+{
+    if (all->count == SKV_MOST_CONTACTS)
+        return;
+    contact *c = &all->list[all->count++];
+    *c = (contact){.a = a, .b = b, .x = x - a->x, .y = y - a->y, .nx = nx, .ny = ny};
+    if (b) {
+        c->bx = x - b->x;
+        c->by = y - b->y;
+    }
+    c->normal_mass = mass_along(c, nx, ny);
+    c->along_mass = mass_along(c, -ny, nx);
+    if (distance > 0)
+        c->part = -distance / dt; /* it may come as near as it likes */
+    else if (distance < -SLOP)
+        c->part = skv_min(-PARTS * (distance + SLOP) / dt, PARTS_MOST);
+    double vx, vy, bounce = (double)a->restitution;
+    velocity_at(c, &vx, &vy);
+    if (b)
+        bounce = skv_max(bounce, (double)b->restitution);
+    double speed = vx * nx + vy * ny;
+    if (speed < -BOUNCES_FROM && distance + dt * speed < 0)
+        c->part = skv_max(c->part, -bounce * speed);
+}
+
+/* How far what is nearer than that may come in a substep, to each other. */
+static double reach_of(const skv_rigid *r, double dt)
+{
+    double speed = sqrt(r->vx * r->vx + r->vy * r->vy);
+    return dt * (speed + fabs(r->spin) * r->shape->outline.reach);
+}
+
+/* A rim point in the world's axes. */
+static void place_rim(const skv_rigid *r, int point, double *x, double *y)
+{
+    double rx = (double)r->shape->rim[point][0], ry = (double)r->shape->rim[point][1];
+    *x = r->x + r->cos * rx - r->sin * ry;
+    *y = r->y + r->sin * rx + r->cos * ry;
+}
+
+static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, double dt)
+{
+    const skv_terrain *terrain = world->terrain;
+    double near = SLOP + reach_of(a, dt);
+    double middle = (double)skv_distance_at(terrain, (float)a->x, (float)a->y);
+    if (a->fixed || middle > a->shape->outline.reach + near)
+        return;
+    for (int k = 0; k < a->shape->rims; k++) {
+        double x, y;
+        float nx, ny;
+        place_rim(a, k, &x, &y);
+        double distance = (double)skv_normal_at(terrain, (float)x, (float)y, &nx, &ny);
+        if (distance < near)
+            add(all, a, NULL, x, y, (double)nx, (double)ny, distance, dt);
+    }
+}
+
+/* The rim points of a that are near b. */
+static void meet_body(contacts *all, const skv_solid *solid, skv_rigid *a, skv_rigid *b, double dt)
+{
+    double near = SLOP + reach_of(a, dt) + reach_of(b, dt), reach = b->shape->outline.reach + near;
+    double dx = a->x - b->x, dy = a->y - b->y, apart = reach + a->shape->outline.reach;
+    if ((a->fixed && b->fixed) || dx * dx + dy * dy > apart * apart)
+        return;
+    for (int k = 0; k < a->shape->rims; k++) {
+        double x, y;
+        place_rim(a, k, &x, &y);
+        if ((x - b->x) * (x - b->x) + (y - b->y) * (y - b->y) > reach * reach)
+            continue;
+        float lx = (float)x, ly = (float)y, nx, ny;
+        skv_solid_enter(solid, &solid->now, &lx, &ly);
+        double distance = (double)skv_normal_at(b->shape->terrain, lx, ly, &nx, &ny);
+        if (!(distance < near))
+            continue;
+        skv_solid_turn(&solid->now, &nx, &ny);
+        add(all, a, b, x, y, (double)nx, (double)ny, distance, dt);
+    }
+}
+
+static void solve(contact *c)
+{
+    double vx, vy, before = c->normal;
+    velocity_at(c, &vx, &vy);
+    double missing = c->part - (vx * c->nx + vy * c->ny);
+    c->normal = skv_max(before + c->normal_mass * missing, 0);
+    push(c, (c->normal - before) * c->nx, (c->normal - before) * c->ny);
+    velocity_at(c, &vx, &vy);
+    double friction = (double)c->a->friction;
+    if (c->b)
+        friction = sqrt(friction * (double)c->b->friction);
+    double most = friction * c->normal, slip = vy * c->nx - vx * c->ny;
+    before = c->along;
+    c->along = skv_min(skv_max(before - c->along_mass * slip, -most), most);
+    push(c, -(c->along - before) * c->ny, (c->along - before) * c->nx);
+}
+
+void skv_bodies_solve_contacts(const skv_world *world, double dt)
+{
+    skv_bodies *bodies = world->bodies;
+    contacts *all = &bodies->contacts;
+    all->count = 0;
+    for (int i = 0; i < bodies->count; i++) {
+        meet_terrain(all, world, &bodies->body[i], dt);
+        for (int k = 0; k < bodies->count; k++)
+            if (k != i)
+                meet_body(all, &bodies->solids.solid[k], &bodies->body[i], &bodies->body[k], dt);
+    }
+    for (int round = 0; round < ROUNDS; round++)
+        for (int k = 0; k < all->count; k++)
+            solve(&all->list[k]);
+}

@@ -1,0 +1,248 @@
+/* What a host does with bodies: adding, setting, looking, taking away. Invariant: nothing changes
+ * on failure; where a body is put no particle is left inside it. */
+#include "world/bodies.h"
+
+#include "base/assert.h"
+#include "base/defs.h"
+#include "base/exact.h"
+#include "world/remove.h"
+
+enum { BODY_COOKIE = 0x424f };
+
+skv_body_def skv_default_body_def(void)
+{
+    return (skv_body_def){.cookie = SKV_COOKIE(BODY_COOKIE, skv_body_def),
+                          .shape = skv_box(-0.05f, -0.05f, 0.05f, 0.05f),
+                          .density = 500,
+                          .friction = 0.3f,
+                          .restitution = 0.2f};
+}
+
+void skv_body_def_init(skv_body_def *def, size_t size)
+{
+    const skv_body_def standard = skv_default_body_def();
+    skv_def_init(def, size, &standard, sizeof standard);
+}
+
+static const skv_body_def *open_def(const skv_body_def *def, skv_body_def *own)
+{
+    *own = skv_default_body_def();
+    return skv_def_open(def, own, sizeof *own);
+}
+
+static int find(const skv_world *world, skv_body_id id)
+{
+    for (int k = 0; k < skv_world_has_bodies(world); k++)
+        if (world->bodies->body[k].id == id)
+            return k;
+    return -1;
+}
+
+static void wake_around(skv_world *world, int index)
+{
+    const skv_state *s = &world->state;
+    for (int i = 0; i < s->count; i++)
+        if (skv_rigid_stirs(&world->bodies->body[index], s->x[i], s->y[i], world->h))
+            skv_sleep_wake(world, i);
+}
+
+/* Takes out the particles inside a body; there is room to note it. Returns their number. */
+static int clear(skv_world *world, int index)
+{
+    int count = 0;
+    wake_around(world, index);
+    for (int i = 0; i < world->state.count; i++) {
+        if (skv_body_distance(world, index, world->state.x[i], world->state.y[i]) > 0)
+            continue;
+        skv_world_remove_one(world, i);
+        count++;
+    }
+    skv_world_end_removal(world, count);
+    return count;
+}
+
+static bool is_sane_pose(float x, float y, float angle)
+{
+    return skv_within((double)x, -100, 100) && skv_within((double)y, -100, 100) &&
+           skv_within((double)angle, -100, 100);
+}
+
+static bool is_sane_motion(float vx, float vy, float spin)
+{
+    return skv_within((double)vx, -100, 100) && skv_within((double)vy, -100, 100) &&
+           skv_within((double)spin, -1000, 1000);
+}
+
+static skv_result refuse_pose(skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "body: its place or angle is out of range; allowed is -100..100 m and rad");
+}
+
+static skv_result refuse_motion(skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "body: its velocity or spin is out of range; allowed is -100..100 m/s and "
+                    "-1000..1000 rad/s");
+}
+
+static skv_result check_def(const skv_body_def *def, skv_error *error)
+{
+    if (!is_sane_pose(def->x, def->y, def->angle))
+        return refuse_pose(error);
+    if (!is_sane_motion(def->vx, def->vy, def->spin))
+        return refuse_motion(error);
+    if (!skv_within((double)def->density, 10, 50000))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "body: its density is out of range; allowed is 10..50000 kg/m^2");
+    if (!skv_within((double)def->friction, 0, 10) || !skv_within((double)def->restitution, 0, 1))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "body: its friction or restitution is out of range; allowed is 0..10 and "
+                        "0..1");
+    return SKV_OK;
+}
+
+/* Gives a body of an outline what a definition says. */
+static void set_up(skv_rigid *r, const skv_body_def *def)
+{
+    const skv_outline *o = &r->shape->outline;
+    double angle = (double)def->angle, c = skv_cos(angle), s = skv_sin(angle);
+    r->x = (double)def->x + c * o->middle_x - s * o->middle_y;
+    r->y = (double)def->y + s * o->middle_x + c * o->middle_y;
+    r->angle = angle;
+    r->vx = (double)def->vx;
+    r->vy = (double)def->vy;
+    r->spin = (double)def->spin;
+    r->density = def->density;
+    r->friction = def->friction;
+    r->restitution = def->restitution;
+    r->fixed = def->fixed;
+    skv_rigid_derive(r);
+}
+
+/* Makes the list of a world that has none yet. */
+static skv_result admit(skv_world *world, skv_error *error)
+{
+    if (!world->bodies)
+        world->bodies = skv_bodies_create();
+    return world->bodies ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "out of memory for bodies");
+}
+
+skv_result skv_world_add_body(skv_world *world, const skv_body_def *def, skv_body_id *id,
+                              int *removed, skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
+    skv_body_def own;
+    SKV_ASSERT_INITIALISED(def, open_def(def, &own), SKV_ERROR_VALUE);
+    if (id)
+        *id = 0;
+    skv_outline outline;
+    skv_body_shape *shape = NULL;
+    skv_result result = check_def(def, error);
+    if (result == SKV_OK)
+        result = skv_outline_make(&def->shape, world->fluid.spacing, &outline, error);
+    if (result == SKV_OK)
+        result = admit(world, error);
+    if (result == SKV_OK && world->bodies->count == SKV_MAX_BODIES)
+        result = skv_fail(error, SKV_ERROR_LIMIT, "body: there are %d; that is all there may be",
+                          SKV_MAX_BODIES);
+    if (result == SKV_OK)
+        result = skv_world_begin_removal(world, world->state.count, error);
+    if (result == SKV_OK)
+        result = skv_body_shape_create(world, &outline, &shape, error);
+    if (result != SKV_OK)
+        return result;
+    skv_rigid *r = &world->bodies->body[world->bodies->count++];
+    *r = (skv_rigid){.shape = shape};
+    set_up(r, def);
+    r->id = world->bodies->next_id++;
+    world->bodies->set = true;
+    skv_bodies_show(world);
+    int count = clear(world, world->bodies->count - 1);
+    if (id)
+        *id = r->id;
+    if (removed)
+        *removed = count;
+    return SKV_OK;
+}
+
+bool skv_world_remove_body(skv_world *world, skv_body_id id)
+{
+    SKV_ASSERT_OR(skv_may_change(world), false);
+    int index = find(world, id);
+    if (index < 0)
+        return false;
+    wake_around(world, index);
+    skv_bodies_take_out(world, index);
+    return true;
+}
+
+int skv_world_body_count(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, 0);
+    return skv_world_has_bodies(world);
+}
+
+bool skv_world_body_at(const skv_world *world, int index, skv_body *body)
+{
+    SKV_ASSERT_OR(world && body, false);
+    *body = (skv_body){0};
+    if (index < 0 || index >= skv_world_has_bodies(world))
+        return false;
+    *body = world->bodies->shown[index];
+    return true;
+}
+
+bool skv_world_body(const skv_world *world, skv_body_id id, skv_body *body)
+{
+    SKV_ASSERT_OR(world && body, false);
+    return skv_world_body_at(world, find(world, id), body);
+}
+
+static skv_result refuse_id(skv_body_id id, skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_VALUE, "body: there is none named %u (any more)",
+                    (unsigned)id);
+}
+
+skv_result skv_world_set_body_pose(skv_world *world, skv_body_id id, float x, float y, float angle,
+                                   skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
+    int index = find(world, id);
+    if (index < 0)
+        return refuse_id(id, error);
+    if (!is_sane_pose(x, y, angle))
+        return refuse_pose(error);
+    skv_result result = skv_world_begin_removal(world, world->state.count, error);
+    if (result != SKV_OK)
+        return result;
+    wake_around(world, index);
+    skv_rigid *r = &world->bodies->body[index];
+    r->x = (double)x;
+    r->y = (double)y;
+    r->angle = (double)angle;
+    skv_rigid_derive(r);
+    world->bodies->set = true;
+    skv_bodies_show(world);
+    clear(world, index);
+    return SKV_OK;
+}
+
+skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float vx, float vy,
+                                       float spin, skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
+    int index = find(world, id);
+    if (index < 0)
+        return refuse_id(id, error);
+    if (!is_sane_motion(vx, vy, spin))
+        return refuse_motion(error);
+    skv_rigid *r = &world->bodies->body[index];
+    r->vx = (double)vx;
+    r->vy = (double)vy;
+    r->spin = (double)spin;
+    world->bodies->set = true;
+    skv_bodies_show(world);
+    return SKV_OK;
+}

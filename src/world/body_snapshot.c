@@ -1,0 +1,131 @@
+/* Bodies in snapshots (docs/snapshot.md). Invariant: what has been let through may be a world's,
+ * and a world that goes on with it gives the same bits: whatever else it needs follows from it. */
+#include "world/bodies.h"
+
+#include "base/exact.h"
+#include "base/memory.h"
+
+#include <string.h>
+
+/* How many numbers of a body may change, and where they are. */
+enum { MOVING = 6 };
+static double *moving(skv_rigid *r, int which)
+{
+    double *const numbers[MOVING] = {&r->x, &r->y, &r->angle, &r->vx, &r->vy, &r->spin};
+    return numbers[which];
+}
+
+static void exchange_outline(skv_port *port, skv_outline *o)
+{
+    skv_exchange_count(port, &o->corners, SKV_MAX_CORNERS);
+    for (int i = 0; i < 2 * o->corners; i++)
+        skv_exchange_double(port, &o->corner[i / 2][i % 2]);
+}
+
+static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
+{
+    uint64_t id = r->id, fixed = r->fixed;
+    skv_exchange(port, &id, 4);
+    r->id = (skv_body_id)id;
+    exchange_outline(port, outline);
+    for (int i = 0; i < MOVING; i++)
+        skv_exchange_double(port, moving(r, i));
+    skv_exchange_float(port, &r->density);
+    skv_exchange_float(port, &r->friction);
+    skv_exchange_float(port, &r->restitution);
+    skv_exchange(port, &fixed, 1);
+    r->fixed = fixed != 0;
+}
+
+static void exchange_head(skv_port *port, skv_bodies *b)
+{
+    uint64_t next = b->next_id, set = b->set;
+    skv_exchange(port, &next, 4);
+    skv_exchange(port, &set, 1);
+    skv_exchange_count(port, &b->count, SKV_MAX_BODIES);
+    b->next_id = (skv_body_id)next;
+    b->set = set != 0;
+}
+
+void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies)
+{
+    skv_port port = {.to = writer};
+    skv_bodies *b = (skv_bodies *)bodies; /* only read */
+    exchange_head(&port, b);
+    for (int k = 0; k < b->count; k++)
+        exchange_body(&port, &b->body[k], &b->body[k].shape->outline);
+}
+
+static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
+{
+    static const double most[MOVING] = {1e6, 1e6, 1e9, 1e6, 1e6, 1e9};
+    bool sane = o->corners >= 3 && skv_outline_check(o, spacing, NULL) == SKV_OK;
+    for (int i = 0; i < MOVING; i++)
+        sane = sane && skv_within(*moving(r, i), -most[i], most[i]);
+    return sane && skv_within((double)r->density, 10, 50000) &&
+           skv_within((double)r->friction, 0, 10) && skv_within((double)r->restitution, 0, 1);
+}
+
+skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
+{
+    skv_port port = {.from = reader};
+    skv_bodies head = {0};
+    exchange_head(&port, &head);
+    skv_body_id before = 0;
+    for (int k = 0; k < head.count; k++) {
+        skv_rigid r = {0};
+        skv_outline outline = {0};
+        exchange_body(&port, &r, &outline);
+        skv_outline_measure(&outline);
+        if (reader->failed || !is_sane(&r, &outline, spacing) || r.id <= before ||
+            r.id >= head.next_id)
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "snapshot: a body has values that none can have");
+        before = r.id;
+    }
+    return SKV_OK;
+}
+
+/* A shape of that outline: one that the world has, or a new one. */
+static skv_result find_shape(const skv_world *world, const skv_outline *o, skv_body_shape **shape,
+                             skv_error *error)
+{
+    for (int k = 0; k < skv_world_has_bodies(world); k++) {
+        skv_body_shape *had = world->bodies->body[k].shape;
+        if (had->outline.corners == o->corners &&
+            memcmp(had->outline.corner, o->corner, (size_t)o->corners * sizeof *o->corner) == 0) {
+            had->owners++;
+            *shape = had;
+            return SKV_OK;
+        }
+    }
+    return skv_body_shape_create(world, o, shape, error);
+}
+
+skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
+                           skv_error *error)
+{
+    skv_port port = {.from = &reader};
+    skv_bodies head = {0}, *b = skv_bodies_create();
+    *bodies = NULL;
+    if (!b)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for bodies");
+    exchange_head(&port, &head);
+    b->next_id = head.next_id;
+    b->set = head.set;
+    for (int k = 0; k < head.count; k++) {
+        skv_rigid *r = &b->body[k];
+        skv_outline outline = {0};
+        exchange_body(&port, r, &outline);
+        skv_outline_measure(&outline);
+        skv_result result = find_shape(world, &outline, &r->shape, error);
+        if (result != SKV_OK) {
+            skv_bodies_destroy(b);
+            return result;
+        }
+        skv_rigid_derive(r);
+        b->count++;
+    }
+    *bodies = b;
+    return SKV_OK;
+}

@@ -1,0 +1,113 @@
+/* What stands in the page's modules for rigid bodies, which no scene there has yet: without them a
+ * first visit takes a thirtieth less. Invariant: no world there gets a body, so what a world with
+ * bodies asks is never asked.
+ */
+#include "solver/rows/solids.h"
+#include "world/bodies.h"
+
+skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
+{
+    (void)reader, (void)spacing;
+    return skv_fail(error, SKV_ERROR_VALUE, "the page knows no bodies; use the program");
+}
+
+skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
+                           skv_error *error)
+{
+    (void)world, (void)bodies;
+    return skv_bodies_check(&reader, 0, error);
+}
+
+float skv_bodies_distance(const skv_world *world, float x, float y)
+{
+    (void)world, (void)x, (void)y;
+    return INFINITY;
+}
+
+void skv_bodies_take_over(skv_world *world, skv_bodies *bodies)
+{
+    (void)world, (void)bodies;
+}
+
+void skv_bodies_destroy(skv_bodies *bodies)
+{
+    (void)bodies;
+}
+
+void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies)
+{
+    (void)writer, (void)bodies;
+}
+
+void skv_bodies_begin_step(skv_world *world)
+{
+    (void)world;
+}
+
+void skv_bodies_move(skv_world *world, double dt)
+{
+    (void)world, (void)dt;
+}
+
+void skv_bodies_feel(skv_world *world, double dt)
+{
+    (void)world, (void)dt;
+}
+
+void skv_bodies_remove_leavers(skv_world *world)
+{
+    (void)world;
+}
+
+void skv_rows_expect_solids(const skv_rows *rows, int row, const skv_boundary *boundary)
+{
+    (void)rows, (void)row, (void)boundary;
+}
+
+float skv_rows_sample_solids(const skv_boundary *boundary, bool images, float x, float y,
+                             skv_near_wall *to)
+{
+    (void)boundary, (void)images, (void)x, (void)y, (void)to;
+    return 0;
+}
+
+void skv_rows_way_of_walls(const skv_boundary *boundary, bool images, float x, float y, float *dx,
+                           float *dy)
+{
+    (void)boundary, (void)images, (void)x, (void)y, (void)dx, (void)dy;
+}
+
+void skv_rows_book_push(const skv_rows *rows, const skv_near_wall *wall, bool images,
+                        const skv_boundary *boundary, float x, float y, float dx, float dy,
+                        skv_push_made made, skv_row_given *walls)
+{
+    (void)rows, (void)wall, (void)images, (void)boundary, (void)x, (void)y, (void)dx, (void)dy;
+    (void)made, (void)walls;
+}
+
+void skv_rows_book_cuts(const skv_rows *rows, const skv_boundary *boundary, int i, float x, float y,
+                        const skv_cuts *cuts, skv_row_given *walls)
+{
+    (void)rows, (void)boundary, (void)i, (void)x, (void)y, (void)cuts, (void)walls;
+}
+
+void skv_rows_book_turn(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
+                        const skv_boundary *boundary, float x, float y, skv_row_given *walls)
+{
+    (void)rows, (void)wall, (void)c, (void)boundary, (void)x, (void)y, (void)walls;
+}
+
+void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
+                           const skv_boundary *boundary, skv_row_given *walls)
+{
+    (void)rows, (void)i, (void)c, (void)boundary, (void)walls;
+}
+
+float skv_solids_slide(const skv_boundary *boundary, bool advances, bool on, float *x, float *y,
+                       float dx, float dy, float *along_x, float *along_y, float *distance,
+                       skv_cuts *cuts)
+{
+    (void)boundary, (void)advances, (void)on, (void)x, (void)y, (void)dx, (void)dy;
+    (void)along_x, (void)along_y, (void)distance, (void)cuts;
+    return 1;
+}
