@@ -20,8 +20,8 @@ packages_app=(xvfb xauth xdotool xclip imagemagick x11-utils openbox mutter pipe
     desktop-file-utils appstream python3)
 packages_browser=(chromium ffmpeg)
 # What the page is built with; npm brings the newer node that its build takes.
-packages_web=(clang-19 lld-19 wasi-libc libclang-rt-19-dev-wasm32 cmake ninja-build libgles-dev nodejs
-    librsvg2-bin)
+packages_web=(clang-19 lld-19 binaryen wasi-libc libclang-rt-19-dev-wasm32 cmake ninja-build libgles-dev
+    nodejs librsvg2-bin)
 # Besides, for the long forms: clang, arm64, Debian packages, and Windows.
 packages_long=(clang-19 lld-19 gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user file
     lintian gcc-mingw-w64-x86-64 wine64 wine)

@@ -12,7 +12,7 @@ source tests/support/comparing.sh
 # test if that fails.
 make_modules() {
     local tool log=$build/web.log
-    for tool in clang-19 wasm-ld-19 node; do
+    for tool in clang-19 wasm-ld-19 wasm-opt node; do
         command -v "$tool" >/dev/null || complain "$tool is missing; ./test.sh installs it"
     done
     for tool in /usr/include/wasm32-wasi web/node_modules; do
