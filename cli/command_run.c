@@ -15,6 +15,8 @@
 #include "output_table.h"
 #include "output_video.h"
 #include "progress.h"
+#include "skvalp/bodies.h"
+#include "skvalp/measure.h"
 #include "skvalp/render.h"
 #include "state_file.h"
 #include "stepping.h"
@@ -297,6 +299,38 @@ static json_t *list_fluids(const skv_world *world)
     return list;
 }
 
+/* What is told of each body: by the scene's name, else by its own. */
+static json_t *list_bodies(const cli_run *run)
+{
+    json_t *list = json_array();
+    skv_survey *survey = NULL;
+    skv_body body;
+    if (skv_world_body_count(run->world) > 0 && skv_survey_create(&survey, NULL) == SKV_OK &&
+        skv_survey_take(survey, run->world, NULL) != SKV_OK) {
+        skv_survey_destroy(survey);
+        survey = NULL;
+    }
+    for (int i = 0; skv_world_body_at(run->world, i, &body); i++) {
+        char number[32];
+        snprintf(number, sizeof number, "body %u", (unsigned)body.id);
+        const char *name = run->scene ? skv_scene_body_name(run->scene, (int)body.id - 1) : NULL;
+        double under = survey ? skv_survey_submerged(survey, &body) : NAN;
+        json_t *told =
+            json_pack("{so so so so so so so so}", "name", output_text(name ? name : number), "x",
+                      output_number((double)body.x), "y", output_number((double)body.y), "angle",
+                      output_number((double)body.angle), "vx", output_number((double)body.vx), "vy",
+                      output_number((double)body.vy), "spin", output_number((double)body.spin),
+                      "submerged", output_number(under));
+        if (json_array_append_new(list, told) != 0) {
+            json_decref(list);
+            list = NULL;
+            break;
+        }
+    }
+    skv_survey_destroy(survey);
+    return list;
+}
+
 static skv_result print_json(const cli_run *run, const skv_stats *stats, const skv_packing *packing,
                              skv_error *error)
 {
@@ -305,7 +339,7 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
     snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
     /* clang-format off */
     skv_flow flow = skv_world_flow(run->world);
-    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so}",
+    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so so}",
         "scene", output_text(name_of(run)),
         "particles", stats->particles,
         "substeps", skv_world_substeps_per_frame(run->world),
@@ -323,7 +357,8 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
         "left", (json_int_t)flow.left,
         "replaced", (json_int_t)flow.replaced,
         "blocked", (json_int_t)flow.blocked,
-        "fluids", list_fluids(run->world)), error);
+        "fluids", list_fluids(run->world),
+        "bodies", list_bodies(run)), error);
     /* clang-format on */
 }
 

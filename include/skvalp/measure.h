@@ -11,6 +11,7 @@
 #define SKVALP_MEASURE_H
 
 #include "skvalp/base.h"
+#include "skvalp/bodies.h"
 #include "skvalp/world.h"
 
 #ifdef __cplusplus
@@ -48,6 +49,10 @@ SKV_API skv_local skv_survey_at(const skv_survey *survey, double x, double y);
  * not count. Writes the distance from (x0, y0) in metres; false if no fluid is found. */
 SKV_API bool skv_survey_surface(const skv_survey *survey, double x0, double y0, double x1,
                                 double y1, double *distance);
+
+/** The share of a body's area that lies below the fluid's surface, 0..1: what the wet part of its
+ * outline cuts off. */
+SKV_API double skv_survey_submerged(const skv_survey *survey, const skv_body *body);
 
 /** What a field shows. */
 typedef enum skv_quantity {

@@ -77,6 +77,11 @@ SKV_API int skv_scene_particles(const skv_scene *scene);           /**< what the
 SKV_API int skv_scene_amount(const skv_scene *scene);
 SKV_API double skv_scene_seconds(const skv_scene *scene); /**< a fitting length of a recording */
 
+/** The bodies that its worlds begin with, and one's name; null past the last one. In a world of the
+ * scene the body with the name i has the id i + 1. */
+SKV_API int skv_scene_body_count(const skv_scene *scene);
+SKV_API const char *skv_scene_body_name(const skv_scene *scene, int i);
+
 /** The files that a scene was read from, a JSON file and its picture for example, in any order;
  * null when i is past the last one. */
 SKV_API const char *skv_scene_file(const skv_scene *scene, int i);

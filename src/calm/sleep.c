@@ -112,15 +112,6 @@ static void wake_for_acting(skv_world *world)
     }
 }
 
-/* A body that may move wakes the fluid around it. */
-static void wake_for_body(skv_world *world, const skv_rigid *body)
-{
-    const skv_state *p = &world->state;
-    for (int i = 0; !skv_rigid_is_still(body) && i < p->count; i++)
-        if (skv_rigid_stirs(body, p->x[i], p->y[i], world->h))
-            skv_sleep_wake(world, i);
-}
-
 /* Marks the tiles on a restless particle's way within `dt`, on which forces may lead it `astray`.
  */
 static void mark_way(skv_world *world, int i, float dt, float astray)
@@ -219,8 +210,9 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
     *partial = false;
     if (s->calm)
         wake_for_acting(world);
-    for (int k = 0; s->calm && k < skv_world_has_bodies(world); k++)
-        wake_for_body(world, &world->bodies->body[k]);
+    for (int i = 0; s->calm && world->bodies && i < world->state.count; i++)
+        if (skv_bodies_stir(world, i))
+            skv_sleep_wake(world, i);
     if (s->calm == 0)
         return s->stepped = world->state.count;
     *partial = true;

@@ -25,6 +25,7 @@ typedef struct skv_colors {
     float murk[3];               /* how fast red, green and blue light fade with depth */
     float dyes[SKV_DYES][3];     /* water full of a dye, halfway down */
     float fluids[SKV_MAX_FLUIDS - 1][3]; /* fluids beside the first, likewise */
+    float body[4], body_edge[4];         /* rigid bodies; with alpha, as what follows */
     float bubble[4];                     /* in foam; with alpha, as what follows */
     float ink[4], faint[4];              /* overlays on water: tracers, arrows; grid; with alpha */
     float figures[4], plate[4];          /* ruler and legend, and what lies under them */

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "base/assert.h"
+#include "render/bodies.h"
 #include "render/flow.h"
 #include "render/rulers.h"
 
@@ -120,10 +121,11 @@ skv_result skv_overlays_add(skv_strokes *strokes, const skv_overlay_scene *scene
                {SKV_OVERLAY_TRACERS, add_tracers},
                {SKV_OVERLAY_RULER, skv_overlay_ruler},
                {SKV_OVERLAY_LEGEND, skv_overlay_legend}};
-    skv_result result = SKV_OK;
-    if (scene->view == SKV_VIEW_PARTICLES)
+    skv_result result = skv_bodies_draw(strokes, scene, error);
+    if (result == SKV_OK && scene->view == SKV_VIEW_PARTICLES)
         result = add_particles(strokes, scene, error);
-    if (scene->view == SKV_VIEW_WATER && scene->vertices->foamy && scene->colors->foam > 0)
+    if (result == SKV_OK && scene->view == SKV_VIEW_WATER && scene->vertices->foamy &&
+        scene->colors->foam > 0)
         result = add_bubbles(strokes, scene, error);
     for (size_t i = 0; i < sizeof all / sizeof *all && result == SKV_OK; i++)
         if (overlays & all[i].overlay)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "scene/bodies.h"
 #include "scene/fluids.h"
 #include "scene/lay.h"
 #include "scene/notes.h"
@@ -564,6 +565,8 @@ static skv_result build(builder *c, skv_image *picture)
         result = build_particles(c);
     if (result == SKV_OK)
         result = check_walls(c, terrain);
+    if (result == SKV_OK)
+        result = skv_scene_build_bodies(c->draft, c->scene, c->error);
     c->scene->settle = c->value[SKV_F_SETTLE].number != 0.0;
     if (result == SKV_OK)
         result = build_taps(c);

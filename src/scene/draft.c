@@ -312,8 +312,7 @@ static skv_result accept_group(skv_draft *draft, const skv_field_path *path, con
         if (strchr(text, '"') != NULL)
             skv_format(hint, sizeof hint, "; a key is one word, a group is { ... }");
         else
-            skv_field_suggest(skv_scene_fields(NULL), SKV_F_COUNT, path->pattern, hint,
-                              sizeof hint);
+            skv_scene_suggest(path->pattern, hint, sizeof hint);
         return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "unknown field%s", hint);
     }
     if (entry->kind == (list ? SKV_ENTRY_LIST : SKV_ENTRY_OBJECT))
@@ -334,7 +333,7 @@ static skv_result accept(skv_draft *draft, const char *text, const skv_entry *en
     skv_field_path path;
     if (!skv_field_parse_path(text, &path))
         return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE, "unknown field");
-    int id = skv_field_find(skv_scene_fields(NULL), SKV_F_COUNT, path.pattern);
+    int id = skv_scene_find_field(path.pattern);
     if (id < 0)
         return accept_group(draft, &path, text, entry, origin, error);
     if (id >= SKV_F_SINGLE)
@@ -355,7 +354,7 @@ skv_result skv_draft_set(skv_draft *draft, const skv_setting *setting, skv_error
     skv_entry entry = {.kind = SKV_ENTRY_TEXT, .text = setting->value};
     int id = -1;
     if (skv_field_parse_path(setting->path, &path))
-        id = skv_field_find(fields, SKV_F_COUNT, path.pattern);
+        id = skv_scene_find_field(path.pattern);
     bool number =
         id >= 0 && (fields[id].type == SKV_FIELD_NUMBER || fields[id].type == SKV_FIELD_INTEGER);
     if (number && skv_parse_number(setting->value, &entry.number)) {

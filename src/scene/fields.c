@@ -10,6 +10,13 @@
 #include "skvalp/acting.h"
 #include "world/dye.h"
 
+/* The page has no bodies, and no fields of theirs: web/core/no_bodies.c. They are the last. */
+#ifdef SKV_WITHOUT_BODIES
+enum { FIELDS = SKV_F_BODIES };
+#else
+enum { FIELDS = SKV_F_COUNT };
+#endif
+
 /* Rows of the scene's own. */
 #define OWN_TEXT(id, path, most, help) [id] = {path, SKV_FIELD_TEXT, "", 0, most, NULL, "", help},
 #define OWN_NUMBER(id, path, unit, least, most, standard, help)                                    \
@@ -66,7 +73,7 @@
     OWN_NUMBER(base + SKV_SHAPE_THICKNESS, list ".thickness", "m", 0.0001, 10, "0.02",             \
                "line: its width; ends and bends are round")
 
-static const skv_field fields[SKV_F_COUNT] = {
+static const skv_field fields[FIELDS] = {
     OWN_TEXT(SKV_F_NAME, "name", 64, "short name; else the file's name")
     OWN_TEXT(SKV_F_TITLE, "title", 100, "heading; else the name")
     OWN_TEXT(SKV_F_DESCRIPTION, "description", 1000,
@@ -127,6 +134,29 @@ static const skv_field fields[SKV_F_COUNT] = {
     AREA_FIELDS(SKV_F_DRAINS, "drains[]", "kind of area; needed")
     OWN_NUMBER(SKV_F_DRAINS + SKV_DRAIN_RATE, "drains[].rate", "m^2/s", 0, 10000, "0",
                "takes at most so much; 0: all that comes")
+#ifndef SKV_WITHOUT_BODIES
+    LINE_FIELDS(SKV_F_BODIES, "bodies[]")
+    OWN_TEXT(SKV_F_BODIES + SKV_BODY_NAME, "bodies[].name", SKV_BODY_NAME_SIZE - 1,
+             "by which reports name it; else its place in the list")
+    OWN_CHOICE(SKV_F_BODIES + SKV_BODY_MATERIAL, "bodies[].material", "cork|wood|ice|brick|steel",
+               "wood", "its density is that of the material")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_DENSITY, "bodies[].density", "kg/m^2", 10, 50000, "",
+               "mass of a square metre of the sheet; else the material's")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_ANGLE, "bodies[].angle", "rad", -100, 100, "0",
+               "turned so far about its middle, counter-clockwise")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_VX, "bodies[].vx", "m/s", -100, 100, "0",
+               "speed to the right at the start")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_VY, "bodies[].vy", "m/s", -100, 100, "0",
+               "speed upwards at the start")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_SPIN, "bodies[].spin", "rad/s", -1000, 1000, "0",
+               "how fast it turns at the start")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_FRICTION, "bodies[].friction", "", 0, 10, "0.3",
+               "Coulomb's number against walls and other bodies")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_RESTITUTION, "bodies[].restitution", "", 0, 1, "0.2",
+               "share of its speed with which it bounces")
+    OWN_FLAG(SKV_F_BODIES + SKV_BODY_FIXED, "bodies[].fixed", "false",
+             "nothing moves it but its own speed, which stays")
+#endif
 };
 /* clang-format on */
 
@@ -141,20 +171,32 @@ const skv_list_fields *skv_scene_list(skv_list list)
         [SKV_LIST_EMITTERS] = {"emitters", SKV_F_EMITTERS, SKV_EMITTER_FIELDS, 0, SKV_MAX_EMITTERS},
         [SKV_LIST_DRAINS] = {"drains", SKV_F_DRAINS, SKV_DRAIN_FIELDS, SKV_SHAPE_SHARED,
                              SKV_MAX_DRAINS},
+        [SKV_LIST_BODIES] = {"bodies", SKV_F_BODIES, SKV_BODY_FIELDS, SKV_SHAPE_THICKNESS + 1,
+                             SKV_MAX_BODIES},
     };
     return &lists[list];
 }
 
 const skv_field *skv_scene_field(int i)
 {
-    return i >= 0 && i < SKV_F_COUNT ? &fields[i] : NULL;
+    return i >= 0 && i < FIELDS ? &fields[i] : NULL;
 }
 
 const skv_field *skv_scene_fields(int *count)
 {
     if (count != NULL)
-        *count = SKV_F_COUNT;
+        *count = FIELDS;
     return fields;
+}
+
+int skv_scene_find_field(const char *pattern)
+{
+    return skv_field_find(fields, FIELDS, pattern);
+}
+
+void skv_scene_suggest(const char *pattern, char *text, size_t size)
+{
+    skv_field_suggest(fields, FIELDS, pattern, text, size);
 }
 
 /* ---- Paths ----------------------------------------------------------------------------------- */
@@ -208,7 +250,7 @@ bool skv_field_parse_path(const char *text, skv_field_path *path)
 static bool has_below(const char *pattern, const char *next)
 {
     size_t length = strlen(pattern), next_length = strlen(next);
-    for (int i = 0; i < SKV_F_COUNT; i++) {
+    for (int i = 0; i < FIELDS; i++) {
         if (strncmp(fields[i].path, pattern, length) == 0 &&
             strncmp(fields[i].path + length, next, next_length) == 0)
             return true;

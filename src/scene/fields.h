@@ -3,6 +3,7 @@
 #define SKV_SCENE_FIELDS_H
 
 #include "base/fields.h"
+#include "skvalp/bodies.h"
 #include "skvalp/scene.h"
 
 /* The fields of a list's element, relative to the list's first: those of every shape in the same
@@ -45,8 +46,22 @@ enum {
     SKV_LIQUID_FIELDS,
     SKV_DRAIN_RATE = SKV_SHAPE_SHARED,
     SKV_DRAIN_FIELDS,
-    SKV_MOST_FIELDS = SKV_FORCE_FIELDS /* of any list */
+    SKV_BODY_NAME = SKV_SHAPE_THICKNESS + 1,
+    SKV_BODY_MATERIAL,
+    SKV_BODY_DENSITY,
+    SKV_BODY_ANGLE,
+    SKV_BODY_VX,
+    SKV_BODY_VY,
+    SKV_BODY_SPIN,
+    SKV_BODY_FRICTION,
+    SKV_BODY_RESTITUTION,
+    SKV_BODY_FIXED,
+    SKV_BODY_FIELDS,
+    SKV_MOST_FIELDS = SKV_BODY_FIELDS /* of any list */
 };
+
+/* Bytes of a body's name, with the zero at its end. */
+enum { SKV_BODY_NAME_SIZE = 32 };
 
 /* Index of a field in skv_scene_field. Those of the world's parameters are SKV_F_ and
  * the row's name. */
@@ -80,7 +95,8 @@ typedef enum skv_field_id {
     SKV_F_FORCES = SKV_F_WATER + SKV_WATER_FIELDS,
     SKV_F_EMITTERS = SKV_F_FORCES + SKV_FORCE_FIELDS,
     SKV_F_DRAINS = SKV_F_EMITTERS + SKV_EMITTER_FIELDS,
-    SKV_F_COUNT = SKV_F_DRAINS + SKV_DRAIN_FIELDS
+    SKV_F_BODIES = SKV_F_DRAINS + SKV_DRAIN_FIELDS,
+    SKV_F_COUNT = SKV_F_BODIES + SKV_BODY_FIELDS
 } skv_field_id;
 
 /* A list of a scene: "water" has elements "water[]" with fields "water[].shape" and so on. */
@@ -91,6 +107,7 @@ typedef enum skv_list {
     SKV_LIST_FORCES,
     SKV_LIST_EMITTERS,
     SKV_LIST_DRAINS,
+    SKV_LIST_BODIES,
     SKV_LISTS
 } skv_list;
 typedef struct skv_list_fields {
@@ -104,6 +121,10 @@ const skv_list_fields *skv_scene_list(skv_list list);
 /* The world's parameters among the fields: from here to SKV_F_SINGLE, in the order of their own
  * registry. */
 #define SKV_F_WORLDS (SKV_F_PARTICLES + 1)
+
+/* The number of a path's field, or -1; and what may have been meant, or is allowed there. */
+int skv_scene_find_field(const char *pattern);
+void skv_scene_suggest(const char *pattern, char *text, size_t size);
 
 /* All of skv_scene_field as an array of SKV_F_COUNT; writes their number if wanted. */
 const skv_field *skv_scene_fields(int *count);

@@ -4,6 +4,7 @@
  */
 #include "base/assert.h"
 #include "base/memory.h"
+#include "scene/bodies.h"
 #include "scene/lay.h"
 #include "scene/scene_data.h"
 #include "skvalp/particles.h"
@@ -21,6 +22,7 @@ void skv_scene_destroy(skv_scene *scene)
     skv_free(scene->solids);
     skv_free(scene->water.shapes);
     skv_free(scene->points);
+    skv_free(scene->bodies);
     for (int i = 0; i < SKV_MAX_FILES; i++)
         skv_free(scene->files[i]);
     for (int i = 0; i < SKV_MAX_NOTICES; i++)
@@ -104,6 +106,8 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
     if (result == SKV_OK)
         result = tend_fluid(scene, world, error);
     if (result == SKV_OK)
+        result = skv_scene_add_bodies(scene, world, error);
+    if (result == SKV_OK)
         result = skv_scene_set_acting(scene, world, error);
     if (result == SKV_OK && scene->settle)
         result = skv_world_settle_drawn(world, skv_water_inside, &water, error);
@@ -178,6 +182,18 @@ double skv_scene_seconds(const skv_scene *scene)
 {
     SKV_ASSERT_OR(scene != NULL, 0.0);
     return scene->seconds;
+}
+
+int skv_scene_body_count(const skv_scene *scene)
+{
+    SKV_ASSERT_OR(scene != NULL, 0);
+    return scene->body_count;
+}
+
+const char *skv_scene_body_name(const skv_scene *scene, int i)
+{
+    SKV_ASSERT_OR(scene != NULL, NULL);
+    return i >= 0 && i < scene->body_count ? scene->bodies[i].name : NULL;
 }
 
 const char *skv_scene_file(const skv_scene *scene, int i)

@@ -9,6 +9,12 @@
 #define SKV_MAX_NOTICES 8
 #define SKV_MAX_FILES   2 /* a scene and its picture */
 
+typedef struct skv_scene_body {
+    char name[SKV_BODY_NAME_SIZE];
+    skv_body_def def;
+    float angle; /* about its own middle */
+} skv_scene_body;
+
 struct skv_scene {
     char *name, *title, *description; /* never null */
     double seconds;
@@ -29,6 +35,8 @@ struct skv_scene {
     int emitter_count;
     skv_drain drains[SKV_MAX_DRAINS];
     int drain_count;
+    skv_scene_body *bodies;
+    int body_count;
     double *points;             /* of all shapes */
     skv_world_def def;          /* of its worlds, but for terrain, threads and capacity */
     int particles;              /* at the start */

@@ -140,6 +140,33 @@ float skv_bodies_distance(const skv_world *world, float x, float y)
     return least;
 }
 
+uint64_t skv_bodies_hash(uint64_t hash, const skv_bodies *bodies)
+{
+    skv_writer w = {NULL, 0};
+    for (int k = 0; k < bodies->count; k++) {
+        const skv_rigid *r = &bodies->body[k];
+        const double state[] = {r->x, r->y, r->angle, r->vx, r->vy, r->spin};
+        uint8_t bytes[sizeof state];
+        w = (skv_writer){bytes, 0};
+        for (size_t i = 0; i < sizeof state / sizeof *state; i++)
+            skv_put_double(&w, state[i]);
+        hash = skv_hash_bytes(hash, bytes, w.used);
+    }
+    return hash;
+}
+
+bool skv_bodies_stir(const skv_world *world, int particle)
+{
+    const skv_state *p = &world->state;
+    for (int k = 0; k < world->bodies->count; k++) {
+        const skv_rigid *r = &world->bodies->body[k];
+        bool still = r->fixed && r->vx == 0 && r->vy == 0 && r->spin == 0;
+        if (!still && skv_rigid_stirs(r, p->x[particle], p->y[particle], world->h))
+            return true;
+    }
+    return false;
+}
+
 /* ---- A substep ------------------------------------------------------------------------------- */
 
 void skv_bodies_begin_step(skv_world *world)

@@ -74,11 +74,11 @@ static inline bool skv_rigid_stirs(const skv_rigid *body, float x, float y, floa
     return dx * dx + dy * dy <= reach * reach;
 }
 
-/* Whether it stays where it is, whatever happens. */
-static inline bool skv_rigid_is_still(const skv_rigid *body)
-{
-    return body->fixed && body->vx == 0 && body->vy == 0 && body->spin == 0;
-}
+/* Whether a particle is kept awake by a body that moves or may. */
+bool skv_bodies_stir(const skv_world *world, int particle);
+
+/* Adds what decides their future to a hash. */
+uint64_t skv_bodies_hash(uint64_t hash, const skv_bodies *bodies);
 
 /* The distance of a place from a body's surface, below 0 inside; a lower bound of it farther away
  * than h, which is as far as the shape's picture reaches around it. */

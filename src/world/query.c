@@ -95,26 +95,6 @@ static uint64_t hash_float(uint64_t hash, float value)
     return hash;
 }
 
-static uint64_t hash_double(uint64_t hash, double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    for (int byte = 0; byte < 8; byte++)
-        hash = hash_byte(hash, (unsigned)(bits >> (8 * byte)) & 0xff);
-    return hash;
-}
-
-static uint64_t hash_bodies(uint64_t hash, const skv_world *world)
-{
-    for (int k = 0; k < skv_world_has_bodies(world); k++) {
-        const skv_rigid *r = &world->bodies->body[k];
-        const double state[] = {r->x, r->y, r->angle, r->vx, r->vy, r->spin};
-        for (size_t i = 0; i < sizeof state / sizeof *state; i++)
-            hash = hash_double(hash, state[i]);
-    }
-    return hash;
-}
-
 uint64_t skv_world_hash(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
@@ -130,7 +110,7 @@ uint64_t skv_world_hash(const skv_world *world)
         if (skv_fluid_of(s, i))
             hash = hash_byte(hash, 16u * (unsigned)skv_fluid_of(s, i));
     }
-    return hash_bodies(hash, world);
+    return world->bodies ? skv_bodies_hash(hash, world->bodies) : hash;
 }
 
 skv_wall_impulse skv_world_wall_impulse(const skv_world *world)

@@ -16,7 +16,7 @@ static skv_result report(const skv_draft *draft, const char *text, size_t size,
     skv_field_path field;
     int id = -1;
     if (skv_field_parse_path(path, &field))
-        id = skv_field_find(skv_scene_fields(NULL), SKV_F_COUNT, field.pattern);
+        id = skv_scene_find_field(field.pattern);
     if (id >= 0)
         skv_field_allowed(&skv_scene_fields(NULL)[id], allowed, sizeof allowed);
 

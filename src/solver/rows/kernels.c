@@ -302,18 +302,6 @@ V8_INLINE void add_push(const skv_rows *s, const skv_near_wall *wall, const skv_
     add_move(s, wall, c, dx, dy, made, booking);
 }
 
-/* Books what the tension of a particle turns the solids beside it by. */
-static void add_turn(const skv_rows *s, const skv_near_wall *wall, const skv_constants *c,
-                     void *booking)
-{
-    const row_booking *given = booking;
-    float x, y;
-    if (wall->solid == 0 || !s->graded[wall->particle / ROW_LANES])
-        return;
-    place_of(&s->set[s->current], wall->particle, c, &x, &y);
-    skv_rows_book_turn(s, wall, c, given->boundary, x, y, given->walls);
-}
-
 /* Takes from a particle's displacement what friction and viscosity hold of its slip along the wall;
  * u, v hold the rest of what it has moved in the substep. */
 V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
@@ -330,10 +318,8 @@ V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
     float moved_x = p->u[i] + (s->own_move.x[i] + s->next_move.x[i]) / mass;
     float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]) / mass;
     if (wall->solid) { /* it slips along what moves itself */
-        const skv_boundary *boundary = ((const row_booking *)booking)->boundary;
-        float x, y, way_x, way_y;
-        place_of(p, i, c, &x, &y);
-        skv_rows_way_of_walls(boundary, c->images, x, y, &way_x, &way_y);
+        float way_x, way_y;
+        skv_rows_way_of_walls(s, i, c, ((const row_booking *)booking)->boundary, &way_x, &way_y);
         moved_x -= way_x;
         moved_y -= way_y;
     }
@@ -451,7 +437,7 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
 {
     row_booking given = {.boundary = boundary, .walls = walls};
     if (iteration == 0 && !c->clavet && boundary->solids)
-        for_walls(s, row, c, boundary, samples, add_turn, &given);
+        skv_rows_book_turns(s, row, c, boundary, walls);
     if (iteration == 0 && c->images)
         find_hanging(s, row, c);
     for_walls(s, row, c, boundary, samples, add_push, &given);

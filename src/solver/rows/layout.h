@@ -221,6 +221,13 @@ static inline int skv_row_padded_end(int end)
     return (end + 2 * ROW_LANES - 1) & ~(ROW_LANES - 1);
 }
 
+/* How far a place lags behind the particle: such a share of its way of the substep. */
+static inline float lag_of_one(const skv_row_particles *p, int i, float pair_lag, float lag_rise)
+{
+    float square = (p->u[i] * p->u[i] + p->v[i] * p->v[i]) * lag_rise;
+    return pair_lag * (square < 1 ? square : 1);
+}
+
 static inline float skv_row_mass(const skv_rows *rows, int i)
 {
     return rows->massive ? 1 / rows->set[rows->current].lightness[i] : 1;

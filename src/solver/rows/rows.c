@@ -2,6 +2,7 @@
  * Invariant: the result does not depend on how many threads take the steps. */
 #include "base/platform.h"
 #include "solver/rows/pipeline.h"
+#include "solver/rows/solids.h"
 
 #include <string.h>
 
@@ -111,23 +112,11 @@ static void tell(skv_reaction *reaction, const skv_impulse_sum *boxed, double h)
     reaction->moment += given.moment * h * h;
 }
 
-/* What a solid has given, of all threads. */
-static skv_impulse given_by(const skv_rows *rows, int solid)
-{
-    skv_impulse_sum sum = {0};
-    for (int t = 0; t < rows->threads; t++)
-        skv_impulse_join(&sum, &rows->thread[t].walls.solid[solid]);
-    return skv_impulse_value(&sum);
-}
-
 skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
                           const skv_constants *constants, const skv_row_acting *acting,
                           const skv_boundary *boundary, skv_pool *pool, skv_reaction *reaction,
                           skv_impulse *solid_given)
 {
-    const int solids = boundary->solids && solid_given ? boundary->solids->count : 0;
-    for (int k = 0; k < solids; k++)
-        solid_given[k] = (skv_impulse){0};
     if (frame->count == 0)
         return (skv_impulse){0};
     rows->held = frame->part != NULL;
@@ -148,8 +137,8 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
         skv_impulse_join(&walls.all, &rows->thread[t].walls.all);
         skv_impulse_join(&walls.boxed, &rows->thread[t].walls.boxed);
     }
-    for (int k = 0; k < solids; k++)
-        solid_given[k] = given_by(rows, k);
+    if (solid_given)
+        skv_rows_tell_solids(rows, boundary, solid_given);
     if (reaction)
         tell(reaction, &walls.boxed, (double)boundary->unit);
     return skv_impulse_value(&walls.all);

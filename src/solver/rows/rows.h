@@ -62,7 +62,8 @@ typedef struct skv_row_frame {
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The
  * state lies in the frame's arrays alone: nothing is kept from call to call but memory. The
  * constants are those of h = dt = 1. Returns what walls have given the particles that are not held,
- * adds to a reaction what it asks for, and writes what each solid has given; null: nobody wants it.
+ * adds to a reaction what it asks for, and writes what each solid has given, in m and the world's
+ * axes; null: nobody wants it.
  */
 skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int substeps,
                           const skv_constants *constants, const skv_row_acting *acting,

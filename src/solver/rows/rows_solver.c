@@ -7,7 +7,6 @@
 #include "base/memory.h"
 #include "solver/rows/rows.h"
 #include "solver/solver.h"
-#include "terrain/solids.h"
 
 typedef struct rows_solver {
     skv_solver solver;
@@ -53,13 +52,6 @@ static skv_row_acting acting_on(const skv_solver_step *step, const skv_boundary 
     return acting;
 }
 
-/* From radii and the rows' axes. */
-static skv_impulse in_metres(const rows_solver *r, skv_impulse given, double h)
-{
-    double x = given.x * h, y = given.y * h, moment = given.moment * h * h;
-    return r->swapped ? (skv_impulse){y, x, -moment} : (skv_impulse){x, y, moment};
-}
-
 static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 {
     const rows_solver *r = (const rows_solver *)solver;
@@ -92,9 +84,8 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
     };
     skv_impulse given = skv_rows_step(r->rows, &frame, step->substeps, &constants, &acting,
                                       &boundary, step->pool, step->reaction, step->solid_given);
-    for (int k = 0; boundary.solids && step->solid_given && k < boundary.solids->count; k++)
-        step->solid_given[k] = in_metres(r, step->solid_given[k], (double)c->h);
-    return in_metres(r, given, (double)c->h);
+    double h = (double)c->h, x = given.x * h, y = given.y * h, moment = given.moment * h * h;
+    return r->swapped ? (skv_impulse){y, x, -moment} : (skv_impulse){x, y, moment};
 }
 
 static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_error *error)

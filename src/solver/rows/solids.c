@@ -40,12 +40,29 @@ float skv_rows_sample_solids(const skv_boundary *boundary, bool images, float x,
     return met.distance;
 }
 
-void skv_rows_way_of_walls(const skv_boundary *boundary, bool images, float x, float y, float *dx,
-                           float *dy)
+/* Where a particle is while its pairs lag behind. */
+static void place_of(const skv_rows *rows, int i, const skv_constants *c, float *x, float *y)
+{
+    const skv_row_particles *p = &rows->set[rows->current];
+    float lag = lag_of_one(p, i, c->pair_lag, c->lag_rise);
+    *x = p->x[i] + lag * p->u[i];
+    *y = p->y[i] + lag * p->v[i];
+}
+
+static void find_way(const skv_boundary *boundary, bool images, float x, float y, float *dx,
+                     float *dy)
 {
     skv_walls_met met;
     skv_solids_meet(boundary, images, x, y, &met);
     skv_solids_way(boundary, &met, x, y, dx, dy);
+}
+
+void skv_rows_way_of_walls(const skv_rows *rows, int i, const skv_constants *c,
+                           const skv_boundary *boundary, float *dx, float *dy)
+{
+    float x, y;
+    place_of(rows, i, c, &x, &y);
+    find_way(boundary, c->images, x, y, dx, dy);
 }
 
 /* Books what a wall gives particle i at (x, y). To a solid about its middle, and with the arm of
@@ -92,14 +109,14 @@ void skv_rows_book_cuts(const skv_rows *rows, const skv_boundary *boundary, int 
     }
 }
 
-void skv_rows_book_turn(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
-                        const skv_boundary *boundary, float x, float y, skv_row_given *walls)
+static void book_turn(const skv_rows *rows, int i, const skv_constants *c,
+                      const skv_boundary *boundary, skv_row_given *walls)
 {
+    float x, y;
     skv_walls_met met;
+    place_of(rows, i, c, &x, &y);
     skv_solids_meet(boundary, c->images, x, y, &met);
-    int i = wall->particle;
-    float distance = c->images ? wall->at.image.distance : SKV_FAR;
-    float flat = c->image_gradient * skv_flat_slope(distance);
+    float flat = c->images ? c->image_gradient * skv_flat_slope(met.sum.distance) : 0;
     for (int k = 0; k < met.count; k++) {
         const skv_part_of_walls *part = &met.part[k];
         if (part->solid == 0)
@@ -109,6 +126,15 @@ void skv_rows_book_turn(const skv_rows *rows, const skv_near_wall *wall, const s
             c->tension_scale * (wall_x * rows->gradient_y[i] - wall_y * rows->gradient_x[i]);
         skv_impulse_add(&walls->solid[part->solid - 1], 0, 0, -(double)turn);
     }
+}
+
+void skv_rows_book_turns(const skv_rows *rows, int row, const skv_constants *c,
+                         const skv_boundary *boundary, skv_row_given *walls)
+{
+    const skv_row_particles *p = &rows->set[rows->current];
+    for (int i = rows->row_start[row]; i < rows->row_end[row]; i++)
+        if (p->clearance[i] < 1 && rows->graded[i / ROW_LANES] && !(p->number[i] & ROW_HELD))
+            book_turn(rows, i, c, boundary, walls);
 }
 
 void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
@@ -122,7 +148,7 @@ void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
     if (!(depth > 0))
         return;
     if (solid)
-        skv_rows_way_of_walls(boundary, c->images, p->x[i], p->y[i], &way_x, &way_y);
+        find_way(boundary, c->images, p->x[i], p->y[i], &way_x, &way_y);
     float slide = (p->v[i] - way_y) * nx - (p->u[i] - way_x) * ny;
     float rub = c->friction * slide, push = c->softness * depth;
     float dx = push * nx + rub * ny, dy = push * ny - rub * nx;
@@ -133,4 +159,18 @@ void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
     p->u[i] += made * dx + along_x;
     p->v[i] += made * dy + along_y;
     skv_rows_book_cuts(rows, boundary, i, p->x[i], p->y[i], &cuts, walls);
+}
+
+void skv_rows_tell_solids(const skv_rows *rows, const skv_boundary *boundary, skv_impulse *given)
+{
+    double h = (double)boundary->unit;
+    for (int k = 0; k < boundary->solids->count; k++) {
+        skv_impulse_sum sum = {0};
+        for (int t = 0; t < rows->threads; t++)
+            skv_impulse_join(&sum, &rows->thread[t].walls.solid[k]);
+        skv_impulse all = skv_impulse_value(&sum);
+        given[k] = (skv_impulse){all.x * h, all.y * h, all.moment * h * h};
+        if (boundary->swapped)
+            given[k] = (skv_impulse){given[k].y, given[k].x, -given[k].moment};
+    }
 }

@@ -95,13 +95,6 @@ static __attribute__((noinline)) bool any_flag(const skv_rows *s, int i, const b
             any_between(flag, next_begin / size, (next_end + ROW_LANES - 2) / size));
 }
 
-/* How far a place lags behind the particle: such a share of its way of the substep. */
-static inline float lag_of_one(const skv_row_particles *p, int i, float pair_lag, float lag_rise)
-{
-    float square = (p->u[i] * p->u[i] + p->v[i] * p->v[i]) * lag_rise;
-    return pair_lag * (square < 1 ? square : 1);
-}
-
 /* What the displacement needs of them besides. */
 typedef struct pushes {
     wide lambda[WIDES], near_lambda[WIDES], gradient_x[WIDES], gradient_y[WIDES];

@@ -1,0 +1,97 @@
+/* Bodies: filled polygons with an outline, as strokes. A polygon is filled by lines across it, a
+ * line of the picture each, so it needs no shader of its own. Invariant: what is drawn depends on
+ * the frame and the view alone. */
+#include "render/bodies.h"
+
+#include <math.h>
+
+/* View pixels from line to line, in thin lines, and half the width of each: they overlap. */
+#define APART 1.0
+#define HALF  0.75
+
+/* The corners of a body in view pixels. */
+typedef struct polygon {
+    int count;
+    float x[SKV_MAX_CORNERS], y[SKV_MAX_CORNERS];
+    float low, high;
+} polygon;
+
+static polygon place(const skv_camera *camera, const skv_body *body)
+{
+    polygon p = {.count = body->corners, .low = INFINITY, .high = -INFINITY};
+    double c = cos((double)body->angle), s = sin((double)body->angle);
+    for (int i = 0; i < p.count; i++) {
+        double x = (double)body->outline[2 * i], y = (double)body->outline[2 * i + 1];
+        p.x[i] = skv_overlay_x(camera, (double)body->x + c * x - s * y);
+        p.y[i] = skv_overlay_y(camera, (double)body->y + s * x + c * y);
+        p.low = fminf(p.low, p.y[i]);
+        p.high = fmaxf(p.high, p.y[i]);
+    }
+    return p;
+}
+
+/* Where the polygon crosses a height, from left to right. */
+static int find_crossings(const polygon *p, float y, float crossing[SKV_MAX_CORNERS])
+{
+    int count = 0;
+    for (int i = 0; i < p->count; i++) {
+        int k = (i + 1) % p->count;
+        if ((p->y[i] > y) == (p->y[k] > y))
+            continue;
+        float x = p->x[i] + (y - p->y[i]) / (p->y[k] - p->y[i]) * (p->x[k] - p->x[i]);
+        int at = count++;
+        for (; at > 0 && crossing[at - 1] > x; at--)
+            crossing[at] = crossing[at - 1];
+        crossing[at] = x;
+    }
+    return count;
+}
+
+static skv_result fill(skv_strokes *strokes, const polygon *p, double line, const float color[4],
+                       skv_error *error)
+{
+    float apart = (float)(APART * line), half = (float)(HALF * line);
+    int lines = (int)((p->high - p->low) / apart) + 1;
+    skv_result result = skv_strokes_reserve(strokes, lines * p->count / 2, error);
+    for (int k = 0; result == SKV_OK && k < lines; k++) {
+        float crossing[SKV_MAX_CORNERS], y = p->low + ((float)k + 0.5f) * apart;
+        int count = find_crossings(p, y, crossing);
+        for (int i = 0; i + 1 < count; i += 2) {
+            skv_stroke across = {.x0 = fminf(crossing[i] + half, crossing[i + 1]),
+                                 .x1 = fmaxf(crossing[i + 1] - half, crossing[i]),
+                                 .y0 = y,
+                                 .y1 = y,
+                                 .radius = half};
+            skv_stroke_paint(&across, color, 1);
+            skv_strokes_add(strokes, across);
+        }
+    }
+    return result;
+}
+
+static skv_result outline(skv_strokes *strokes, const polygon *p, double line, const float color[4],
+                          skv_error *error)
+{
+    skv_result result = skv_strokes_reserve(strokes, p->count, error);
+    for (int i = 0; result == SKV_OK && i < p->count; i++) {
+        int k = (i + 1) % p->count;
+        skv_stroke side = {.x0 = p->x[i], .y0 = p->y[i], .x1 = p->x[k], .y1 = p->y[k]};
+        side.radius = (float)line;
+        skv_stroke_paint(&side, color, 1);
+        skv_strokes_add(strokes, side);
+    }
+    return result;
+}
+
+skv_result skv_bodies_draw(skv_strokes *strokes, const skv_overlay_scene *scene, skv_error *error)
+{
+    double line = skv_look_line(scene->camera);
+    skv_result result = SKV_OK;
+    for (int i = 0; i < scene->frame->body_count && result == SKV_OK; i++) {
+        polygon p = place(scene->camera, &scene->frame->bodies[i]);
+        result = fill(strokes, &p, line, scene->colors->body, error);
+        if (result == SKV_OK)
+            result = outline(strokes, &p, line, scene->colors->body_edge, error);
+    }
+    return result;
+}

@@ -1,0 +1,140 @@
+/* The bodies of a scene. Invariant: a body that comes out may be a world's of the scene's spacing.
+ */
+#include "scene/bodies.h"
+
+#include "base/memory.h"
+#include "scene/shapes.h"
+#include "world/body_shape.h"
+
+#include <string.h>
+
+/* kg/m^2 of the sheet, in the order of the registry's choices: cork, pine and ice at 0 C, brick and
+ * steel as tables have them. */
+static const float densities[] = {240, 500, 917, 1900, 7850};
+
+typedef struct builder {
+    const skv_draft *draft;
+    const skv_shape_values *values;
+    int index;
+    skv_error *error;
+} builder;
+
+static const skv_value *value_of(const builder *b, int field)
+{
+    return &b->values->value[field];
+}
+
+static bool is_given(const builder *b, int field)
+{
+    return value_of(b, field)->origin.source != SKV_FROM_DEFAULT;
+}
+
+static float number_of(const builder *b, int field)
+{
+    return (float)value_of(b, field)->number;
+}
+
+/* Fails for one of a body's fields, or for the whole of it. */
+static skv_result fail(const builder *b, const char *field, const char *message)
+{
+    char path[SKV_PATH_SIZE];
+    skv_format(path, sizeof path, "bodies[%d]%s", b->index, field);
+    return skv_draft_fail(b->draft, b->values->origin, path, b->error, SKV_ERROR_VALUE, "%s",
+                          message);
+}
+
+static skv_result make_area(const builder *b, const skv_shape *shape, skv_area *area)
+{
+    float corners[2 * SKV_MAX_CORNERS];
+    const double *p = shape->points;
+    switch (shape->kind) {
+    case SKV_SHAPE_BOX:
+        *area = skv_box((float)shape->x0, (float)shape->y0, (float)shape->x1, (float)shape->y1);
+        break;
+    case SKV_SHAPE_CIRCLE:
+        *area = skv_circle((float)shape->x, (float)shape->y, (float)shape->radius);
+        break;
+    case SKV_SHAPE_LINE:
+        if (shape->point_count != 2)
+            return fail(b, ".points", "a body's line has 2 points; draw others as a polygon");
+        *area = skv_swept_circle((float)p[0], (float)p[1], (float)p[2], (float)p[3],
+                                 (float)shape->radius);
+        break;
+    case SKV_SHAPE_POLYGON:
+        if (shape->point_count > SKV_MAX_CORNERS)
+            return fail(b, ".points", "too many points; a body has at most 64");
+        for (int i = 0; i < 2 * shape->point_count; i++)
+            corners[i] = (float)p[i];
+        *area = skv_polygon(corners, shape->point_count);
+        break;
+    }
+    return SKV_OK;
+}
+
+static skv_result make_body(const builder *b, const skv_scene *scene, const skv_shape *shape,
+                            skv_scene_body *body)
+{
+    skv_body_def *def = &body->def;
+    *def = skv_default_body_def();
+    skv_result result = make_area(b, shape, &def->shape);
+    if (result != SKV_OK)
+        return result;
+    def->density = densities[(int)value_of(b, SKV_BODY_MATERIAL)->number];
+    if (is_given(b, SKV_BODY_DENSITY))
+        def->density = number_of(b, SKV_BODY_DENSITY);
+    body->angle = number_of(b, SKV_BODY_ANGLE);
+    def->vx = number_of(b, SKV_BODY_VX);
+    def->vy = number_of(b, SKV_BODY_VY);
+    def->spin = number_of(b, SKV_BODY_SPIN);
+    def->friction = number_of(b, SKV_BODY_FRICTION);
+    def->restitution = number_of(b, SKV_BODY_RESTITUTION);
+    def->fixed = value_of(b, SKV_BODY_FIXED)->number != 0;
+    const char *name = value_of(b, SKV_BODY_NAME)->text;
+    if (name)
+        memcpy(body->name, name, strlen(name));
+    else
+        skv_format(body->name, sizeof body->name, "body %d", b->index + 1);
+    skv_outline outline;
+    skv_error cause;
+    if (skv_outline_make(&def->shape, scene->def.fluid.spacing, &outline, &cause) != SKV_OK)
+        return fail(b, "", cause.text + strlen("body: "));
+    return SKV_OK;
+}
+
+skv_result skv_scene_build_bodies(const skv_draft *draft, skv_scene *scene, skv_error *error)
+{
+    const skv_shape_list *list = &draft->values.list[SKV_LIST_BODIES];
+    if (list->count == 0)
+        return SKV_OK;
+    skv_shape *shapes = skv_calloc((size_t)list->count, sizeof *shapes);
+    scene->bodies = skv_calloc((size_t)list->count, sizeof *scene->bodies);
+    skv_result result = SKV_OK;
+    if (!shapes || !scene->bodies)
+        result = skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", draft->label);
+    if (result == SKV_OK)
+        result = skv_shapes_make(draft, SKV_LIST_BODIES, scene->width * scene->pixel_size,
+                                 scene->height * scene->pixel_size, shapes, error);
+    for (int i = 0; i < list->count && result == SKV_OK; i++) {
+        const builder b = {draft, &list->shapes[i], i, error};
+        result = make_body(&b, scene, &shapes[i], &scene->bodies[i]);
+        scene->body_count = i + 1;
+    }
+    skv_free(shapes);
+    return result;
+}
+
+skv_result skv_scene_add_bodies(const skv_scene *scene, skv_world *world, skv_error *error)
+{
+    skv_result result = SKV_OK;
+    for (int i = 0; i < scene->body_count && result == SKV_OK; i++) {
+        const skv_scene_body *wanted = &scene->bodies[i];
+        skv_body_def def = wanted->def;
+        skv_body_id id;
+        skv_body body;
+        result = skv_world_add_body(world, &def, &id, NULL, error);
+        /* Turned about its own middle. */
+        if (result == SKV_OK && wanted->angle != 0 && skv_world_body(world, id, &body))
+            result = skv_world_set_body_pose(world, id, body.x, body.y, wanted->angle, error);
+    }
+    return result;
+}

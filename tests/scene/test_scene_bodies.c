@@ -1,0 +1,140 @@
+/* Bodies in a scene: each kind of shape arrives in its worlds, and what is no body is refused with
+ * its place and a remedy; how much of a body is under water; and how bodies look. */
+#include "skvalp/skvalp.h"
+#include "support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define SCENE                                                                                      \
+    "{\n\"particles\": 800, \"world\": {\"height\": 0.6},\n"                                       \
+    "\"water\": [{\"shape\": \"box\", \"y1\": 0.3}],\n"                                            \
+    "\"bodies\": [{\"name\": \"box\", \"shape\": \"box\", \"x0\": 0.2, \"y0\": 0.26, \"x1\": "     \
+    "0.5, "                                                                                        \
+    "\"y1\": 0.36, \"angle\": 0.1},\n"                                                             \
+    "{\"shape\": \"circle\", \"x\": 0.8, \"y\": 0.5, \"radius\": 0.06, \"material\": \"cork\", "   \
+    "\"vy\": -1, \"spin\": 2},\n"                                                                  \
+    "{\"name\": \"w\xc3\xa4gg\", \"shape\": \"polygon\", \"points\": [[1.0, 0.1], [1.2, 0.1], "    \
+    "[1.1, "                                                                                       \
+    "0.2]], \"density\": 3000, \"fixed\": true},\n"                                                \
+    "{\"shape\": \"line\", \"points\": [[1.3, 0.4], [1.5, 0.4]], \"thickness\": 0.08, "            \
+    "\"friction\": 1, \"restitution\": 0}]}"
+
+static skv_scene *load(void)
+{
+    skv_scene *scene;
+    skv_error error = {0};
+    if (load_text(SCENE, NULL, &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    return scene;
+}
+
+static skv_world *create(const skv_scene *scene)
+{
+    skv_world *world;
+    skv_error error = {0};
+    if (skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    return world;
+}
+
+static void bodies_arrive(void **unused)
+{
+    (void)unused;
+    skv_scene *scene = load();
+    skv_world *world = create(scene);
+    assert_int_equal(skv_scene_body_count(scene), 4);
+    assert_string_equal(skv_scene_body_name(scene, 0), "box");
+    assert_string_equal(skv_scene_body_name(scene, 1), "body 2");
+    assert_string_equal(skv_scene_body_name(scene, 2), "w\xc3\xa4gg");
+    assert_null(skv_scene_body_name(scene, 4));
+    skv_body b[4];
+    for (int i = 0; i < 4; i++) {
+        assert_true(skv_world_body_at(world, i, &b[i]));
+        assert_int_equal(b[i].id, i + 1);
+    }
+    skv_body none;
+    assert_false(skv_world_body_at(world, 4, &none));
+    assert_true(fabsf(b[0].x - 0.35f) < 1e-6f && fabsf(b[0].y - 0.31f) < 1e-6f);
+    assert_true(b[0].angle == 0.1f && b[0].density == 500 && !b[0].fixed);
+    assert_true(fabsf(b[1].y - 0.5f) < 1e-6f && b[1].vy == -1 && b[1].spin == 2);
+    assert_true(b[1].density == 240);
+    assert_true(b[2].fixed && b[2].density == 3000 && fabsf(b[2].area - 0.01f) < 1e-6f);
+    assert_true(fabsf(b[3].area - (0.2f * 0.08f + 3.14159265f * 0.0016f)) < 1e-4f);
+    assert_true(b[3].friction == 1 && b[3].restitution == 0);
+    /* No water is left inside. */
+    skv_particles p = skv_world_particles(world);
+    for (int i = 0; i < p.count; i++)
+        assert_false(p.y[i] > 0.11f && p.y[i] < 0.19f &&
+                     fabsf(p.x[i] - 1.1f) < 0.95f * (0.2f - p.y[i]));
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+}
+
+/* The box floats half under water, the fixed one lies below, and the line is in the air. */
+static void what_is_under_water_is_told(void **unused)
+{
+    (void)unused;
+    skv_scene *scene = load();
+    skv_world *world = create(scene);
+    skv_survey *survey;
+    skv_body body;
+    assert_int_equal(skv_survey_create(&survey, NULL), SKV_OK);
+    assert_int_equal(skv_survey_take(survey, world, NULL), SKV_OK);
+    assert_true(skv_world_body_at(world, 2, &body));
+    assert_true(skv_survey_submerged(survey, &body) == 1);
+    assert_true(skv_world_body_at(world, 3, &body));
+    assert_true(skv_survey_submerged(survey, &body) == 0);
+    for (int f = 0; f < 240; f++)
+        assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_OK);
+    assert_int_equal(skv_survey_take(survey, world, NULL), SKV_OK);
+    assert_true(skv_world_body_at(world, 0, &body));
+    assert_true(fabs(skv_survey_submerged(survey, &body) - 0.5) < 0.15);
+    skv_survey_destroy(survey);
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+}
+
+static void expect_refused(const char *path, const char *value, const char *message)
+{
+    const char *const settings[] = {path, value, NULL};
+    skv_scene *scene;
+    skv_error error = {0};
+    skv_result result = load_text(SCENE, settings, &scene, &error);
+    assert_true(result == SKV_ERROR_VALUE || result == SKV_ERROR_LIMIT);
+    assert_string_equal(error.text, message);
+    assert_null(scene);
+}
+
+static void what_is_no_body_is_refused(void **unused)
+{
+    (void)unused;
+    expect_refused(
+        "bodies[0].density", "9",
+        "--set bodies[0].density: 9 is out of range; allowed is a number from 10 to 50000 "
+        "kg/m^2");
+    expect_refused(
+        "bodies[1].material", "gold",
+        "--set bodies[1].material: \"gold\" is not known; allowed is cork, wood, ice, brick "
+        "or steel");
+    expect_refused("bodies[1].radius", "0.001",
+                   "a.json:5: bodies[1]: its shape has 3.14159e-06 m^2; the least is a particle's, "
+                   "0.000599996 m^2");
+    expect_refused("bodies[3].points[2][0]", "1",
+                   "--set bodies[3].points: a point lacks a value; a point is a pair [x, y]");
+    expect_refused("bodies[0].x1", "0.1",
+                   "--set bodies[0].x1: the box is empty; x0 must be smaller than x1");
+    expect_refused("bodies[5].name", "x",
+                   "--set bodies[5].name: there is no bodies[5]; the next free one is bodies[4]");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bodies_arrive),
+        cmocka_unit_test(what_is_under_water_is_told),
+        cmocka_unit_test(what_is_no_body_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
