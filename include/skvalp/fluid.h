@@ -61,8 +61,8 @@ typedef struct skv_liquid {
     char name[SKV_FLUID_NAME]; /**< UTF-8 without control characters, another for each fluid of a
                                     world; "water" is the first */
     float density;             /**< kg/m^2 of the sheet, 0.01..20 times that of the first */
-    float viscosity;           /**< m^2/s; it does not act yet: the first fluid's does on all */
-    int color;                 /**< 0xrrggbb, as it looks in deep layers; -1: by material and number */
+    float viscosity;           /**< kinematic, m^2/s, as in skv_fluid_def: 0..0.05 */
+    int color; /**< 0xrrggbb, as it looks in deep layers; -1: by material and number */
 } skv_liquid;
 
 /** A liquid like the default fluid, which still needs a name of its own; and the same for binders

@@ -138,6 +138,7 @@ static skv_result take_round(const settling *s, bool last, bool again, skv_error
     skv_solver_step step = skv_world_describe_step(world, &s->constants, forces);
     step.gravity_x = step.gravity_y = 0;
     step.force_count = 0;
+    step.particles.drag = NULL; /* as the fluid's: none */
     step.ungauged = !last;
     skv_result result = world->solver->type->reserve(world->solver, &step, error);
     if (result == SKV_OK)

@@ -72,12 +72,12 @@ static double effective_stiffness(const skv_fluid_def *f, double h, double dt, d
     return 2 * relaxation(f) * f->iterations * h / (SKV_SMOOTH_GAIN * dt * dt * response);
 }
 
-/* sigma of all the fluid's linear viscosity, 1/s. A pair at distance r in a shear flow of rate g
+/* A pair at distance r in a shear flow of rate g
  * approaches with r g |sin cos|; the momentum that it passes on, summed over the disc with n0 =
  * (eta/h)^2 particles per area and half of the directions approaching, makes the viscosity
  * nu = pi/640 sigma eta^2 h^2. What is far below the method's own is left out, for it costs a pass.
  */
-static double linear_viscosity(const skv_fluid_def *f)
+double skv_linear_viscosity(const skv_fluid_def *f)
 {
     double eta = (double)f->radius_ratio, h = (double)f->spacing * eta;
     double sigma = (double)f->viscosity_linear;
@@ -102,7 +102,7 @@ int skv_substep_rule(const skv_fluid_def *f, double load)
             substeps = needed;
     }
     /* Of linear viscosity nothing is lost to the solvers' bound. */
-    double viscous = linear_viscosity(f) * FRAME / (double)SKV_MOST_VISCOUS;
+    double viscous = skv_linear_viscosity(f) * FRAME / (double)SKV_MOST_VISCOUS;
     if (substeps < viscous)
         substeps = viscous;
     if (!(substeps < MOST_SUBSTEPS))
@@ -186,7 +186,7 @@ static double share_for(double share_a_frame, double dt)
  * rests, and half of a pair's impulse is its. */
 static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
 {
-    double viscosity = linear_viscosity(f), friction = (double)f->wall_friction;
+    double viscosity = skv_linear_viscosity(f), friction = (double)f->wall_friction;
     double sticks = friction < STICKS ? friction / STICKS : 1, eta = (double)f->radius_ratio;
     c->images = true;
     c->image_gradient = (float)(SKV_PI / SKV_SMOOTH_WHOLE * eta * eta / SKV_SMOOTH_GAIN);
@@ -199,7 +199,9 @@ static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
     c->adhesion = f->adhesion;
     c->friction = 0;
     c->wall_drag = (float)(sticks * viscosity * dt * eta * eta / 4);
-    c->slip_friction = viscosity > 0 ? 0 : (float)share_for(SLIP_FRICTION * friction, dt);
+    c->bare_slip = (float)share_for(SLIP_FRICTION * friction, dt);
+    c->slip_friction = viscosity > 0 ? 0 : c->bare_slip;
+    c->wall_stick = (float)(sticks * eta * eta / 4);
 }
 
 static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, double dt)
@@ -251,7 +253,7 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         .inv_h = (float)(1 / h),
         .dt = dt_float,
         .max_speed = (float)(MAX_COURANT * h / dt),
-        .viscosity_linear = (float)linear_viscosity(f),
+        .viscosity_linear = (float)skv_linear_viscosity(f),
         .viscosity_quadratic = f->viscosity_quadratic,
         .clavet = f->law == SKV_LAW_CLAVET,
         .iterations = f->iterations,

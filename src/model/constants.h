@@ -60,6 +60,8 @@ typedef struct skv_constants {
     float image_virial, image_near_virial; /* of fluid and images as one body, per h P and h N */
     float slip_friction; /* share of the slip along a wall that friction takes a substep */
     float wall_drag;     /* strength of viscosity's pairs with the solid */
+    /* Both for fluids of their own viscosity: of those without, and per sigma dt of the others. */
+    float bare_slip, wall_stick;
 
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
@@ -80,6 +82,9 @@ static inline bool skv_resists_slip(const skv_constants *constants)
 {
     return constants->slip_friction > 0 || constants->wall_drag > 0;
 }
+
+/* sigma of all of a fluid's linear viscosity, 1/s. */
+double skv_linear_viscosity(const skv_fluid_def *fluid);
 
 /* Those of a fluid as stiff as dt allows. */
 skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);

@@ -6,9 +6,6 @@
 
 #include "world/liquids.h"
 
-/* m^2/s: about what the method has of its own (docs/model.md); less than that is not missed. */
-#define OWN_VISCOSITY 3e-4f
-
 /* The name of what is painted yellow, and of its material. */
 #define OIL "oil"
 
@@ -65,23 +62,23 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
     *liquid = liquid_of(material);
     if (value[SKV_LIQUID_DENSITY].origin.source != SKV_FROM_DEFAULT)
         liquid->density = (float)value[SKV_LIQUID_DENSITY].number;
+    if (value[SKV_LIQUID_VISCOSITY].origin.source != SKV_FROM_DEFAULT)
+        liquid->viscosity = (float)value[SKV_LIQUID_VISCOSITY].number;
     if (name == NULL)
         return fail(draft, index, SKV_LIQUID_NAME, "is missing; water and emitters need it", error);
     skv_format(liquid->name, sizeof liquid->name, "%s", name);
     if (color != NULL && !read_color(color, &liquid->color))
         return fail(draft, index, SKV_LIQUID_COLOR, "is no color; allowed is \"#rrggbb\"", error);
     scene->def.liquid_count = index + 1;
-    if (liquid->viscosity > OWN_VISCOSITY && liquid->viscosity != scene->def.fluid.viscosity)
-        skv_scene_note(scene,
-                       "the viscosity of %s does not act yet: all fluids have fluid.viscosity",
-                       liquid->name);
     char complaint[160];
     skv_liquid_member wrong = skv_liquid_complain(&scene->def, index, complaint, sizeof complaint);
     if (wrong == SKV_LIQUID_SANE)
         return SKV_OK;
     return fail(draft, index,
-                wrong == SKV_LIQUID_WRONG_DENSITY ? SKV_LIQUID_DENSITY : SKV_LIQUID_NAME, complaint,
-                error);
+                wrong == SKV_LIQUID_WRONG_DENSITY     ? SKV_LIQUID_DENSITY
+                : wrong == SKV_LIQUID_WRONG_VISCOSITY ? SKV_LIQUID_VISCOSITY
+                                                      : SKV_LIQUID_NAME,
+                complaint, error);
 }
 
 skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_error *error)

@@ -47,6 +47,9 @@ typedef struct skv_solver_particles {
     /* Over that of the first fluid's, whose density and spacing the constants have: above 0. Null:
      * all 1. */
     const float *mass;
+    /* sigma of its linear viscosity times `mass`, 1/s; where there is `mass`. Null: the constants'
+     * times `mass`. */
+    const float *drag;
     const uint32_t *id;
     const uint8_t *part; /* skv_part; null: all move */
 } skv_solver_particles;

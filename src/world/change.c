@@ -36,7 +36,8 @@ double skv_expected_load(const skv_world *world)
 
 int skv_substeps_needed(const skv_world *world)
 {
-    return skv_substep_rule(&world->fluid, skv_expected_load(world));
+    skv_fluid_def fluid = skv_world_most_viscous(world);
+    return skv_substep_rule(&fluid, skv_expected_load(world));
 }
 
 /* Follows the gravity and the forces that have been set. */

@@ -20,11 +20,25 @@ void skv_liquids_follow(skv_world *world)
     skv_world_weigh(world);
 }
 
+/* What a world's fluid is with the viscosity of one of the list. */
+static skv_fluid_def fluid_with(const skv_world *world, float viscosity)
+{
+    skv_fluid_def fluid = world->fluid;
+    fluid.viscosity = viscosity;
+    return fluid;
+}
+
 void skv_world_weigh(skv_world *world)
 {
     skv_state *s = &world->state;
-    for (int i = 0; s->several && i < s->count; i++)
+    for (int i = 0; i < world->fluid_count; i++) {
+        skv_fluid_def fluid = fluid_with(world, world->liquids[i].viscosity);
+        world->sigmas[i] = (float)skv_linear_viscosity(&fluid);
+    }
+    for (int i = 0; s->several && i < s->count; i++) {
         s->mass[i] = skv_mass_of(world, s->fluid[i]);
+        s->drag[i] = skv_drag_of(world, s->fluid[i]);
+    }
 }
 
 double skv_world_contrast(const skv_world *world)
@@ -37,12 +51,29 @@ double skv_world_contrast(const skv_world *world)
     return (double)(most / least);
 }
 
+skv_fluid_def skv_world_most_viscous(const skv_world *world)
+{
+    float most = world->fluid.viscosity;
+    for (int i = 1; i < world->fluid_count; i++)
+        most = skv_maxf(most, world->liquids[i].viscosity);
+    return fluid_with(world, most);
+}
+
 const float *skv_world_masses(const skv_world *world)
 {
     const skv_state *s = &world->state;
     for (int i = 0; s->several && i < s->count; i++)
-        if (s->mass[i] != 1)
+        if (s->mass[i] != 1 || s->drag[i] != world->sigmas[0])
             return s->mass;
+    return NULL;
+}
+
+const float *skv_world_drags(const skv_world *world)
+{
+    const skv_state *s = &world->state;
+    for (int i = 0; s->several && i < s->count; i++)
+        if (world->sigmas[s->fluid[i]] != world->sigmas[0])
+            return s->drag;
     return NULL;
 }
 
@@ -75,6 +106,7 @@ skv_result skv_world_set_fluids(skv_world *world, int first, int count, const ui
             continue;
         world->state.fluid[i] = fluids[k];
         world->state.mass[i] = skv_mass_of(world, fluids[k]);
+        world->state.drag[i] = skv_drag_of(world, fluids[k]);
         skv_sleep_wake(world, i);
     }
     return SKV_OK;

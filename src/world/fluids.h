@@ -7,16 +7,25 @@
 /* Takes over the fluids of a definition that has been checked. */
 void skv_world_put_liquids(skv_world *world, const skv_world_def *def);
 
-/* Makes the first of the list what the world's fluid is, and particles as heavy as theirs. */
+/* Makes the first of the list what the world's fluid is, and particles as heavy and as viscous as
+ * theirs. */
 void skv_liquids_follow(skv_world *world);
 
-/* Makes particles as heavy as their fluids. */
+/* Makes particles as heavy and as viscous as their fluids. */
 void skv_world_weigh(skv_world *world);
 
 /* The greatest density of its fluids over the least: 1 for one fluid. */
 double skv_world_contrast(const skv_world *world);
 
-/* What the world's particles weigh, over that of the first fluid's; null if all weigh as much. */
+/* The world's fluid with the viscosity of the most viscous one of the list: for the substeps' rule.
+ */
+skv_fluid_def skv_world_most_viscous(const skv_world *world);
+
+/* What the world's particles weigh, over that of the first fluid's; null if all weigh as much, and
+ * are as viscous. */
 const float *skv_world_masses(const skv_world *world);
+
+/* Their viscosities, as in solver.h; null if all are as viscous as the first fluid. */
+const float *skv_world_drags(const skv_world *world);
 
 #endif

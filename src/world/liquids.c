@@ -14,7 +14,7 @@ enum { LIQUID_COOKIE = 0x4c51, MOST_COLOR = 0xffffff };
 const uint32_t skv_liquid_cookie = SKV_COOKIE(LIQUID_COOKIE, skv_liquid);
 
 /* m^2/s, as the field of fluid.viscosity allows. */
-#define MOST_VISCOSITY 0.05
+#define MOST_VISCOSITY 0.05f
 
 /* Densities over the first fluid's. A layer of 0.01 lies calm on water, 0.002 flies apart; 20 is
  * more than mercury has. */
@@ -62,7 +62,7 @@ skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char 
     const char *complaint = complain_of_name(def, index);
     if (!complaint && complain_of_density(liquid->density, def->fluid.density, text, size))
         return SKV_LIQUID_WRONG_DENSITY;
-    if (!complaint && !skv_within((double)liquid->viscosity, 0, MOST_VISCOSITY)) {
+    if (!complaint && !skv_within((double)liquid->viscosity, 0, (double)MOST_VISCOSITY)) {
         complaint = "is out of range; allowed is 0..0.05 m^2/s";
         wrong = SKV_LIQUID_WRONG_VISCOSITY;
     }

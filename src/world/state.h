@@ -40,7 +40,8 @@ typedef enum skv_saved {
 /* Those of worlds with several fluids; null in others, so that one fluid takes no memory more. */
 #define SKV_FLUID_ARRAYS(X)                                                                        \
     X(uint8_t, fluid, SKV_SAVED_WITH_FLUIDS) /* number of its fluid */                             \
-    X(float, mass, SKV_SAVED_NOWHERE)        /* over that of the first fluid's; from the list */
+    X(float, mass, SKV_SAVED_NOWHERE)        /* over that of the first fluid's; from the list */   \
+    X(float, drag, SKV_SAVED_NOWHERE)        /* as in solver.h; from the list */
 
 #define SKV_STATE_ARRAYS(X) SKV_COMMON_ARRAYS(X) SKV_FLUID_ARRAYS(X)
 

@@ -38,6 +38,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
                       .pressure = s->pressure,
                       .warm_lambda = s->warm_lambda,
                       .mass = skv_world_masses(world),
+                      .drag = skv_world_drags(world),
                       .id = s->id},
         .constants = constants,
         .gravity_x = world->gravity_x,

@@ -60,6 +60,7 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
     if (s->several) {
         s->fluid[i] = (uint8_t)fluid;
         s->mass[i] = skv_mass_of(world, fluid);
+        s->drag[i] = skv_drag_of(world, fluid);
     }
     world->sleep.stepped++;
     skv_world_revise(world);

@@ -32,6 +32,7 @@ typedef enum skv_busy {
 struct skv_world {
     skv_fluid_def fluid;                /* as it was set; skv_ramp_fluid: what acts */
     skv_liquid liquids[SKV_MAX_FLUIDS]; /* all fluids; the first follows `fluid` */
+    float sigmas[SKV_MAX_FLUIDS];       /* of their linear viscosity, 1/s */
     int fluid_count;
     skv_ramp ramp;
     skv_terrain *terrain;
@@ -82,6 +83,12 @@ struct skv_world {
 static inline float skv_mass_of(const skv_world *world, int fluid)
 {
     return world->liquids[fluid].density / world->fluid.density;
+}
+
+/* sigma of its linear viscosity times that mass, 1/s. */
+static inline float skv_drag_of(const skv_world *world, int fluid)
+{
+    return skv_mass_of(world, fluid) * world->sigmas[fluid];
 }
 
 /* step.c: the constants of a substep at present. */

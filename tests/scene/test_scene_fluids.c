@@ -149,28 +149,32 @@ static void eight_are_all(void **unused)
     }
 }
 
-/* A material's density; its viscosity does not act, which is said where it would be seen. */
+/* A material's density and viscosity, or the fluid's own. */
 static void materials_are_as_they_are(void **unused)
 {
     (void)unused;
     skv_scene *scene;
     skv_error error = {0};
-    const char *const settings[] = {"fluids[0].material", "honey", "fluid.density", "1000", NULL};
-    assert_int_equal(load_text(SCENE("", ""), settings, &scene, &error), SKV_OK);
-    assert_string_equal(skv_scene_notice(scene, 0),
-                        "the viscosity of oil does not act yet: all fluids have fluid.viscosity");
-    skv_scene_destroy(scene);
     const char *const heavy[] = {"fluids[1].material", "mercury", NULL};
     assert_int_equal(load_text(SCENE("", ""), heavy, &scene, &error), SKV_OK);
     skv_world_def def = skv_scene_world_def(scene);
     assert_int_equal(def.liquid_count, 2);
     assert_true(def.liquids[0].density == 1000 && def.liquids[1].density == 13546);
+    assert_true(def.liquids[1].viscosity == 1.15e-7f);
     skv_terrain_destroy(def.terrain);
     skv_scene_destroy(scene);
-    const char *const thick[] = {"fluids[0].material", "honey", "fluid.viscosity", "0.007", NULL};
+    const char *const thick[] = {"fluids[0].material", "honey", "fluids[1].viscosity", "0.05",
+                                 NULL};
     assert_int_equal(load_text(SCENE("", ""), thick, &scene, &error), SKV_OK);
     assert_null(skv_scene_notice(scene, 0));
+    def = skv_scene_world_def(scene);
+    assert_true(def.liquids[0].viscosity == 7e-3f && def.liquids[1].viscosity == 0.05f);
+    skv_terrain_destroy(def.terrain);
     skv_scene_destroy(scene);
+    const char *const wrong[] = {"fluids[0].viscosity", "0.06", NULL};
+    assert_int_equal(load_text(SCENE("", ""), wrong, &scene, &error), SKV_ERROR_VALUE);
+    assert_string_equal(error.text, "--set fluids[0].viscosity: 0.06 is out of range; allowed is a "
+                                    "number from 0 to 0.05 m^2/s");
 }
 
 /* Blue up to a third, yellow above it, green over both. */

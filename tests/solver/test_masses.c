@@ -29,6 +29,8 @@ typedef struct mixture {
     skv_world *world;
     int cold; /* substeps of the rule, as stiff as which the fluid is */
     float mass[MOST];
+    float drag[MOST];  /* sigma times the mass, 1/s */
+    bool various;      /* they are told */
     skv_impulse given; /* by walls in the last call of take(), m */
 } mixture;
 
@@ -68,6 +70,7 @@ static void fill(mixture *m, float x0, float y0, float x1, float y1, float mass)
     assert_true(count <= MOST);
     for (int i = before; i < count; i++)
         m->mass[i] = mass;
+    m->various = false;
 }
 
 /* Two layers, which are settled as if they were one. */
@@ -99,6 +102,14 @@ static mixture *blob(skv_solver_kind solver, const skv_fluid_def *fluid, float l
     return &m;
 }
 
+/* Viscosities of both fluids, 1/s, which are told apart by their masses. */
+static void give_drags(mixture *m, float first, float second)
+{
+    for (int i = 0; i < m->world->state.count; i++)
+        m->drag[i] = m->mass[i] * (m->mass[i] == m->mass[0] ? first : second);
+    m->various = first > 0 || second > 0;
+}
+
 /* What the solver is asked for: a substep of fluid that starts warm. */
 static skv_solver_step describe(const mixture *m, skv_constants *constants,
                                 skv_external_force forces[SKV_SOLVER_MOST_FORCES])
@@ -108,6 +119,7 @@ static skv_solver_step describe(const mixture *m, skv_constants *constants,
     skv_set_stiffness(constants, (float)m->cold / (float)w->substeps);
     skv_solver_step step = skv_world_describe_step(w, constants, forces);
     step.particles.mass = m->mass;
+    step.particles.drag = m->various ? m->drag : NULL;
     return step;
 }
 
@@ -226,11 +238,12 @@ static momentum momentum_of(const mixture *m)
     return sum;
 }
 
-static void expect_momentum(skv_solver_kind solver, skv_law law, float viscosity)
+static void expect_momentum(skv_solver_kind solver, skv_law law, float viscosity, float left)
 {
     const skv_fluid_def fluid = fluid_of(law, viscosity);
     mixture *m = blob(solver, &fluid, 1, 0.2f);
     momentum before = momentum_of(m);
+    give_drags(m, left, 3 * left);
     advance(m, 18 * m->world->substeps);
     momentum after = momentum_of(m);
     assert_true(m->given.x == 0 && m->given.y == 0);
@@ -243,9 +256,11 @@ static void what_no_wall_touches_keeps_its_momentum(void **unused)
 {
     (void)unused;
     for (int k = 0; k < 2; k++) {
-        expect_momentum(solvers[k], SKV_LAW_CALIBRATED, 0);
-        expect_momentum(solvers[k], SKV_LAW_CALIBRATED, 20);
-        expect_momentum(solvers[k], SKV_LAW_CLAVET, 20);
+        expect_momentum(solvers[k], SKV_LAW_CALIBRATED, 0, 0);
+        expect_momentum(solvers[k], SKV_LAW_CALIBRATED, 20, 0);
+        expect_momentum(solvers[k], SKV_LAW_CLAVET, 20, 0);
+        expect_momentum(solvers[k], SKV_LAW_CALIBRATED, 0, 20);
+        expect_momentum(solvers[k], SKV_LAW_CLAVET, 0, 20);
     }
 }
 
@@ -323,12 +338,13 @@ static void take_by(mixture *m, const manner *by, const skv_solver_step *step, i
 /* The hash of a dam after some frames; masses are times that, or if it is 0 there are none. Writes
  * the mean pressure. The rows hold one in ten of its particles. */
 static uint64_t hash_of(const manner *by, const skv_fluid_def *fluid, float right, float times,
-                        double *pressure)
+                        float sticky, double *pressure)
 {
     static uint8_t part[MOST];
     mixture *m = dam(by->solver, fluid, times, times * right);
     skv_constants constants;
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    give_drags(m, sticky * times, 0);
     skv_solver_step step = describe(m, &constants, forces);
     for (int i = 0; i < MOST; i++)
         part[i] = i % 10 == 3 ? SKV_HELD : i % 50 == 7 ? SKV_ABSENT : SKV_MOVES;
@@ -366,17 +382,66 @@ static void a_fluid_alone_moves_the_same_by_any_mass(void **unused)
         const skv_fluid_def fluid = fluid_of_kind(k / 2);
         const manner by = {.solver = solvers[k % 2]};
         double none, one, four;
-        uint64_t hash = hash_of(&by, &fluid, 1, 0, &none);
-        assert_true(hash == hash_of(&by, &fluid, 1, 1, &one));
-        assert_true(hash == hash_of(&by, &fluid, 1, 4, &four));
+        uint64_t hash = hash_of(&by, &fluid, 1, 0, 0, &none);
+        assert_true(hash == hash_of(&by, &fluid, 1, 1, 0, &one));
+        assert_true(hash == hash_of(&by, &fluid, 1, 4, 0, &four));
         assert_true(one == none && four == 4 * none);
     }
 }
 
-static void expect_hash(uint64_t hash, const skv_fluid_def *fluid, const manner *by)
+static void expect_hash(uint64_t hash, const skv_fluid_def *fluid, float sticky, const manner *by)
 {
     double pressure;
-    assert_true(hash == hash_of(by, fluid, 0.3f, 1, &pressure));
+    assert_true(hash == hash_of(by, fluid, 0.3f, 1, sticky, &pressure));
+}
+
+/* What is told of each particle is as if the fluid had it, where no wall takes of it. */
+static void a_viscosity_of_all_is_the_fluids(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 4; k++) {
+        uint64_t hash[2];
+        for (int told = 0; told < 2; told++) {
+            const skv_fluid_def fluid =
+                fluid_of(k < 2 ? SKV_LAW_CALIBRATED : SKV_LAW_CLAVET, told ? 0 : 20);
+            mixture *m = blob(solvers[k % 2], &fluid, 1, 1);
+            give_drags(m, told ? 20 : 0, 0);
+            m->world->substeps = 8; /* the rule's are of the fluid */
+            advance(m, 40);
+            skv_particles p = skv_world_particles(m->world);
+            hash[told] = fixture_hash(&p);
+            skv_world_destroy(m->world);
+        }
+        assert_true(hash[0] == hash[1]);
+    }
+}
+
+/* A shear wave in the left one of two fluids dies out if that is viscous, and not if the other is.
+ */
+static void drags_slow_their_own_fluid(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 2; k++) {
+        double left[2];
+        for (int sticky = 0; sticky < 2; sticky++) {
+            const skv_fluid_def fluid = fluid_of(SKV_LAW_CALIBRATED, 0);
+            mixture *m = blob(solvers[k], &fluid, 1, 0.999f);
+            skv_state *s = &m->world->state;
+            for (int i = 0; i < s->count; i++) {
+                s->vx[i] = 0;
+                s->vy[i] = s->x[i] < 0.2f ? 0.2f * sinf(125 * s->x[i]) : 0;
+            }
+            give_drags(m, sticky ? 60 : 0, sticky ? 0 : 60);
+            m->world->substeps = 8;
+            advance(m, 32);
+            left[sticky] = 0;
+            for (int i = 0; i < s->count; i++)
+                left[sticky] += m->mass[i] == 1 ? (double)(s->vy[i] * sinf(125 * s->x[i])) : 0;
+            skv_world_destroy(m->world);
+        }
+        if (left[1] > 0.25 * left[0] || left[0] < 2)
+            fail_msg("%g beside %g", left[1], left[0]);
+    }
 }
 
 static size_t bytes_of(const skv_world *world)
@@ -384,11 +449,12 @@ static size_t bytes_of(const skv_world *world)
     return skv_rows_solver.memory(world->solver).particles;
 }
 
-/* Three floats a particle and the dummies beside it, and none as long as nobody gives masses. */
+/* Three floats a particle and the dummies beside it, two more where they are viscous, and none as
+ * long as nobody gives masses. */
 static void masses_take_memory_where_they_are(void **unused)
 {
     (void)unused;
-    const skv_fluid_def fluid = fluid_of_kind(0);
+    const skv_fluid_def fluid = fluid_of(SKV_LAW_CALIBRATED, 0);
     mixture *m = dam(SKV_SOLVER_FAST, &fluid, 1, 2);
     skv_constants constants;
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
@@ -402,6 +468,12 @@ static void masses_take_memory_where_they_are(void **unused)
     assert_true(with > before && (double)with < 1.2 * (double)before);
     take(m, m->world->solver, &step, 2);
     assert_int_equal(bytes_of(m->world), with);
+    step.particles.drag = m->drag;
+    take(m, m->world->solver, &step, 2);
+    size_t viscous = bytes_of(m->world);
+    assert_int_equal(3 * (viscous - with), 2 * (with - before));
+    take(m, m->world->solver, &step, 2);
+    assert_int_equal(bytes_of(m->world), viscous);
     skv_world_destroy(m->world);
 }
 
@@ -410,17 +482,19 @@ static void mixtures_have_the_same_bits_everywhere(void **unused)
     (void)unused;
     for (int k = 0; k < KINDS; k++) {
         const skv_fluid_def fluid = fluid_of_kind(k);
+        const float sticky = k > 0 ? 40 : 0; /* the left one, 1/s */
         double pressure;
-        uint64_t hash = hash_of(&(manner){.solver = SKV_SOLVER_FAST}, &fluid, 0.3f, 1, &pressure);
-        expect_hash(hash, &fluid, &(manner){.solver = SKV_SOLVER_FAST, .kept = 0.001f});
+        uint64_t hash =
+            hash_of(&(manner){.solver = SKV_SOLVER_FAST}, &fluid, 0.3f, 1, sticky, &pressure);
+        expect_hash(hash, &fluid, sticky, &(manner){.solver = SKV_SOLVER_FAST, .kept = 0.001f});
         for (skv_instruction_set set = SKV_ISA_SCALAR; set <= SKV_ISA_WASM; set++)
             if (skv_rows_instruction_set(set))
-                expect_hash(hash, &fluid,
+                expect_hash(hash, &fluid, sticky,
                             &(manner){.solver = SKV_SOLVER_FAST, .set = set, .kept = 1});
         for (int threads = 2; threads < 6; threads++) {
             manner by = {.solver = SKV_SOLVER_FAST, .kept = 1};
             assert_int_equal(skv_pool_create(threads, &by.pool, NULL), SKV_OK);
-            expect_hash(hash, &fluid, &by);
+            expect_hash(hash, &fluid, sticky, &by);
             skv_pool_destroy(by.pool);
         }
     }
@@ -435,6 +509,8 @@ int main(void)
         cmocka_unit_test(what_is_light_among_heavy_ones_is_not_shot_off),
         cmocka_unit_test(walls_give_what_fluids_gain),
         cmocka_unit_test(a_fluid_alone_moves_the_same_by_any_mass),
+        cmocka_unit_test(a_viscosity_of_all_is_the_fluids),
+        cmocka_unit_test(drags_slow_their_own_fluid),
         cmocka_unit_test(masses_take_memory_where_they_are),
         cmocka_unit_test(mixtures_have_the_same_bits_everywhere),
     };

@@ -238,7 +238,72 @@ static void masses_follow(void **unused)
     }
 }
 
-/* Where all particles have one density the solver is told of no mass. */
+/* And to another viscosity: the first fluid's alone may change while it runs. */
+static void viscosities_follow(void **unused)
+{
+    (void)unused;
+    for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
+        skv_world_def def = make_def((skv_solver_kind)solver, 2);
+        def.liquids[0].viscosity = 0.02f;
+        def.liquids[1].viscosity = 0.003f;
+        def.substeps = 8;
+        skv_world *worlds[4];
+        for (int i = 0; i < 4; i++) {
+            def.fluid.viscosity = i == 2 ? 0 : 0.01f;
+            worlds[i] = make(&def);
+            fill(worlds[i], 0, 0.3f, i == 1 ? 0 : 2);
+            fill(worlds[i], 0.3f, 0.5f, 1);
+            fill(worlds[i], 0.5f, 0.8f, 0);
+        }
+        skv_particles p = skv_world_particles(worlds[0]);
+        assert_int_equal(skv_world_set_fluids(worlds[1], 0, p.count, p.fluid, NULL), SKV_OK);
+        assert_int_equal(skv_world_set(worlds[2], "fluid.viscosity", "0.01", NULL), SKV_OK);
+        blob b = save(worlds[0]);
+        skv_world_destroy(worlds[3]);
+        def = make_def((skv_solver_kind)solver, 0);
+        worlds[3] = make(&def);
+        assert_int_equal(skv_world_restore(worlds[3], b.bytes, b.size, NULL), SKV_OK);
+        free(b.bytes);
+        for (int i = 0; i < 4; i++)
+            fixture_run(worlds[i], 10);
+        for (int i = 1; i < 4; i++)
+            assert_true(skv_world_hash(worlds[i]) == skv_world_hash(worlds[0]));
+        assert_int_equal(skv_world_set(worlds[1], "fluid.viscosity", "0", NULL), SKV_OK);
+        fixture_run(worlds[0], 5);
+        fixture_run(worlds[1], 5);
+        assert_true(skv_world_hash(worlds[1]) != skv_world_hash(worlds[0]));
+        for (int i = 0; i < 4; i++)
+            skv_world_destroy(worlds[i]);
+    }
+}
+
+/* As many as the most viscous of all fluids wants, whether there is any of it or not. */
+static void substeps_go_by_the_most_viscous(void **unused)
+{
+    (void)unused;
+    skv_world_def def = make_def(SKV_SOLVER_FAST, 2);
+    def.fluid.spacing = 0.01f;
+    skv_world *thin = make(&def);
+    def.liquids[1].viscosity = 0.05f;
+    skv_world *thick = make(&def);
+    def.liquids[1].viscosity = 0;
+    def.fluid.viscosity = 0.05f;
+    skv_world *all = make(&def);
+    int substeps = skv_world_substeps_per_frame(thick);
+    assert_true(substeps > skv_world_substeps_per_frame(thin) + 5);
+    assert_int_equal(substeps, skv_world_substeps_per_frame(all));
+    for (int i = 0; i < 2; i++) {
+        skv_world *world = i ? all : thick;
+        fill(world, 0, 0.3f, 0);
+        fixture_run(world, 60); /* it is still, and takes no fewer than that */
+        assert_true(skv_world_substeps_per_frame(world) >= substeps - 1);
+        skv_world_destroy(world);
+    }
+    skv_world_destroy(thin);
+}
+
+/* Where all particles have one density the solver is told of no mass, nor of a viscosity where they
+ * have one. */
 static void one_density_needs_no_masses(void **unused)
 {
     (void)unused;
@@ -252,6 +317,17 @@ static void one_density_needs_no_masses(void **unused)
     fill(world, 0.4f, 0.5f, 1);
     const float *mass = skv_world_describe_step(world, &constants, forces).particles.mass;
     assert_true(mass[0] == 1 && mass[skv_world_particle_count(world) - 1] == 0.8f);
+    assert_null(skv_world_describe_step(world, &constants, forces).particles.drag);
+    skv_world_destroy(world);
+    def.liquids[0].density = 1000;
+    def.liquids[1].viscosity = 0.02f;
+    world = make(&def);
+    fill(world, 0, 0.4f, 1);
+    assert_null(skv_world_describe_step(world, &constants, forces).particles.drag);
+    fill(world, 0.4f, 0.5f, 2);
+    mass = skv_world_describe_step(world, &constants, forces).particles.mass;
+    const float *drag = skv_world_describe_step(world, &constants, forces).particles.drag;
+    assert_true(mass[0] == 1 && drag[0] == 0 && drag[skv_world_particle_count(world) - 1] > 0);
     skv_world_destroy(world);
 }
 
@@ -451,6 +527,8 @@ int main(void)
         cmocka_unit_test(densities_have_a_range),
         cmocka_unit_test(sums_are_weighed),
         cmocka_unit_test(masses_follow),
+        cmocka_unit_test(viscosities_follow),
+        cmocka_unit_test(substeps_go_by_the_most_viscous),
         cmocka_unit_test(one_density_needs_no_masses),
         cmocka_unit_test(particles_are_of_a_fluid),
         cmocka_unit_test(a_name_moves_nothing),

@@ -29,7 +29,8 @@ typedef struct kind {
     /* Those of the particles, mixed; then the solver alone takes the substeps, and nobody comes or
      * goes. 0: all the same. */
     float mass[3];
-    bool layered; /* or the first of them below */
+    float sigma[3]; /* of their linear viscosity, 1/s; all 0: as the fluid's */
+    bool layered;   /* or the first of them below */
 } kind;
 
 static const kind kinds[] = {
@@ -50,6 +51,23 @@ static const kind kinds[] = {
     {.name = "mixed, images, viscous", .images = true, .viscosity = 2, .mass = {0.5f, 1, 2}},
     {.name = "mixed, clavet", .law = SKV_LAW_CLAVET, .driven = true, .mass = {0.5f, 1, 2}},
     {.name = "mixed, clavet, viscous", .law = SKV_LAW_CLAVET, .viscosity = 2, .mass = {0.5f, 1, 2}},
+    {.name = "mixed, of their own viscosity",
+     .viscosity = 2,
+     .mass = {0.5f, 1, 2},
+     .sigma = {0, 4, 100}},
+    {.name = "mixed, images, of their own viscosity",
+     .images = true,
+     .mass = {0.5f, 1, 2},
+     .sigma = {0, 4, 100}},
+    {.name = "mixed, clavet, of their own viscosity",
+     .law = SKV_LAW_CLAVET,
+     .mass = {0.5f, 1, 2},
+     .sigma = {0, 4, 100}},
+    {.name = "layers, images, of their own viscosity",
+     .images = true,
+     .layered = true,
+     .mass = {1, 1, 1},
+     .sigma = {40, 0, 2}},
     {.name = "layers", .layered = true, .mass = {13.6f, 1, 0.1f}},
     {.name = "layers, images", .images = true, .layered = true, .mass = {13.6f, 1, 0.1f}},
 };
@@ -248,7 +266,7 @@ static void expect_same_impulse(const kind *k, const skv_world *fast, const skv_
 /* A substep, of several masses by the solver alone. */
 static void take_substep(const kind *k, skv_world *world)
 {
-    static float mass[MOST_MIXED];
+    static float mass[MOST_MIXED], drag[MOST_MIXED];
     if (!(k->mass[0] > 0)) {
         assert_int_equal(skv_world_step(world, 1.0f / 60 / (float)world->substeps, NULL), SKV_OK);
         return;
@@ -257,9 +275,14 @@ static void take_substep(const kind *k, skv_world *world)
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
     skv_solver_step step = skv_world_describe_step(world, &constants, forces);
     assert_true(step.particles.count <= MOST_MIXED);
-    for (int i = 0; i < step.particles.count; i++)
-        mass[i] = k->mass[k->layered ? 3 * i / step.particles.count : (i * 7 + i / 5) % 3];
+    for (int i = 0; i < step.particles.count; i++) {
+        int fluid = k->layered ? 3 * i / step.particles.count : (i * 7 + i / 5) % 3;
+        mass[i] = k->mass[fluid];
+        drag[i] = k->mass[fluid] * k->sigma[fluid];
+    }
     step.particles.mass = mass;
+    if (k->sigma[0] + k->sigma[1] > 0)
+        step.particles.drag = drag;
     const skv_solver_type *type = world->solver->type;
     assert_int_equal(type->reserve(world->solver, &step, NULL), SKV_OK);
     skv_impulse given = type->advance(world->solver, &step);

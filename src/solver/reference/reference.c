@@ -59,10 +59,10 @@ static void take_substep(skv_reference *f)
         run(f, DISPLACEMENT, skv_pass_displacement); /* along the pressure differences */
         if (f->first && !c->clavet)
             run(f, DISPLACEMENT, skv_pass_tension);
-        if (f->first && skv_is_viscous(c))
+        if (f->first && (skv_is_viscous(c) || f->various))
             run(f, VISCOSITY, skv_pass_viscosity); /* approaching pairs exchange impulses: 3 */
         run(f, DISPLACEMENT, skv_pass_divide);     /* what is heavy gives way less */
-        if (f->last && skv_resists_slip(c))
+        if (f->last && (skv_resists_slip(c) || f->various))
             run(f, DISPLACEMENT, skv_pass_slip); /* what a wall holds of the slip along it */
         run(f, DISPLACEMENT, skv_pass_move);     /* x += dx, stopped at walls */
         run(f, DISPLACEMENT, skv_pass_lag);
@@ -94,6 +94,7 @@ static void load(skv_reference *f, const skv_solver_particles *p)
     const double dt = (double)f->constants->dt;
     f->count = p->count;
     f->id = p->id;
+    f->various = p->mass && p->drag;
     for (int i = 0; i < p->count; i++) {
         f->x[i] = (double)p->x[i];
         f->y[i] = (double)p->y[i];
@@ -102,6 +103,8 @@ static void load(skv_reference *f, const skv_solver_particles *p)
         f->clearance[i] = (double)p->clearance[i];
         f->warm_lambda[i] = dt * dt * (double)p->warm_lambda[i];
         f->mass[i] = p->mass ? (double)p->mass[i] : 1;
+        f->drag[i] = dt * (f->various ? (double)p->drag[i]
+                                      : f->mass[i] * (double)f->constants->viscosity_linear);
     }
 }
 
@@ -155,6 +158,7 @@ static skv_result reserve_arrays(skv_reference *f, int count, skv_error *error)
         SKV_ARRAY(f->pressure, room, 0),
         SKV_ARRAY(f->warm_lambda, room, 0),
         SKV_ARRAY(f->mass, room, 0),
+        SKV_ARRAY(f->drag, room, 0),
         SKV_ARRAY(f->moved_x, room, 0),
         SKV_ARRAY(f->moved_y, room, 0),
         SKV_ARRAY(f->behind_x, room, 0),

@@ -26,6 +26,7 @@ typedef struct skv_reference {
     const skv_external_force *forces;
     int force_count;
     bool first, last;         /* which iteration it is */
+    bool various;             /* particles have viscosities of their own */
     bool advances;            /* the move under way is the advance, while solids move, too */
     skv_impulse given;        /* by walls, m and m^2 */
     skv_impulse *solid_given; /* null: not wanted */
@@ -39,6 +40,7 @@ typedef struct skv_reference {
     double *clearance;   /* lower bound of the distance to the nearest wall, m */
     double *pressure;    /* gauge, Pa m */
     double *mass;        /* over the first fluid's */
+    double *drag;        /* sigma dt of its linear viscosity times the mass */
     double *warm_lambda; /* what the pressure term pushes: of the last substep, then of this, m */
 
     double *moved_x, *moved_y;   /* displacement in this substep so far, m */
@@ -83,8 +85,9 @@ skv_pass skv_pass_predict;
  * which a late push calms. */
 skv_pass skv_pass_lag;
 
-/* Algorithm 3: pairs that approach each other exchange impulses, at most those of the lighter one's
- * mass. In dx, dy. */
+/* Algorithm 3: pairs that approach each other exchange impulses. Of pairs of different fluids the
+ * linear part is the harmonic mean of both, as a shear stress goes through one fluid and then the
+ * other; the quadratic one and the bound of both are of the lighter one's mass. In dx, dy. */
 skv_pass skv_pass_viscosity;
 
 /* Algorithm 8: the velocity is the displacement of the substep over its time. */

@@ -52,11 +52,16 @@ void skv_pass_lag(skv_reference *f)
     }
 }
 
+/* 0 if one of them is. */
+static double harmonic_mean(double a, double b)
+{
+    return a > 0 && b > 0 ? 2 * a * b / (a + b) : 0;
+}
+
 void skv_pass_viscosity(skv_reference *f)
 {
-    const skv_constants *c = f->constants;
-    const double per_step = (double)c->dt * (double)c->viscosity_linear;
-    const double per_way = (double)c->viscosity_quadratic, most = (double)SKV_MOST_VISCOUS;
+    const double per_way = (double)f->constants->viscosity_quadratic,
+                 most = (double)SKV_MOST_VISCOUS;
     for (int i = 0; i < f->count; i++) {
         for (int k = skv_first_partner(f, i); k < skv_end_of_partners(f, i); k++) {
             int j = skv_partner(f, k);
@@ -67,8 +72,9 @@ void skv_pass_viscosity(skv_reference *f)
                               (f->moved_y[i] - f->moved_y[j]) * pair.uy;
             if (!(approach > 0))
                 continue;
-            double share = pair.q * skv_min(per_step + per_way * approach, most);
-            share *= skv_min(f->mass[i], f->mass[j]);
+            double lighter = skv_min(f->mass[i], f->mass[j]);
+            double share = harmonic_mean(f->drag[i], f->drag[j]) + lighter * per_way * approach;
+            share = pair.q * skv_min(share, most * lighter);
             f->dx[i] -= share * approach / 2 * pair.ux;
             f->dy[i] -= share * approach / 2 * pair.uy;
         }

@@ -184,8 +184,10 @@ void skv_pass_slip(skv_reference *f)
         find_way(f, i, &way_x, &way_y);
         double slip = (f->moved_x[i] + f->dx[i] - way_x) * tx;
         slip += (f->moved_y[i] + f->dy[i] - way_y) * ty;
-        double held =
-            slip * (double)skv_slip_taken(c->slip_friction, c->wall_drag, (float)f->image[i]);
+        double drag = f->drag[i] / f->mass[i], stick = (double)c->wall_stick;
+        float friction = !f->various ? c->slip_friction : drag > 0 ? 0 : c->bare_slip;
+        float pairs = f->various ? (float)(stick * drag) : c->wall_drag;
+        double held = slip * (double)skv_slip_taken(friction, pairs, (float)f->image[i]);
         f->dx[i] -= held * tx;
         f->dy[i] -= held * ty;
         skv_book_push(f, i, 0, 0, 0, -held * f->mass[i] * tx, -held * f->mass[i] * ty);

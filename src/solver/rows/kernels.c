@@ -323,7 +323,12 @@ V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
         moved_x -= way_x;
         moved_y -= way_y;
     }
-    float taken = skv_slip_taken(c->slip_friction, c->wall_drag, image->distance);
+    float friction = c->slip_friction, drag = c->wall_drag;
+    if (s->various) {
+        drag = c->wall_stick * (p->drag[i] * p->lightness[i]);
+        friction = drag > 0 ? 0 : c->bare_slip;
+    }
+    float taken = skv_slip_taken(friction, drag, image->distance);
     float held = taken * (moved_x * tx + moved_y * ty) * mass;
     add_move(s, wall, c, -held * tx, -held * ty, (skv_push_made){0, 0, 0}, booking);
 }
@@ -441,7 +446,7 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
     if (iteration == 0 && c->images)
         find_hanging(s, row, c);
     for_walls(s, row, c, boundary, samples, add_push, &given);
-    if (iteration == c->iterations - 1 && skv_resists_slip(c))
+    if (iteration == c->iterations - 1 && (skv_resists_slip(c) || s->various))
         for_walls(s, row, c, boundary, samples, add_slip_friction, &given);
     skv_impulse_add(&walls->all, given.sum.x, given.sum.y, given.sum.moment);
     const bool last = iteration == c->iterations - 1, lag = c->pair_lag > 0;

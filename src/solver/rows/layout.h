@@ -52,6 +52,11 @@
  *   set[!current]     written   own lightness       of the mean mass
  *    .lightness
  *   spare_lightness             next lightness
+ *   with masses that are viscous:
+ *   set[current]      read      written by the sort, then turned over; read to the end
+ *    .drag
+ *   set[!current]     written
+ *    .drag
  *
  * Densities are sums of W with the clavet law, of q^4 with the calibrated one, whose W is 4 q^3 - 3
  * q^4 and follows when all pairs are summed up. The gradient belongs to that law and the first
@@ -98,6 +103,7 @@ typedef struct skv_row_particles {
     float *warm_lambda; /* of the last substep, then of this one: solver.h */
     int *number;        /* index in the frame, and ROW_HELD */
     float *lightness;   /* one over the mass; not there without masses */
+    float *drag;        /* as in solver.h, times dt; not there unless one with masses is viscous */
 } skv_row_particles;
 
 /* One part of what the density pass adds up. */
@@ -207,9 +213,10 @@ struct skv_rows {
     int thread_room, threads;     /* threads to have memory for, and at work in this call */
     bool held, gauged;            /* this substep computes the gauge pressure */
     bool massive;                 /* in this call particles have masses */
+    bool dragged, various;        /* and drags; which are their own */
     skv_row_acting acting;        /* in this call */
     const skv_reaction *reaction; /* whose box is asked for in this call, or null */
-    void *particle_block, *mass_block, *grid_block, *histogram_block;
+    void *particle_block, *mass_block, *drag_block, *grid_block, *histogram_block;
     skv_solver_memory memory;
     double seconds[ROW_PHASES];
 };

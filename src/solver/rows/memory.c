@@ -89,6 +89,7 @@ void skv_rows_destroy(skv_rows *rows)
     free_threads(rows);
     skv_free(rows->particle_block);
     skv_free(rows->mass_block);
+    skv_free(rows->drag_block);
     skv_free(rows->grid_block);
     skv_free(rows);
 }
@@ -200,7 +201,8 @@ static skv_result reserve_particles(skv_rows *rows, int count, skv_error *error)
     skv_free(rows->particle_block);
     rows->particle_block = block;
     skv_free(rows->mass_block); /* of fewer particles */
-    rows->mass_block = NULL;
+    skv_free(rows->drag_block);
+    rows->mass_block = rows->drag_block = NULL;
     for (int f = 0; f < FLOATS; f++, block += stride)
         *floats[f] = block;
     for (int i = 0; i < INTS; i++, block += stride)
@@ -234,13 +236,33 @@ static skv_result reserve_masses(skv_rows *rows, skv_error *error)
     return SKV_OK;
 }
 
-skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool masses, skv_error *error)
+/* And where these are viscous. */
+static skv_result reserve_drags(skv_rows *rows, skv_error *error)
+{
+    if (rows->drag_block)
+        return SKV_OK;
+    size_t stride = array_stride((size_t)rows->slots);
+    float *block = skv_calloc(2 * stride, sizeof *block);
+    if (!block)
+        return skv_fail(error, SKV_ERROR_MEMORY,
+                        "out of memory for the viscosities of %d particles", rows->capacity);
+    rows->drag_block = block;
+    rows->set[0].drag = block;
+    rows->set[1].drag = block + stride;
+    rows->memory.particles += 2 * stride * sizeof *block;
+    return SKV_OK;
+}
+
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool masses, bool drags,
+                            skv_error *error)
 {
     skv_result result = reserve_threads(rows, threads, error);
     if (result == SKV_OK)
         result = reserve_particles(rows, count, error);
     if (result == SKV_OK && masses)
         result = reserve_masses(rows, error);
+    if (result == SKV_OK && drags)
+        result = reserve_drags(rows, error);
     if (result == SKV_OK)
         result = reserve_kept(rows, error);
     if (result == SKV_OK)

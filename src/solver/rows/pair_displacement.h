@@ -6,9 +6,12 @@
 
 #include "solver/rows/pair_density.h"
 
+/* Keeps the sum of two drags above 0. */
+#define LEAST_DRAG 1e-30f
+
 /* What the displacement reads of the partners. */
 typedef struct partners {
-    const float *lambda, *near_lambda, *gradient_x, *gradient_y, *lightness;
+    const float *lambda, *near_lambda, *gradient_x, *gradient_y;
     float scale;       /* of tension */
     float sigma, beta; /* of viscosity */
 } partners;
@@ -29,11 +32,31 @@ VARIANT void tension(const partners *others, int j, const pushes *t, const wide 
     EACH(k) ey[k] = wide_mul(ey[k], wide_mul(scale, q2[k]));
 }
 
+/* The share of their approach that viscosity takes of a tile's pairs with eight partners from j on,
+ * of particles with masses; `share` comes as the quadratic part. Drags count in their harmonic
+ * mean, 0 if one is 0 and exactly what both are if they are alike; the rest, and the bound of both,
+ * by the lighter one's mass. Rare, so once for all. */
+static __attribute__((noinline)) void share_of_masses(const skv_row_particles *p, int own, int j,
+                                                      wide share[WIDES])
+{
+    const wide bound = wide_set(SKV_MOST_VISCOUS), least = wide_set(LEAST_DRAG);
+    wide their_drag = wide_each(part_load(p->drag + j)),
+         their_lightness = wide_each(part_load(p->lightness + j));
+    for (int k = 0; k < WIDES; k++) {
+        wide drag = wide_spread(p->drag + own + k, WIDES);
+        wide low = wide_min(drag, their_drag), high = wide_max(drag, their_drag);
+        wide mean = wide_div(wide_add(high, high), wide_max(wide_add(high, low), least));
+        wide lighter = wide_max(wide_spread(p->lightness + own + k, WIDES), their_lightness);
+        wide linear = wide_mul(wide_mul(low, mean), lighter);
+        share[k] = wide_div(wide_min(wide_add(linear, share[k]), bound), lighter);
+    }
+}
+
 /* Adds the impulse of pairs that approach each other to their displacement, which is dx, dy times
- * size: from i to j, in displacement units, with masses in those of the lighter one. */
-VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j, unsigned with,
-                       const pushes *t, const wide *dx, const wide *dy, const wide *inverse,
-                       const wide *q, wide *size)
+ * size: from i to j, in displacement units, with masses times that of the first fluid. */
+VARIANT void viscosity(const skv_row_particles *p, const partners *others, int own, int j,
+                       unsigned with, const pushes *t, const wide *dx, const wide *dy,
+                       const wide *inverse, const wide *q, wide *size)
 {
     const wide zero = wide_set(0), half = wide_set(0.5f), most = wide_set(SKV_MOST_VISCOUS);
     wide uj = wide_each(part_load(p->u + j)), vj = wide_each(part_load(p->v + j));
@@ -42,12 +65,12 @@ VARIANT void viscosity(const skv_row_particles *p, const partners *others, int j
     EACH(k)
     w[k] = wide_add(wide_mul(wide_sub(t->u[k], uj), dx[k]), wide_mul(wide_sub(t->v[k], vj), dy[k]));
     EACH(k) w[k] = wide_mul(wide_max(w[k], zero), inverse[k]);
-    EACH(k) share[k] = wide_min(wide_add(sigma, wide_mul(beta, w[k])), most);
+    EACH(k) share[k] = wide_mul(beta, w[k]);
+    if (with & WITH_MASSES)
+        share_of_masses(p, own, j, share);
+    else
+        EACH(k) share[k] = wide_min(wide_add(sigma, share[k]), most);
     EACH(k) share[k] = wide_mul(q[k], share[k]);
-    if (with & WITH_MASSES) {
-        wide theirs = wide_each(part_load(others->lightness + j));
-        EACH(k) share[k] = wide_div(share[k], wide_max(t->lightness[k], theirs));
-    }
     EACH(k) w[k] = wide_mul(wide_mul(half, share[k]), wide_mul(w[k], inverse[k]));
     EACH(k) size[k] = wide_add(size[k], w[k]);
 }
@@ -104,7 +127,7 @@ VARIANT void displacement_part(const skv_row_particles *p, const partners *other
         add_at(to->outward + j, over_tile(virial));
     }
     if (with & WITH_VISCOSITY)
-        viscosity(p, others, j, with, pressed, dx, dy, inverse, q, size);
+        viscosity(p, others, t->place, j, with, pressed, dx, dy, inverse, q, size);
     EACH(k) dx[k] = wide_mul(dx[k], size[k]);
     EACH(k) dy[k] = wide_mul(dy[k], size[k]);
     if (with & WITH_GRADIENT) {
@@ -171,13 +194,11 @@ VARIANT const float *displacement_tile(const skv_rows *s, const skv_row_particle
         pressed.lambda[k] = wide_spread(others->lambda + i + k, WIDES);
         pressed.near_lambda[k] = wide_spread(others->near_lambda + i + k, WIDES);
         EACH_PART(n) sums[n].x[k] = sums[n].y[k] = sums[n].outward[k] = wide_set(0);
-        pressed.u[k] = pressed.v[k] = pressed.lightness[k] = wide_set(0);
+        pressed.u[k] = pressed.v[k] = wide_set(0);
         pressed.gradient_x[k] = pressed.gradient_y[k] = wide_set(0);
         if (with & WITH_VISCOSITY) {
             pressed.u[k] = wide_spread(p->u + i + k, WIDES);
             pressed.v[k] = wide_spread(p->v + i + k, WIDES);
-            if (with & WITH_MASSES)
-                pressed.lightness[k] = wide_spread(p->lightness + i + k, WIDES);
         }
         if (with & WITH_GRADIENT) {
             pressed.gradient_x[k] = wide_spread(others->gradient_x + i + k, WIDES);
@@ -231,9 +252,9 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
                               const float *keep)
 {
     const skv_row_particles local = s->set[s->current], *p = &local;
-    const partners others = {s->lambda,           s->near_lambda,        s->gradient_x,
-                             s->gradient_y,       p->lightness,          c->tension_scale,
-                             c->viscosity_linear, c->viscosity_quadratic};
+    const partners others = {
+        s->lambda,        s->near_lambda,      s->gradient_x,         s->gradient_y,
+        c->tension_scale, c->viscosity_linear, c->viscosity_quadratic};
     const skv_row_moves own = s->own_move, next = s->next_move;
     const unsigned plain = with & ~WITH_GRADIENT;
     const bool kept = keep != NULL, outward = with & WITH_GAUGE || images;
@@ -262,7 +283,7 @@ VARIANT void displacement_row(const skv_rows *s, int row, unsigned with, bool kn
 static void displacement(const skv_rows *s, int row, bool later, const skv_constants *c,
                          const skv_boundary *b, const skv_row_kept *kept)
 {
-    bool viscous = !later && skv_is_viscous(c);
+    bool viscous = !later && (skv_is_viscous(c) || s->various);
     const unsigned calibrated = SMOOTH | WITH_GRADIENT;
     const float *keep = kept->used >= 0 ? kept->pairs : NULL;
     unsigned with = (c->clavet ? 0u : calibrated) | (viscous ? WITH_VISCOSITY : 0u) |

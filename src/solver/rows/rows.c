@@ -91,7 +91,8 @@ static void member(int thread, int threads, void *context)
     skv_row_worker w = {.shared = shared, .own = &rows->thread[thread], .thread = thread};
     w.own->walls = (skv_row_given){0};
     double start = skv_clock();
-    skv_rows_load(rows, thread, shared->frame, shared->boundary);
+    skv_rows_load(rows, thread, shared->frame, shared->constants->viscosity_linear,
+                  shared->boundary);
     book(rows, thread, ROW_TRANSFER, &start);
     for (int s = 0; s < shared->substeps && !skv_pool_is_stopped(shared->pool); s++)
         take_substep(&w, s == 0);
@@ -121,6 +122,8 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
         return (skv_impulse){0};
     rows->held = frame->part != NULL;
     rows->massive = frame->mass != NULL;
+    rows->dragged = frame->viscous;
+    rows->various = frame->viscous && frame->drag;
     rows->acting = *acting;
     rows->reaction = reaction;
     skv_row_run shared = {.rows = rows,

@@ -41,9 +41,10 @@ skv_result skv_rows_create(float width, float height, float per_square, skv_inst
                            skv_rows **rows, skv_error *error);
 void skv_rows_destroy(skv_rows *rows);
 
-/* Makes room for `count` particles, with masses or without, and for `threads` threads; allocates
- * only when it has to. */
-skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool masses, skv_error *error);
+/* Makes room for `count` particles, with masses or without, and these viscous or not, and for
+ * `threads` threads; allocates only when it has to. */
+skv_result skv_rows_reserve(skv_rows *rows, int count, int threads, bool masses, bool drags,
+                            skv_error *error);
 
 /* The particles outside, in units of the caller's. */
 typedef struct skv_row_frame {
@@ -54,6 +55,9 @@ typedef struct skv_row_frame {
     float *pressure;      /* written only; null: nobody wants it */
     float *warm_lambda;   /* solver.h */
     const float *mass;    /* solver.h */
+    const float *drag;    /* solver.h */
+    bool viscous;         /* masses are */
+    float dt;             /* s */
     float length, speed;  /* factors from the caller's units to h, h a substep, ... */
     float lambda;         /* ... and h a substep squared */
     float sunk_x, sunk_y; /* how far below their places held ones lie, h */

@@ -49,7 +49,7 @@ void skv_rows_lend_buffers(skv_rows *rows);
 /* transfer.c: a thread's share of the frame's particles, into provisional rows, which the first
  * sort reads, and back from the sorted ones; between these two every thread notes where the
  * particles of its rows lie. */
-void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame,
+void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame, float sigma,
                    const skv_boundary *boundary);
 void skv_rows_note_places(const skv_rows *rows, int thread);
 void skv_rows_store(const skv_rows *rows, int thread, const skv_row_frame *frame);

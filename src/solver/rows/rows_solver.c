@@ -52,6 +52,13 @@ static skv_row_acting acting_on(const skv_solver_step *step, const skv_boundary 
     return acting;
 }
 
+/* Whether there is a viscosity by particle. */
+static bool has_drags(const skv_solver_step *step)
+{
+    const skv_solver_particles *p = &step->particles;
+    return p->mass && (p->drag || skv_is_viscous(step->constants));
+}
+
 static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 {
     const rows_solver *r = (const rows_solver *)solver;
@@ -76,6 +83,9 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
         .pressure = step->ungauged ? NULL : p->pressure,
         .warm_lambda = p->warm_lambda,
         .mass = p->mass,
+        .drag = p->drag,
+        .viscous = has_drags(step),
+        .dt = c->dt,
         .length = c->inv_h,
         .speed = c->dt * c->inv_h,
         .lambda = c->dt * c->dt * c->inv_h,
@@ -91,7 +101,8 @@ static skv_impulse advance(skv_solver *solver, const skv_solver_step *step)
 static skv_result reserve(skv_solver *solver, const skv_solver_step *step, skv_error *error)
 {
     return skv_rows_reserve(((rows_solver *)solver)->rows, step->particles.count,
-                            skv_pool_threads(step->pool), step->particles.mass != NULL, error);
+                            skv_pool_threads(step->pool), step->particles.mass != NULL,
+                            has_drags(step), error);
 }
 
 static void destroy(skv_solver *solver)

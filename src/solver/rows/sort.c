@@ -155,7 +155,7 @@ static void place_cells(skv_rows *rows, int row)
 static void move_particles(skv_rows *rows, skv_row_thread *own)
 {
     const skv_row_particles *from = &rows->set[rows->current], *to = &rows->set[!rows->current];
-    const bool massive = rows->massive;
+    const bool massive = rows->massive, dragged = rows->dragged;
     for (int row = own->old_first; row < own->old_end; row++) {
         for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
             int place = own->histogram[rows->key[i]]++;
@@ -168,6 +168,8 @@ static void move_particles(skv_rows *rows, skv_row_thread *own)
             to->number[place] = from->number[i];
             if (massive)
                 to->lightness[place] = from->lightness[i];
+            if (dragged)
+                to->drag[place] = from->drag[i];
         }
     }
     if (own->lowest <= own->highest)
@@ -184,6 +186,8 @@ static void put_dummies(skv_rows *rows, int row)
         p->warm_lambda[i] = ROW_FAR; /* nobody looks for a gradient because of them */
         if (rows->massive)
             p->lightness[i] = 1;
+        if (rows->dragged)
+            p->drag[i] = 0;
     }
 }
 

@@ -34,8 +34,8 @@
  * evens it out; both know the smooth kernel's alone. WITH_VISCOSITY: the displacement has that of
  * pairs that approach. WITH_GAUGE: it sums up what the gauge pressure follows from as well: the
  * virial. WITH_IMAGES: walls act by images, and beside them it sums up what these push outward.
- * WITH_MASSES: the density sums up the lightness of the partners, too, and of pairs of different
- * mass the viscosity is that of the lighter one. */
+ * WITH_MASSES: the density sums up the lightness of the partners, too, and viscosity is that of
+ * both particles of a pair. */
 enum {
     SMOOTH = 1,
     WITH_GRADIENT = 2,
@@ -98,7 +98,7 @@ static __attribute__((noinline)) bool any_flag(const skv_rows *s, int i, const b
 /* What the displacement needs of them besides. */
 typedef struct pushes {
     wide lambda[WIDES], near_lambda[WIDES], gradient_x[WIDES], gradient_y[WIDES];
-    wide u[WIDES], v[WIDES], lightness[WIDES];
+    wide u[WIDES], v[WIDES];
 } pushes;
 
 /* The sums for the tile's own particles, over the same part of all partners. */

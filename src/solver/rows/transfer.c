@@ -35,8 +35,8 @@ static void sink_held(const skv_row_particles *p, int k, const skv_row_frame *fr
 }
 
 /* The share is one provisional row, in the order of the particles' numbers; the sort of the first
- * substep, which is stable, puts them where they belong. */
-void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame,
+ * substep, which is stable, puts them where they belong. `sigma`: of who has none of their own. */
+void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame, float sigma,
                    const skv_boundary *boundary)
 {
     const skv_row_particles *p = &rows->set[rows->current];
@@ -59,8 +59,11 @@ void skv_rows_load(skv_rows *rows, int thread, const skv_row_frame *frame,
         p->clearance[place] = frame->clearance[i] * frame->length;
         p->warm_lambda[place] = frame->warm_lambda[i] * frame->lambda;
         p->number[place] = part == SKV_HELD ? i | ROW_HELD : i;
-        if (frame->mass)
+        if (frame->mass) {
             p->lightness[place] = 1 / frame->mass[i];
+            if (frame->viscous)
+                p->drag[place] = frame->drag ? frame->drag[i] * frame->dt : frame->mass[i] * sigma;
+        }
         if (part == SKV_HELD)
             sink_held(p, place, frame, boundary);
         place++;
