@@ -14,6 +14,9 @@
 /* Above this number of particles the reference solver is left out. */
 #define BENCH_REFERENCE_MOST 100000
 
+/* A frame of 1/60 s, ms. */
+#define BENCH_FRAME_MS (1000.0 / 60)
+
 typedef struct bench_options {
     bool quick;    /* up to 100 000 particles, fewer rounds */
     int particles; /* measure this number only; 0: all that the tables ask for */
@@ -103,6 +106,11 @@ const bench_row *bench_find(const bench_report *report, const bench_case *what, 
 
 /* Nanoseconds a particle and substep. */
 double bench_ns(const bench_row *row, double seconds);
+/* Milliseconds that the substeps of 1/60 s take. */
+double bench_frame_ms(const bench_row *row);
+/* How many particles like these take 1/60 s for it, between two numbers that were measured; NaN
+ * where all of them take less, or all more. */
+double bench_in_real_time(const bench_report *report, const bench_case *like, int threads);
 /* How many times as long the reference takes; NaN where it was left out. */
 double bench_ratio(const bench_row *row);
 /* How many times as fast as one thread; NaN on one thread. */

@@ -1,5 +1,5 @@
 /* Prints a report as tables. Invariant: every figure here but those of edits stands in the CSV,
- * too, or follows from two of its columns; the thesis' figures are those of its tables 4.1 and 4.2.
+ * too, or follows from its columns; the thesis' figures are those of its tables 4.1 and 4.2.
  */
 #include <math.h>
 #include <string.h>
@@ -60,6 +60,59 @@ static void write_scene(FILE *out, const bench_report *report, bool markdown, co
                 main_row(&t, report, row);
         }
     table_end(&t);
+}
+
+/* ---- Frames of 1/60 s ------------------------------------------------------------------------ */
+
+/* The numbers of particles with a column of their own: those of which a frame is of any use. */
+static int budget_sizes(const bench_report *report, int sizes[BENCH_SIZES])
+{
+    int count = 0;
+    for (int i = 0; !report->only && i < BENCH_SIZES && bench_sizes[i] <= 100000; i++)
+        sizes[count++] = bench_sizes[i];
+    if (report->only)
+        sizes[count++] = report->only;
+    return count;
+}
+
+static void budget_row(table *t, const bench_report *report, const bench_case *like, int threads)
+{
+    int sizes[BENCH_SIZES], count = budget_sizes(report, sizes);
+    table_row(t);
+    table_cell(t, "%s", fluid_name(like));
+    table_cell(t, "%s", scene_name(like->scene));
+    table_cell(t, "%d", threads);
+    for (int i = 0; i < count; i++) {
+        const bench_case what = {like->scene, like->law, like->viscous, sizes[i]};
+        const bench_row *row = bench_find(report, &what, threads);
+        table_number(t, row ? bench_frame_ms(row) : NAN, -3);
+    }
+    table_number(t, bench_in_real_time(report, like, threads), -2);
+}
+
+static void write_budget(FILE *out, const bench_report *report, bool markdown)
+{
+    const char *heads[TABLE_COLUMNS] = {"law", "scene", ">threads"};
+    char name[BENCH_SIZES][16];
+    int sizes[BENCH_SIZES], count = budget_sizes(report, sizes);
+    for (int i = 0; i < count; i++) {
+        snprintf(name[i], sizeof name[i], ">%d", sizes[i]);
+        heads[3 + i] = name[i];
+    }
+    heads[3 + count] = ">in real time";
+    table t;
+    table_begin(&t, out, markdown, "A frame of 1/60 s, ms, by number of particles", heads);
+    for (int law = 0; law < 2; law++)
+        for (int scene = 0; scene < 2; scene++) {
+            bench_case like = {bench_scenes[scene], (skv_law)law,
+                               bench_usual_viscosity((skv_law)law), 0};
+            budget_row(&t, report, &like, 1);
+            if (report->threads > 1)
+                budget_row(&t, report, &like, report->threads);
+        }
+    table_end(&t);
+    table_note(out, "in real time: how many particles take 1/60 s for it, all of it, between two "
+                    "numbers that were measured.");
 }
 
 /* ---- Phases ---------------------------------------------------------------------------------- */
@@ -254,6 +307,7 @@ void bench_write_tables(FILE *out, const bench_report *report, bool markdown)
                     "times as long it takes, with as many threads.\nbytes: a particle, of all "
                     "arrays by particle, the world's and the solver's; kept: what a thread "
                     "keeps of the rows at work, apart from these.");
+    write_budget(out, report, markdown);
     write_phases(out, report, markdown);
     write_edits(out, report, markdown);
     write_frames(out, report, markdown);

@@ -25,7 +25,7 @@ static json_t *json_row(const bench_report *report, const bench_row *row)
         json_object_set_new(phases, row->phases.name[i],
                             output_number(bench_ns(row, row->phases.seconds[i])));
     /* clang-format off */
-    return json_pack("{so ss sb si si si so so so so so so so so so so so so so so}",
+    return json_pack("{so ss sb si si si so so so so so so so so so so so so so so so}",
         "scene", output_text(row->what.scene),
         "law", skv_law_name(row->what.law),
         "viscosity", row->what.viscous,
@@ -35,6 +35,7 @@ static json_t *json_row(const bench_report *report, const bench_row *row)
         "neighbours", output_number(row->neighbours),
         "ms_per_step", output_number(1e3 * row->fast.minimum),
         "ms_per_step_median", output_number(1e3 * row->fast.median),
+        "ms_per_frame", output_number(bench_frame_ms(row)),
         "ns_per_particle_substep", output_number(bench_ns(row, row->fast.minimum)),
         "ns_per_particle_substep_median", output_number(bench_ns(row, row->fast.median)),
         "reference_ns_per_particle_substep", output_number(bench_ns(row, row->reference.minimum)),

@@ -45,6 +45,8 @@ static void check_row(const json_t *row)
     assert_true(ns > 0 && number(row, "bytes_per_particle") > 0);
     assert_true(close_to(number(row, "ms_per_step") * 1e6, ns * particles));
     assert_true(number(row, "ms_per_step_median") >= number(row, "ms_per_step"));
+    assert_true(close_to(number(row, "ms_per_frame"),
+                         number(row, "ms_per_step") * number(row, "substeps")));
     double reference = number(row, "reference_ns_per_particle_substep");
     assert_true(reference > 0 && close_to(number(row, "ratio"), reference / ns));
 
@@ -152,6 +154,8 @@ static void test_files(void **state)
     assert_string_equal(result.err, "");
     assert_non_null(strstr(result.out, "### Cost of a substep: pool"));
     assert_non_null(strstr(result.out, "### Cost of a substep: dam break"));
+    assert_non_null(strstr(result.out, "### A frame of 1/60 s, ms"));
+    assert_non_null(strstr(result.out, "1000 | in real time |"));
     assert_non_null(strstr(result.out, "### Phases"));
     const char *frames = strstr(result.out, "### A frame of the app");
     assert_non_null(frames);
@@ -184,6 +188,21 @@ static void test_interrupt(void **state)
     assert_int_equal(folder_entries(*state), 0);
 }
 
+/* What is in real time lies between the numbers that take less than a frame and those that take
+ * more. */
+static void check_budget(const char *text)
+{
+    const char *table = strstr(text, "A frame of 1/60 s, ms");
+    const char *row = table ? strstr(table, "\ncalibrated ") : NULL;
+    double ms[4], most, sizes[4] = {3000, 10000, 30000, 100000};
+    assert_non_null(row);
+    assert_int_equal(sscanf(strstr(row, "at rest") + 7, " %*d %lf %lf %lf %lf %lf", &ms[0], &ms[1],
+                            &ms[2], &ms[3], &most),
+                     5);
+    for (int i = 0; i < 4; i++)
+        assert_true(ms[i] < 1000 / 60.0 ? sizes[i] < 1.06 * most : sizes[i] > 0.94 * most);
+}
+
 /* Every table, with the thesis'. */
 static void test_quick(void **state)
 {
@@ -194,6 +213,7 @@ static void test_quick(void **state)
     assert_int_equal(result.status, 0);
     assert_non_null(strstr(result.out, "Table 4.1 of the thesis"));
     assert_non_null(strstr(result.out, "Table 4.2 of the thesis"));
+    check_budget(result.out);
     program_free(&result);
     char *csv = file_read(*state, "quick.csv");
     check_csv(csv, count_lines(csv) - 1);
