@@ -68,6 +68,17 @@ typedef struct bench_frame {
     double longest, processor; /* s; processor: time of all its threads, the least */
 } bench_frame;
 
+/* Five seconds of a scene by our method and by another one, on one thread. */
+enum { BENCH_RIVALS = 8 };
+typedef struct bench_rival {
+    const char *method, *scene;
+    int particles;
+    int steps;       /* a frame, at the end */
+    bench_time time; /* seconds a frame, of the last second */
+    double level;    /* how high the water stands in the end, 1: as high as it was drawn */
+    double speed;    /* m/s, rms, in the end */
+} bench_rival;
+
 typedef struct bench_report {
     char cpu[96];
     char compiler[64];
@@ -82,6 +93,8 @@ typedef struct bench_report {
     bench_edit edit[BENCH_EDITS];
     int frame_count;
     bench_frame frame[BENCH_FRAMES];
+    int rival_count;
+    bench_rival rival[BENCH_RIVALS];
 } bench_report;
 
 /* Called before each case and each of its rounds; `done` is the share of the work that is, 0..1. */
@@ -99,6 +112,10 @@ skv_result bench_measure_edits(const bench_options *options, bench_report *repor
 
 /* Measures what a frame of the app costs, for the same report; takes seconds. */
 skv_result bench_measure_frames(const bench_options *options, bench_report *report,
+                                skv_error *error);
+
+/* Measures another method beside ours, for the same report; takes seconds. */
+skv_result bench_measure_rivals(const bench_options *options, bench_report *report,
                                 skv_error *error);
 
 /* The row of a case, or null. `threads`: 1, or anything else for all. */

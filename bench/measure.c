@@ -310,7 +310,9 @@ skv_result bench_measure(const bench_options *options, bench_progress *progress,
     }
     if (result == SKV_OK)
         result = bench_measure_edits(options, report, error);
-    return result == SKV_OK ? bench_measure_frames(options, report, error) : result;
+    if (result == SKV_OK)
+        result = bench_measure_frames(options, report, error);
+    return result == SKV_OK ? bench_measure_rivals(options, report, error) : result;
 }
 
 void bench_report_free(bench_report *report)

@@ -1,5 +1,6 @@
-/* Prints a report as tables. Invariant: every figure here but those of edits stands in the CSV,
- * too, or follows from its columns; the thesis' figures are those of its tables 4.1 and 4.2.
+/* Prints a report as tables. Invariant: every figure here but those of edits and rivals stands in
+ * the CSV, too, or follows from its columns; the thesis' figures are those of its tables 4.1
+ * and 4.2.
  */
 #include <math.h>
 #include <string.h>
@@ -204,6 +205,34 @@ static void write_frames(FILE *out, const bench_report *report, bool markdown)
                "the face's thread.\nissue: a picture of 640 x 360 pixels, drawn and read back.");
 }
 
+/* ---- Another method -------------------------------------------------------------------------- */
+
+static void write_rivals(FILE *out, const bench_report *report, bool markdown)
+{
+    static const char *const heads[] = {"method",  "scene",  ">particles", ">steps", ">shortest",
+                                        ">median", ">level", ">speed",     NULL};
+    table t;
+    table_begin(&t, out, markdown, "Beside FLIP, one thread, after 5 s: ms a frame", heads);
+    for (int i = 0; i < report->rival_count; i++) {
+        const bench_rival *rival = &report->rival[i];
+        table_row(&t);
+        table_cell(&t, "%s", rival->method);
+        table_cell(&t, "%s", rival->scene);
+        table_cell(&t, "%d", rival->particles);
+        table_cell(&t, "%d", rival->steps);
+        table_number(&t, 1e3 * rival->time.minimum, -3);
+        table_number(&t, 1e3 * rival->time.median, -3);
+        table_number(&t, rival->level, 3);
+        table_number(&t, rival->speed, 4);
+    }
+    table_end(&t);
+    if (report->rival_count)
+        table_note(out,
+                   "level: how high the water stands, 1: as much of it as was drawn; speed: rms, "
+                   "m/s, 0: at rest.\nFLIP is as simple as it gets, with two steps a frame and "
+                   "thirty sweeps each, without bodies, walls or surface tension.");
+}
+
 /* ---- The thesis' tables ---------------------------------------------------------------------- */
 
 /* Milliseconds of what the thesis calls a frame. Its law takes one step a frame; the calibrated law
@@ -311,6 +340,7 @@ void bench_write_tables(FILE *out, const bench_report *report, bool markdown)
     write_phases(out, report, markdown);
     write_edits(out, report, markdown);
     write_frames(out, report, markdown);
+    write_rivals(out, report, markdown);
     if (!report->only) {
         write_threading(out, report, markdown);
         write_counts(out, report, markdown);
