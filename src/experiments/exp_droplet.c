@@ -5,12 +5,18 @@
  * particles, from the first to the third time that the droplet is as wide as high; then the ratio
  * of the shorter to the longer principal axis. A droplet that does not swing is read in the end.
  * Particles farther from the centre than 1.3 radii of the circle have escaped.
+ *
+ * Beside it a drop of twelve particles, the smallest that looks like one, is laid as a circle and
+ * left alone: rain is made of these.
  */
+#include "base/exact.h"
 #include "experiments/experiment.h"
 
 #include <math.h>
 
 enum { LONGEST = 60, CROSSINGS = 3 };
+/* Particles of the small drop, and s after which its shape is read. */
+enum { FEW = 12, LEFT_ALONE = 2 };
 enum { RADIUS, ASPECT };
 enum { C_TIME };
 
@@ -72,11 +78,29 @@ static void watch(rig *s, findings *found, double limit)
     found->condition[C_TIME] = (frame - 1) / 60.0;
 }
 
+/* The shape of the small drop, whose particles are as far apart as those of the large one. */
+static double small_drop(rig *s)
+{
+    double radius = s->spacing * sqrt(FEW / SKV_PI), room = 10 * radius;
+    rig_plan plan = {.width = room,
+                     .height = room,
+                     .waters = 1,
+                     .water = {skv_shape_ellipse(room / 2, room / 2, radius, radius)},
+                     .depth = 2 * radius};
+    skv_rig_build_beside(s, &plan, FEW);
+    skv_rig_wait(s, LEFT_ALONE);
+    if (!skv_rig_ok(s))
+        return (double)NAN;
+    int escaped;
+    skv_particles p = skv_world_particles(s->world);
+    return axes(moments_of(&p, radius, &escaped));
+}
+
 static void measure(rig *s, findings *found)
 {
     double radius = skv_rig_length(s, RADIUS), stretch = sqrt(skv_rig_value(s, ASPECT));
     double room = 5 * radius * stretch;
-    s->total = LONGEST;
+    s->total = LONGEST + LEFT_ALONE;
     rig_plan plan = {
         .width = room,
         .height = room,
@@ -87,12 +111,14 @@ static void measure(rig *s, findings *found)
     skv_rig_build(s, &plan);
     skv_rig_check_passage(s, RADIUS, 1 / stretch);
     watch(s, found, 1.3 * radius);
+    found->measured[2] = small_drop(s);
 }
 
 static void expect(const double *condition, expectation *expected, skv_plot *plot)
 {
     expected->theory[0] = 1;
     expected->theory[1] = 0;
+    expected->theory[2] = 1;
     skv_plot_begin(plot, "theory: a circle", SKV_CURVE_THEORY);
     skv_plot_point(plot, 0, 1);
     skv_plot_point(plot, condition[C_TIME], 1);
@@ -122,9 +148,10 @@ const experiment skv_exp_droplet = {
             [ASPECT] = {"droplet.aspect", SKV_FIELD_NUMBER, "", 1, 3, NULL, "1.5",
                         "length over width at the start"},
         },
-    .count = 2,
+    .count = 3,
     .quantities = {{"shorter / longer axis", "", 0.05, AS_WRITTEN, 0},
-                   {"particles escaped", "", 0, AS_WRITTEN, 0}},
+                   {"particles escaped", "", 0, AS_WRITTEN, 0},
+                   {"shorter / longer axis, 12 particles", "", 0.2, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -92,9 +92,10 @@ skv_result skv_experiment_measure(const experiment *e, const skv_lab_options *op
     e->measure(&set_up, found);
     if (skv_rig_ok(&set_up)) {
         found->particles = set_up.particles;
-        found->substeps = skv_world_substeps_per_frame(set_up.world);
+        bool beside = set_up.own_substeps > 0;
+        found->substeps = beside ? set_up.own_substeps : skv_world_substeps_per_frame(set_up.world);
         found->spacing = set_up.spacing;
-        found->seconds = set_up.done;
+        found->seconds = beside ? set_up.own_seconds : set_up.done;
         found->pace = skv_rig_pace(&set_up);
         found->speed = skv_rig_speed(&set_up);
     }

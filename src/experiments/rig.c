@@ -211,6 +211,21 @@ void skv_rig_rebuild(rig *s, const rig_plan *plan)
     take_over(s, world);
 }
 
+void skv_rig_build_beside(rig *s, const rig_plan *plan, double particles)
+{
+    if (!skv_rig_ok(s))
+        return;
+    int own = s->particles;
+    double spacing = s->spacing;
+    s->own_substeps = skv_world_substeps_per_frame(s->world);
+    s->own_seconds = s->done;
+    rig_plan beside = *plan;
+    beside.share = (particles + 0.5) / s->settings.common[PARAM_PARTICLES];
+    skv_rig_build(s, &beside);
+    s->particles = own;
+    s->spacing = spacing;
+}
+
 void skv_rig_check_passage(rig *s, int own, double share)
 {
     double needed = SIDE_BY_SIDE * s->spacing, width = share * skv_rig_length(s, own);

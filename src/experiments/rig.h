@@ -49,6 +49,9 @@ struct rig {
     bool outline;
     double enough; /* particles, as the setting counts them, for the narrowest passage so far */
     int particles; /* with which the world began */
+    /* Of the experiment's own world, once another stands beside it; 0 before. */
+    int own_substeps;
+    double own_seconds;
     skv_result result;
     skv_error *error;
 };
@@ -84,6 +87,9 @@ void skv_rig_build(rig *s, const rig_plan *plan);
 /* Builds the world of a plan, but puts the particles of the world that was there into it, with
  * their velocities: how a gate is opened. */
 void skv_rig_rebuild(rig *s, const rig_plan *plan);
+/* Builds the world of a plan for what is measured beside the experiment itself, with so many
+ * particles as far apart as those of the first. What is reported of the world stays the first's. */
+void skv_rig_build_beside(rig *s, const rig_plan *plan, double particles);
 /* Fails unless a passage that is `share` times as wide as a parameter's length holds at least six
  * particles side by side. */
 void skv_rig_check_passage(rig *s, int own, double share);

@@ -270,7 +270,7 @@ static void times_and_speeds_grow_with_the_tank(void **unused)
     (void)unused;
     static const struct {
         const char *experiment, *scale, *gravity;
-        double seconds, allowed; /* of the last row of rest */
+        double seconds, allowed; /* of a row of rest */
     } cases[] = {
         {"rest", "1", "9.81", 23, 0.001},      {"rest", "2", "19.62", 23, 0.002},
         {"rest", "0.5", "19.62", 11.5, 0.001}, {"hydrostatics", "0.25", "9.81", 4.5, 0},
@@ -397,7 +397,7 @@ static void reports_are_drawn_and_written(void **unused)
     kept_clear(&t);
     assert_int_equal(skv_report_plot(report, kept_add, &t, NULL), SKV_ERROR_FILE);
     kept_clear(&t);
-    assert_null(skv_report_row(report, 2));
+    assert_null(skv_report_row(report, 3));
     assert_null(skv_report_row(report, -1));
     skv_report_destroy(report);
 }
