@@ -1,7 +1,7 @@
 /* The door: what the app is like at this moment, told to tests. It is linked with the app's own
  * objects into skvalp-play-tested, so the app that people get has none. Invariant: it looks and
- * never acts, but that no tooltips come up, and frames if a caller asks for some; and without
- * SKVALP_DOOR in the environment it does nothing.
+ * never acts, but that no tooltips come up, and frames: few, and one if a caller asks for it; and
+ * without SKVALP_DOOR in the environment it does nothing.
  *
  * It listens on the Unix socket that SKVALP_DOOR names. Each line that comes is answered by a line
  * of JSON, on the main loop, between two events: the state under the names that the page's
@@ -18,6 +18,9 @@
 #include "window.h"
 
 #define CELLS 20 /* of the world, along each side, in which particles are counted */
+
+#define FRAME                                                                                      \
+    50000 /* us between two frames at least: drawn by the processor, they cost most here */
 
 /* JSON. */
 
@@ -427,6 +430,18 @@ static gboolean hide_tooltip(G_GNUC_UNUSED GtkWidget *widget, G_GNUC_UNUSED int 
     return FALSE;
 }
 
+/* After each frame: waits until another may be drawn. */
+static gboolean wait_for_frame(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC_UNUSED guint count,
+                               G_GNUC_UNUSED const GValue *values, G_GNUC_UNUSED gpointer data)
+{
+    static gint64 last; /* us */
+    gint64 left = last + FRAME - g_get_monotonic_time();
+    if (left > 0)
+        g_usleep((gulong)left);
+    last = g_get_monotonic_time();
+    return TRUE;
+}
+
 /* Before main, which knows nothing of it, and before classes of widgets copy what this one does. */
 __attribute__((constructor)) static void begin(void)
 {
@@ -443,4 +458,7 @@ __attribute__((constructor)) static void begin(void)
     g_signal_connect(service, "incoming", G_CALLBACK(on_caller), NULL);
     g_object_unref(address);
     GTK_WIDGET_CLASS(g_type_class_ref(GTK_TYPE_WIDGET))->query_tooltip = hide_tooltip;
+    g_type_class_ref(GDK_TYPE_FRAME_CLOCK);
+    g_signal_add_emission_hook(g_signal_lookup("after-paint", GDK_TYPE_FRAME_CLOCK), 0,
+                               wait_for_frame, NULL, NULL);
 }

@@ -80,11 +80,12 @@ export LC_ALL=C.UTF-8 LANGUAGE=en
 unset WAYLAND_DISPLAY GTK_THEME ADW_DEBUG_COLOR_SCHEME ADW_DEBUG_HIGH_CONTRAST
 unset XDG_CONFIG_HOME XDG_DATA_HOME XDG_CACHE_HOME XDG_STATE_HOME
 
-# window_size WIDTH HEIGHT: of the windows to come. Drawn by the processor, a pixel costs as much as
-# anything here, so it is small where a test does not say otherwise.
+# window_size WIDTH HEIGHT [PARTICLES]: of the windows to come, and with how many particles scenes begin in
+# them. Drawn by the processor, pixels and particles cost more than anything else here, so they are few where
+# a test does not say otherwise; 0 particles are the number that people get.
 window_size() {
     mkdir -p "$work/.config/skvalp"
-    printf '[play]\nwidth=%d\nheight=%d\n' "$@" >"$work/.config/skvalp/play.ini"
+    printf '[play]\nwidth=%d\nheight=%d\nparticles=%d\n' "$1" "$2" "${3-1000}" >"$work/.config/skvalp/play.ini"
 }
 window_size 640 420
 

@@ -7,6 +7,7 @@ build=$(realpath "${1:?usage: test_app.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
 start_display 800x600
+window_size 640 420 0
 ! grep -q SKVALP_DOOR "$build/skvalp-play" || fail "the app that people get has a door"
 
 # 1. A pool: water in the lower half, none above it.

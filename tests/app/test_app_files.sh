@@ -124,7 +124,7 @@ await 'worlds[0].name == "pool" and asRecorded and says("it went exactly as it w
 quit_app
 # A state goes on from its moment.
 start_app "$work/kept.skv"
-await 'worlds[0].particles == 3000 and not following'
+await 'worlds[0].particles == 1000 and not following'
 quit_app
 # One that goes another way than when it was recorded says so.
 "$build/write_replays" "$work"

@@ -26,11 +26,11 @@ card='A column of water collapses on a dry floor: where its front is, and when.'
 scroll_to "$card"
 press "$card"
 await 'page == "experiment" and shows("1. Question") and not says("theory")'
-await 'says("It is measured with 4") and says("000 particles.")'
+await 'says("It is measured with 1 000 particles.")'
 press Measure Button
 await 'shows("Stop", "Button") or says(", theory ")'
 await 'says(", theory ") and shows("4. Compare") and shows("Measure", "Button")' 600 # it takes a while
-await 'says("Measured with 4")'
+await 'says("Measured with 1")'
 scroll_to 'See Two Worlds Side by Side'
 press 'See Two Worlds Side by Side'
 await 'menus() == 1'

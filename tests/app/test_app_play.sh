@@ -16,13 +16,13 @@ await 'speed == 0.1'
 key 3
 await 'tool == 2 and find("Water", "Toggle").active'
 drag 40 70 60 70
-await 'worlds[0].particles > 3010 and water(35, 55, 65, 80) > 0'
+await 'worlds[0].particles > 1003 and water(35, 55, 65, 80) > 0'
 let_go
 await canUndo
 key ctrl+z
-await 'worlds[0].particles == 3000 and canRedo and water(0, 55, 100, 100) == 0'
+await 'worlds[0].particles == 1000 and canRedo and water(0, 55, 100, 100) == 0'
 key ctrl+shift+z
-await 'worlds[0].particles > 3010 and not canRedo'
+await 'worlds[0].particles > 1003 and not canRedo'
 for _ in {1..12}; do # keys are taken as soon as there is something to do for them
     key ctrl+z
     await canRedo
@@ -31,14 +31,14 @@ for _ in {1..12}; do # keys are taken as soon as there is something to do for th
 done
 key shift+Left
 await 'paused and moment < end'
-until is 'worlds[0].particles == 3000'; do # beside much else it was poured more than a second ago
+until is 'worlds[0].particles == 1000'; do # beside much else it was poured more than a second ago
     await moment
     before=$answer
     key shift+Left
     await "moment < $before"
 done
 key shift+Right
-await 'paused and moment == end and worlds[0].particles > 3010'
+await 'paused and moment == end and worlds[0].particles > 1003'
 
 # The bar: while a finger is on it, the picture follows; then it plays on from there.
 key space

@@ -20,7 +20,7 @@ await 'worlds[0].probes'
 key 3
 await 'tool == 2'
 drag 40 70 55 70
-await 'worlds[0].particles > 3010'
+await 'worlds[0].particles > 1003'
 let_go
 await 'canUndo and moment > 240' # long enough to be stopped on the way, slowly as it is played below
 key space
@@ -58,7 +58,7 @@ let_go
 key space
 await 'paused and watching'
 press 'Skip to the End'
-await 'asRecorded and worlds[0].particles > 3010 and says("it went exactly as it was recorded")'
+await 'asRecorded and worlds[0].particles > 1003 and says("it went exactly as it was recorded")'
 is 'not watching and paused and not mismatch and not message' || fail "something is said: $answer"
 await 'not shows("Take Over")'
 
@@ -70,7 +70,7 @@ await 'paused and watching'
 press 'Take Over'
 await "not watching and not paused and canRedo and end < $frames"
 key ctrl+shift+z
-await "end >= $frames and worlds[0].particles > 3010"
+await "end >= $frames and worlds[0].particles > 1003"
 quit_app
 
 # 5. As an argument, with a piece cut off: the message, and the scene that is shown otherwise.

@@ -103,7 +103,8 @@ static void test_every_allocation_fails_once(void **state)
     assert_true(calls > 20);
     assert_int_equal(memory.live, 0);
     failing_memory_stop();
-    for (int fail_at = 0; fail_at < calls; fail_at++) {
+    /* Every third allocation, or each of them. */
+    for (int fail_at = 0; fail_at < calls; fail_at += long_tests() ? 1 : 3) {
         outcome again = {0};
         failing_memory_start(&memory, fail_at);
         tell(&again);
@@ -183,8 +184,8 @@ static void test_session_survives(void **state)
     int calls = memory.calls;
     assert_int_equal(memory.live, 0);
     failing_memory_stop();
-    /* Some 500 plays take their time: every fourth allocation, or each of them. */
-    for (int fail_at = 0; fail_at < calls; fail_at += long_tests() ? 1 : 4) {
+    /* Some 500 plays take their time: every eighth allocation, or each of them. */
+    for (int fail_at = 0; fail_at < calls; fail_at += long_tests() ? 1 : 8) {
         failing_memory_start(&memory, fail_at);
         assert_true(play() == hash);
         assert_int_equal(memory.live, 0);

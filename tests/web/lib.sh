@@ -74,12 +74,14 @@ verdict() {
 }
 
 # make_page FOLDER MODE...: what `npm run build` makes, of the modules of make_modules: the page
-# (production), and all of it in one file (single). Ends the test if that fails.
+# (production), and all of it in one file (single). Without SKV_LONG_TESTS=1 it is made smaller by what
+# vite brings, in a tenth of terser's time. Ends the test if that fails.
 make_page() {
-    local mode
+    local mode smaller=(--minify oxc)
+    [[ ${SKV_LONG_TESTS:-0} != 1 ]] || smaller=()
     for mode in "${@:2}"; do
         if ! (cd web && SKV_MODULES=$modules "${newer[@]}" node node_modules/vite/bin/vite.js build --mode "$mode" \
-            --outDir "$1" --logLevel warn) >"$build/page.log" 2>&1; then
+            --outDir "$1" --logLevel warn "${smaller[@]}") >"$build/page.log" 2>&1; then
             grep -iE 'error' "$build/page.log" | head -n 5 >&2
             printf 'building the page failed, see %s\n' "$build/page.log" >&2
             exit 1

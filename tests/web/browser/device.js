@@ -341,7 +341,6 @@ const trials = {
 
 await carryOut([folder], trials, [
     'a device has one number of particles, which people choose',
-    'of keys that come faster than states each counts',
     'a turned screen keeps water that is in the air',
     'who is asked for the sensor may say no',
     'a page that nobody sees waits, and goes on where it was',

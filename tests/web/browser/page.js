@@ -901,6 +901,8 @@ const trials = {
 
 await carryOut([folder], trials, [
     'numbers are read and typed as Swedish has them',
+    'of keys that come faster than states each counts',
+    'a slow device says what it chose, and how slow it is',
     'a browser whose language is none has plots',
     'the address says how it begins',
     'a page around it can ask for all that a player can, and nobody else',
