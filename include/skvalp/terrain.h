@@ -19,6 +19,9 @@ extern "C" {
 /** Smallest and largest width and height of a picture, in pixels. */
 #define SKV_TERRAIN_MIN_PIXELS 16
 #define SKV_TERRAIN_MAX_PIXELS 8192
+/** At most so many sides of pixels may part solid from air, for walls cost time along these: with
+ * all of them in the largest picture a scene still opens in ten seconds. */
+#define SKV_TERRAIN_MAX_EDGE 4194304
 
 /** Sides of the picture beyond which there is air instead of solid. Particles that leave through an
  * open side are removed from the world by the next step. */
@@ -34,8 +37,9 @@ typedef struct skv_terrain_def {
     uint32_t cookie;
     int width;  /**< pixels, SKV_TERRAIN_MIN_PIXELS..SKV_TERRAIN_MAX_PIXELS */
     int height; /**< pixels, the same range */
-    /** width*height bytes, row 0 at the BOTTOM: 0 = air, 255 = solid. Null means all air: a closed
-     * tank. Read during creation only, never kept. */
+    /** width*height bytes, row 0 at the BOTTOM: 0 = air, 255 = solid, with at most
+     * SKV_TERRAIN_MAX_EDGE sides between them. Null means all air: a closed tank. Read during
+     * creation only, never kept. */
     const uint8_t *coverage;
     float pixel_size;    /**< metres a pixel, 1e-9 or more; width and height in metres at most 16 */
     unsigned open_sides; /**< a set of skv_side bits; default 0 */
@@ -65,7 +69,8 @@ typedef struct skv_brush_stroke {
  * exact as grey pixels tell; the terrain itself stays as it is. It equals, bit for bit, a terrain
  * created from the same picture, but its cost follows the area that changes, apart from one copy of
  * the picture. Without any change `*painted` is the same terrain, shared. On failure it is null:
- * SKV_ERROR_VALUE (a number out of range) or SKV_ERROR_MEMORY. Thread-safe. */
+ * SKV_ERROR_VALUE (a number out of range), SKV_ERROR_LIMIT (more than SKV_TERRAIN_MAX_EDGE sides
+ * between solid and air) or SKV_ERROR_MEMORY. Thread-safe. */
 SKV_API skv_result skv_terrain_paint(const skv_terrain *terrain, const skv_brush_stroke *strokes,
                                      int count, skv_terrain **painted, skv_error *error);
 

@@ -101,6 +101,8 @@ static skv_result edit(skv_terrain *made, const skv_brush_stroke *strokes, int c
     skv_result result = skv_squares_spread(changed, SKV_TERRAIN_REACH + 2, &reached, error);
     skv_coverage coverage = skv_terrain_coverage(made);
     if (result == SKV_OK)
+        result = skv_coverage_check(&coverage, error);
+    if (result == SKV_OK)
         result = skv_distance_fill(&coverage, made->pixel_size, &reached, made->field, NULL, error);
     if (result == SKV_OK)
         skv_terrain_derive(made, &reached);

@@ -28,6 +28,36 @@ void skv_coverage_fill(const skv_terrain_def *def, skv_coverage *coverage)
     }
 }
 
+/* Between pixels side by side: those of two rows, or of one row and the same a pixel farther on. */
+static unsigned edges_between(const uint8_t *some, const uint8_t *others, int count)
+{
+    unsigned edges = 0;
+    for (int x = 0; x < count; x++)
+        edges += skv_is_solid(some[x]) != skv_is_solid(others[x]);
+    return edges;
+}
+
+skv_result skv_coverage_check(const skv_coverage *coverage, skv_error *error)
+{
+    size_t columns = (size_t)coverage->columns;
+    if (2 * columns * (size_t)coverage->rows <= SKV_TERRAIN_MAX_EDGE)
+        return SKV_OK; /* there is no room for more */
+    unsigned edges = 0;
+    for (int y = 0; y < coverage->rows; y++) {
+        const uint8_t *row = coverage->bytes + (size_t)y * columns;
+        edges += edges_between(row, row + 1, coverage->columns - 1);
+        if (y + 1 < coverage->rows)
+            edges += edges_between(row, row + columns, coverage->columns);
+    }
+    if (edges <= SKV_TERRAIN_MAX_EDGE)
+        return SKV_OK;
+    return skv_fail(
+        error, SKV_ERROR_LIMIT,
+        "terrain: %u sides of pixels part solid from air; at most %d may: draw fewer or "
+        "smoother walls, or a smaller picture",
+        edges, SKV_TERRAIN_MAX_EDGE);
+}
+
 unsigned skv_cell_corners(const skv_coverage *coverage, int x, int y)
 {
     const uint8_t *low = coverage->bytes + (size_t)y * (size_t)coverage->columns + (size_t)x;

@@ -23,6 +23,9 @@ typedef struct skv_wall_segment {
 /* Fills the zeroed bytes of a coverage that has the definition's size. */
 void skv_coverage_fill(const skv_terrain_def *def, skv_coverage *coverage);
 
+/* Refuses a picture of more than SKV_TERRAIN_MAX_EDGE edges, in one pass over its pixels. */
+skv_result skv_coverage_check(const skv_coverage *coverage, skv_error *error);
+
 /* Grey from 128 on is solid; the exact shade only shifts the wall between two pixels. */
 static inline bool skv_is_solid(uint8_t byte)
 {

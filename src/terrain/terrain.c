@@ -188,7 +188,9 @@ skv_result skv_terrain_create(const skv_terrain_def *def, skv_terrain **terrain,
     skv_coverage coverage = skv_terrain_coverage(made);
     memset(coverage.bytes, 0, (size_t)coverage.columns * (size_t)coverage.rows);
     skv_coverage_fill(def, &coverage);
-    result = skv_distance_fill(&coverage, def->pixel_size, NULL, made->field, NULL, error);
+    result = skv_coverage_check(&coverage, error);
+    if (result == SKV_OK)
+        result = skv_distance_fill(&coverage, def->pixel_size, NULL, made->field, NULL, error);
     if (result != SKV_OK) {
         skv_terrain_destroy(made);
         return result;

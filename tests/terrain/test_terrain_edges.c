@@ -240,6 +240,52 @@ static void bad_definitions_are_refused(void **state)
     skv_terrain_destroy(NULL);
 }
 
+enum { BARRED = 2560 }; /* pixels along each side */
+
+/* A picture of horizontal bars: `period` rows from one to the next, the first half of them solid.
+ */
+static skv_result create_bars(int period, skv_terrain **made, skv_error *error)
+{
+    uint8_t *picture = calloc(BARRED, BARRED);
+    assert_non_null(picture);
+    for (int y = 0; y < BARRED; y++)
+        if (y % period < period / 2)
+            memset(picture + (size_t)y * BARRED, 255, BARRED);
+    skv_terrain_def def = skv_default_terrain_def();
+    def.width = def.height = BARRED;
+    def.pixel_size = 1.6f / BARRED;
+    def.coverage = picture;
+    skv_result result = skv_terrain_create(&def, made, error);
+    free(picture);
+    return result;
+}
+
+/* Of 2560 x 2560 pixels bars of one row have 6.5 million edges, of three 2.2 million; then a row is
+ * painted in the air between any two of these. */
+static void too_many_edges_are_refused(void **state)
+{
+    (void)state;
+    enum { BARS = BARRED / 6 };
+    skv_terrain *t = NULL, *painted = NULL;
+    skv_error error = {0};
+    assert_int_equal(create_bars(2, &t, &error), SKV_ERROR_LIMIT);
+    assert_null(t);
+    assert_non_null(strstr(error.text, "sides of pixels"));
+    assert_int_equal(create_bars(6, &t, &error), SKV_OK);
+    skv_brush_stroke strokes[BARS];
+    const float pixel = 1.6f / BARRED;
+    for (int i = 0; i < BARS; i++) {
+        float y = (6 * (float)i + 4.5f) * pixel;
+        strokes[i] = (skv_brush_stroke){.x1 = 1.6f, .y0 = y, .y1 = y, .radius = 0.5f * pixel};
+    }
+    assert_int_equal(skv_terrain_paint(t, strokes, BARS, &painted, &error), SKV_ERROR_LIMIT);
+    assert_null(painted);
+    assert_non_null(strstr(error.text, "sides of pixels"));
+    assert_int_equal(skv_terrain_paint(t, strokes, BARS / 2, &painted, &error), SKV_OK);
+    skv_terrain_destroy(painted);
+    skv_terrain_destroy(t);
+}
+
 static void count_assertion(const char *condition, const char *file, int line, void *user)
 {
     (void)condition;
@@ -373,6 +419,7 @@ int main(void)
         cmocka_unit_test(flat_greys_count_fully),
         cmocka_unit_test(all_sizes_work),
         cmocka_unit_test(bad_definitions_are_refused),
+        cmocka_unit_test(too_many_edges_are_refused),
         cmocka_unit_test(misuse_is_asserted),
         cmocka_unit_test(odd_points_are_harmless),
         cmocka_unit_test(a_shared_terrain_lives_as_long_as_one_holds_it),
