@@ -9,29 +9,59 @@
 #define APART 1.0
 #define HALF  0.75
 
-/* The corners of a body in view pixels. */
-typedef struct polygon {
-    int count;
-    float x[SKV_MAX_CORNERS], y[SKV_MAX_CORNERS];
-    float low, high;
-} polygon;
-
-static polygon place(const skv_camera *camera, const skv_body *body)
+skv_placed_body skv_body_place(const skv_body *body)
 {
-    polygon p = {.count = body->corners, .low = INFINITY, .high = -INFINITY};
+    skv_placed_body p = {.count = body->corners,
+                         .left = INFINITY,
+                         .right = -INFINITY,
+                         .low = INFINITY,
+                         .high = -INFINITY};
     double c = cos((double)body->angle), s = sin((double)body->angle);
     for (int i = 0; i < p.count; i++) {
         double x = (double)body->outline[2 * i], y = (double)body->outline[2 * i + 1];
-        p.x[i] = skv_overlay_x(camera, (double)body->x + c * x - s * y);
-        p.y[i] = skv_overlay_y(camera, (double)body->y + s * x + c * y);
+        p.x[i] = (float)((double)body->x + c * x - s * y);
+        p.y[i] = (float)((double)body->y + s * x + c * y);
+        p.left = fminf(p.left, p.x[i]);
+        p.right = fmaxf(p.right, p.x[i]);
         p.low = fminf(p.low, p.y[i]);
         p.high = fmaxf(p.high, p.y[i]);
     }
     return p;
 }
 
+float skv_placed_body_distance(const skv_placed_body *p, float x, float y)
+{
+    float least = INFINITY;
+    bool inside = false;
+    for (int i = 0; i < p->count; i++) {
+        int k = (i + 1) % p->count;
+        float along_x = p->x[k] - p->x[i], along_y = p->y[k] - p->y[i];
+        float rx = x - p->x[i], ry = y - p->y[i];
+        float squared = along_x * along_x + along_y * along_y;
+        float share = squared > 0 ? (rx * along_x + ry * along_y) / squared : 0;
+        share = fminf(fmaxf(share, 0), 1);
+        least = fminf(least, hypotf(rx - share * along_x, ry - share * along_y));
+        if ((p->y[i] > y) != (p->y[k] > y) && rx < ry / along_y * along_x)
+            inside = !inside;
+    }
+    return inside ? -least : least;
+}
+
+/* The same in view pixels. */
+static skv_placed_body show(const skv_camera *camera, const skv_body *body)
+{
+    skv_placed_body p = skv_body_place(body);
+    for (int i = 0; i < p.count; i++) {
+        p.x[i] = skv_overlay_x(camera, (double)p.x[i]);
+        p.y[i] = skv_overlay_y(camera, (double)p.y[i]);
+    }
+    p.low = skv_overlay_y(camera, (double)p.low);
+    p.high = skv_overlay_y(camera, (double)p.high);
+    return p;
+}
+
 /* Where the polygon crosses a height, from left to right. */
-static int find_crossings(const polygon *p, float y, float crossing[SKV_MAX_CORNERS])
+static int find_crossings(const skv_placed_body *p, float y, float crossing[SKV_MAX_CORNERS])
 {
     int count = 0;
     for (int i = 0; i < p->count; i++) {
@@ -47,8 +77,8 @@ static int find_crossings(const polygon *p, float y, float crossing[SKV_MAX_CORN
     return count;
 }
 
-static skv_result fill(skv_strokes *strokes, const polygon *p, double line, const float color[4],
-                       skv_error *error)
+static skv_result fill(skv_strokes *strokes, const skv_placed_body *p, double line,
+                       const float color[4], skv_error *error)
 {
     float apart = (float)(APART * line), half = (float)(HALF * line);
     int lines = (int)((p->high - p->low) / apart) + 1;
@@ -69,8 +99,8 @@ static skv_result fill(skv_strokes *strokes, const polygon *p, double line, cons
     return result;
 }
 
-static skv_result outline(skv_strokes *strokes, const polygon *p, double line, const float color[4],
-                          skv_error *error)
+static skv_result outline(skv_strokes *strokes, const skv_placed_body *p, double line,
+                          const float color[4], skv_error *error)
 {
     skv_result result = skv_strokes_reserve(strokes, p->count, error);
     for (int i = 0; result == SKV_OK && i < p->count; i++) {
@@ -88,7 +118,7 @@ skv_result skv_bodies_draw(skv_strokes *strokes, const skv_overlay_scene *scene,
     double line = skv_look_line(scene->camera);
     skv_result result = SKV_OK;
     for (int i = 0; i < scene->frame->body_count && result == SKV_OK; i++) {
-        polygon p = place(scene->camera, &scene->frame->bodies[i]);
+        skv_placed_body p = show(scene->camera, &scene->frame->bodies[i]);
         result = fill(strokes, &p, line, scene->colors->body, error);
         if (result == SKV_OK)
             result = outline(strokes, &p, line, scene->colors->body_edge, error);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "render/bodies.h"
 
 #define CELL_SPACINGS 2.0
 /* A wide world with few particles gets larger cells: nobody looks that closely. */
@@ -63,6 +64,29 @@ static void find_room(skv_mesh *mesh)
         }
 }
 
+/* The first cell whose centre is at a coordinate or beyond; at most `count`. */
+static int cell_at(const skv_mesh *mesh, float at, int count)
+{
+    return (int)fminf(fmaxf(ceilf(at / mesh->cell + 0.5f), 0), (float)count);
+}
+
+/* Leaves no room in bodies. */
+static void cut_bodies(skv_mesh *mesh)
+{
+    for (int k = 0; k < mesh->frame->body_count; k++) {
+        skv_placed_body body = skv_body_place(&mesh->frame->bodies[k]);
+        int first = cell_at(mesh, body.left - mesh->cell, mesh->columns);
+        int end = cell_at(mesh, body.right + mesh->cell, mesh->columns);
+        int top = cell_at(mesh, body.high + mesh->cell, mesh->rows);
+        for (int j = cell_at(mesh, body.low - mesh->cell, mesh->rows); j < top; j++)
+            for (int i = first; i < end; i++) {
+                float *room = &mesh->room[j * mesh->columns + i];
+                float distance = skv_placed_body_distance(&body, centre(mesh, i), centre(mesh, j));
+                *room = fminf(*room, room_beside(distance, mesh->cell));
+            }
+    }
+}
+
 skv_result skv_mesh_begin(skv_mesh *mesh, const skv_frame *frame, uint64_t walls_key,
                           skv_error *error)
 {
@@ -74,8 +98,8 @@ skv_result skv_mesh_begin(skv_mesh *mesh, const skv_frame *frame, uint64_t walls
     skv_result result = grow(mesh, columns * rows, error);
     if (result != SKV_OK)
         return result;
-    bool same = walls_key == mesh->walls_key && columns == mesh->columns && rows == mesh->rows &&
-                (float)cell == mesh->cell;
+    bool same = walls_key == mesh->walls_key && !mesh->bodies && columns == mesh->columns &&
+                rows == mesh->rows && (float)cell == mesh->cell;
     mesh->frame = frame;
     mesh->columns = columns;
     mesh->rows = rows;
@@ -84,6 +108,9 @@ skv_result skv_mesh_begin(skv_mesh *mesh, const skv_frame *frame, uint64_t walls
     mesh->walls_key = walls_key;
     if (!same)
         find_room(mesh);
+    mesh->bodies = frame->body_count > 0;
+    if (mesh->bodies)
+        cut_bodies(mesh);
     size_t bytes = (size_t)(columns * rows) * sizeof(float);
     float *const sums[] = {mesh->weight, mesh->vx, mesh->vy};
     for (int i = 0; i < 3; i++)

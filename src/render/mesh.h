@@ -12,7 +12,8 @@ typedef struct skv_mesh {
     float per_cell;              /* particles in a cell full of fluid */
     float shift;                 /* of the values' cells, to the left and downwards; cells */
     const skv_frame *frame;      /* while it is in use */
-    uint64_t walls_key;          /* of the walls that `room` is about */
+    uint64_t walls_key;          /* of the walls that `room` is about ... */
+    bool bodies;                 /* ... and it is about bodies, too */
     /* A value a cell: */
     float *room;   /* for fluid about its centre beside walls, 0..1 */
     float *weight; /* particles, spread over the four cells around them */

@@ -1,5 +1,5 @@
 /* Bodies as they look: filled, with an outline, in every palette, where the body is and nowhere
- * else.
+ * else; and fluid beside them is as dark as its depth below the surface makes it.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -64,8 +64,45 @@ static void bodies_are_seen_where_they_are(void **state)
     skv_world_destroy(world);
 }
 
+/* The greatest difference of what lies about a box on the floor from how it looks without the box.
+ */
+static float lighter_by(const picture *alone, const picture *with)
+{
+    const double places[][2] = {{0.68, 0.02}, {0.68, 0.08}, {0.8, 0.12}, {0.92, 0.05}};
+    float most = 0;
+    for (int i = 0; i < 4; i++) {
+        float before[3], after[3];
+        to_float(at_place(alone, places[i][0], places[i][1]), before);
+        to_float(at_place(with, places[i][0], places[i][1]), after);
+        for (int k = 0; k < 3; k++)
+            most = fmaxf(most, fabsf(after[k] - before[k]));
+    }
+    return most;
+}
+
+static void bodies_are_no_air_to_the_fluid_beside_them(void **state)
+{
+    (void)state;
+    skv_world *world = make_world("pool", 2000, 1);
+    skv_render_style style = style_of(SKV_PALETTE_DARK, SKV_VIEW_WATER, SKV_DETAIL_FULL);
+    picture alone = shoot(world, &style, WIDTH, HEIGHT);
+    skv_body_def def = skv_default_body_def();
+    def.shape = skv_box(0.7f, 0, 0.9f, 0.1f);
+    def.fixed = true;
+    assert_int_equal(skv_world_add_body(world, &def, NULL, NULL, NULL), SKV_OK);
+    picture with = shoot(world, &style, WIDTH, HEIGHT);
+    print_message("beside a body water is lighter by %.3f\n", (double)lighter_by(&alone, &with));
+    assert_true(lighter_by(&alone, &with) < 0.04f);
+    free(alone.rgb);
+    free(with.rgb);
+    skv_world_destroy(world);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(bodies_are_seen_where_they_are)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bodies_are_seen_where_they_are),
+        cmocka_unit_test(bodies_are_no_air_to_the_fluid_beside_them),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
