@@ -98,9 +98,15 @@ void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_w
     skv_part_of_walls *part = met->part;
     *part = (skv_part_of_walls){0};
     met->count += meet(b, images, &met->distance, h * b->per_unit, x, y, part);
+    const float terrain = met->distance;
     skv_boundary_to_world(b, &x, &y);
     for (int k = 0; k < b->solids->count; k++) {
         const skv_solid *s = &b->solids->solid[k];
+        const float least = s->reach + 2 * h, dx = x - s->now.x, dy = y - s->now.y;
+        if (dx * dx + dy * dy > least * least) {
+            met->distance = skv_minf(met->distance, 2 * h * b->per_unit); /* a bound */
+            continue;
+        }
         float away = outside(s, x, y) * b->per_unit;
         if (!(away < h * b->per_unit)) {
             met->distance = away < met->distance ? away : met->distance;
@@ -114,6 +120,7 @@ void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_w
         *part = (skv_part_of_walls){.solid = k + 1};
         if (meet(s->shape, images, &distance, h, lx, ly, part)) {
             turn_part(b, s, part);
+            part->film = skv_film_share(terrain * b->unit + distance, b->solids->spacing);
             met->count++;
         }
         distance *= b->per_unit;
@@ -170,6 +177,14 @@ void skv_solids_share(const skv_walls_met *met, float by_slope, float by_rest, f
     for (int k = 0; k < met->count; k++) {
         share[k][0] += weight[k] * over_x;
         share[k][1] += weight[k] * over_y;
+    }
+    /* What lies in a film the terrain bears. */
+    for (int k = 1; k < met->count && met->part[0].solid == 0; k++) {
+        for (int axis = 0; axis < 2; axis++) {
+            float borne = met->part[k].film * share[k][axis];
+            share[k][axis] -= borne;
+            share[0][axis] += borne;
+        }
     }
 }
 

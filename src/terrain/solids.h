@@ -37,6 +37,7 @@ typedef struct skv_solid {
 typedef struct skv_solids {
     int count;
     skv_solid solid[SKV_MOST_SOLIDS];
+    float spacing; /* of the fluid, m */
     skv_image_law law;
 } skv_solids;
 
@@ -46,7 +47,23 @@ typedef struct skv_part_of_walls {
     int solid;
     float distance; /* D of this one alone */
     float nx, ny, r, rn, f1x, f1y, f2x, f2y;
+    float film; /* share of what it gives that the terrain bears instead */
 } skv_part_of_walls;
+
+/* A gap so narrow between a body and a wall is a film, which bears the pressure at its ends
+ * (world/body_film.c): from 2.4 spacings downwards, and wholly from 1.8 on. Between two walls by
+ * images no particle comes into less; where the film bore less, a light body came off the floor by
+ * so much and stayed there (docs/notebook/2026-11-27-bodies.md). */
+static inline float skv_film_reach(float spacing)
+{
+    return 2.4f * spacing;
+}
+
+/* How much of the pressure in a gap the film bears: what is left do particles. */
+static inline float skv_film_share(float gap, float spacing)
+{
+    return skv_clamp((skv_film_reach(spacing) - gap) / (0.6f * spacing), 0, 1);
+}
 
 /* What all of them are together: `sum` as if of one solid, its number or -1 if there are several.
  */

@@ -94,6 +94,7 @@ void skv_bodies_show(skv_world *world)
 {
     skv_bodies *b = world->bodies;
     b->solids.count = b->count;
+    b->solids.spacing = world->fluid.spacing;
     for (int k = 0; k < b->count; k++) {
         const skv_rigid *r = &b->body[k];
         const skv_body_shape *shape = r->shape;
@@ -223,6 +224,7 @@ void skv_bodies_feel(skv_world *world, double dt)
         r->vy += y / r->mass + dt * (double)world->gravity_y;
         r->spin += moment / r->inertia;
     }
+    skv_bodies_press_films(world, dt);
     b->felt += dt;
     skv_bodies_solve_contacts(world, dt);
     skv_bodies_show(world); /* at rest, for who asks between substeps */

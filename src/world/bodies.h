@@ -103,6 +103,9 @@ skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
 skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
                            skv_error *error);
 
+/* body_film.c: the pressure of films between bodies and walls acts on these for `dt`. */
+void skv_bodies_press_films(const skv_world *world, double dt);
+
 /* body_contacts.c: lets no body move into the terrain or another in the next `dt`. */
 void skv_bodies_solve_contacts(const skv_world *world, double dt);
 

@@ -227,6 +227,26 @@ static void heavy_bodies_sink_and_rest(void **unused)
     skv_world_destroy(world);
 }
 
+/* Wood and what hardly floats come off the floor, what is heavier stays. */
+static void light_bodies_leave_the_floor(void **unused)
+{
+    (void)unused;
+    static const struct {
+        float density;
+        int frames;
+        float least, most;
+    } cases[] = {{500, 60, 0.15f, 0.5f}, {900, 180, 0.2f, 0.5f}, {2000, 120, 0.04f, 0.055f}};
+    for (int k = 0; k < 3; k++) {
+        skv_world *world = make_pool(SKV_SOLVER_FAST, 0, 0.8f, 0.4f);
+        skv_body_def def = box(0.2f, 0.1f, 0.4f, 0.051f, cases[k].density);
+        skv_body_id id = add(world, &def);
+        fixture_run(world, cases[k].frames);
+        float y = look(world, id).y;
+        assert_true(y > cases[k].least && y < cases[k].most);
+        skv_world_destroy(world);
+    }
+}
+
 /* A body near the floor and one in the middle, both of which move. */
 static void put_two(skv_world *world)
 {
@@ -521,6 +541,7 @@ int main(void)
         cmocka_unit_test(momentum_stays),
         cmocka_unit_test(walls_and_bodies_hold_bodies),
         cmocka_unit_test(heavy_bodies_sink_and_rest),
+        cmocka_unit_test(light_bodies_leave_the_floor),
         cmocka_unit_test(rows_agree_with_the_reference),
         cmocka_unit_test(bits_are_the_same),
         cmocka_unit_test(snapshots_hold_bodies),

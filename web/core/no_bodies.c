@@ -103,10 +103,10 @@ float skv_rows_sample_solids(const skv_boundary *boundary, bool images, float x,
     return 0;
 }
 
-void skv_rows_way_of_walls(const skv_rows *rows, int i, const skv_constants *c,
+void skv_rows_way_of_walls(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
                            const skv_boundary *boundary, float *dx, float *dy)
 {
-    (void)rows, (void)i, (void)c, (void)boundary, (void)dx, (void)dy;
+    (void)rows, (void)wall, (void)c, (void)boundary, (void)dx, (void)dy;
 }
 
 void skv_rows_tell_solids(const skv_rows *rows, const skv_boundary *boundary, skv_impulse *given)
@@ -141,9 +141,10 @@ void skv_rows_book_cuts(const skv_rows *rows, const skv_boundary *boundary, int 
 }
 
 void skv_rows_book_turns(const skv_rows *rows, int row, const skv_constants *c,
-                         const skv_boundary *boundary, skv_row_given *walls)
+                         const skv_boundary *boundary, const skv_row_samples *samples,
+                         skv_row_given *walls)
 {
-    (void)rows, (void)row, (void)c, (void)boundary, (void)walls;
+    (void)rows, (void)row, (void)c, (void)boundary, (void)samples, (void)walls;
 }
 
 void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,

@@ -319,7 +319,7 @@ V8_INLINE void add_slip_friction(const skv_rows *s, const skv_near_wall *wall,
     float moved_y = p->v[i] + (s->own_move.y[i] + s->next_move.y[i]) / mass;
     if (wall->solid) { /* it slips along what moves itself */
         float way_x, way_y;
-        skv_rows_way_of_walls(s, i, c, ((const row_booking *)booking)->boundary, &way_x, &way_y);
+        skv_rows_way_of_walls(s, wall, c, ((const row_booking *)booking)->boundary, &way_x, &way_y);
         moved_x -= way_x;
         moved_y -= way_y;
     }
@@ -442,7 +442,7 @@ static void update(const skv_rows *s, int row, int iteration, const skv_constant
 {
     row_booking given = {.boundary = boundary, .walls = walls};
     if (iteration == 0 && !c->clavet && boundary->solids)
-        skv_rows_book_turns(s, row, c, boundary, walls);
+        skv_rows_book_turns(s, row, c, boundary, samples, walls);
     if (iteration == 0 && c->images)
         find_hanging(s, row, c);
     for_walls(s, row, c, boundary, samples, add_push, &given);

@@ -12,16 +12,26 @@ static void middle_of(const skv_boundary *boundary, const skv_solid *solid, floa
     skv_boundary_swap(boundary, x, y);
 }
 
+/* Bounds are lowered to so many radii at most: below one the walls are sampled, and with two a
+ * substep's moves do not lead there from where no solid is. */
+#define FREE 2.0f
+
 void skv_rows_expect_solids(const skv_rows *rows, int row, const skv_boundary *boundary)
 {
     const skv_row_particles *p = &rows->set[rows->current];
+    const int begin = rows->row_start[row], end = rows->row_end[row];
+    for (int i = begin; i < end; i++)
+        p->clearance[i] = p->clearance[i] < FREE ? p->clearance[i] : FREE;
     for (int k = 0; k < boundary->solids->count; k++) {
         const skv_solid *solid = &boundary->solids->solid[k];
         float x, y, near = (solid->reach + skv_solid_way(solid)) * boundary->per_unit;
+        const float most = (near + FREE) * (near + FREE);
         middle_of(boundary, solid, &x, &y);
-        for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
-            float dx = p->x[i] - x, dy = p->y[i] - y;
-            float away = sqrtf(dx * dx + dy * dy) - near;
+        for (int i = begin; i < end; i++) {
+            float dx = p->x[i] - x, dy = p->y[i] - y, square = dx * dx + dy * dy;
+            if (square >= most)
+                continue;
+            float away = sqrtf(square) - near;
             p->clearance[i] = away < p->clearance[i] ? away : p->clearance[i];
         }
     }
@@ -49,20 +59,39 @@ static void place_of(const skv_rows *rows, int i, const skv_constants *c, float 
     *y = p->y[i] + lag * p->v[i];
 }
 
-static void find_way(const skv_boundary *boundary, bool images, float x, float y, float *dx,
-                     float *dy)
+/* What particle i has been sampled beside; met anew only if that are several. */
+static void meet_again(const skv_near_wall *wall, const skv_constants *c,
+                       const skv_boundary *boundary, float x, float y, skv_walls_met *met)
 {
-    skv_walls_met met;
-    skv_solids_meet(boundary, images, x, y, &met);
-    skv_solids_way(boundary, &met, x, y, dx, dy);
+    if (wall->solid < 0) {
+        skv_solids_meet(boundary, c->images, x, y, met);
+        return;
+    }
+    const skv_image_sample *image = &wall->at.image;
+    const skv_wall_sample *sums = &wall->at.wall;
+    met->count = 1;
+    met->part[0] = (skv_part_of_walls){.solid = wall->solid, .distance = 1};
+    if (c->images) {
+        met->part[0].distance = image->distance;
+        met->part[0].nx = image->nx;
+        met->part[0].ny = image->ny;
+        met->part[0].f1x = image->f1x;
+        met->part[0].f1y = image->f1y;
+    } else {
+        met->part[0].f1x = sums->f1x;
+        met->part[0].f1y = sums->f1y;
+    }
+    met->sum = met->part[0];
 }
 
-void skv_rows_way_of_walls(const skv_rows *rows, int i, const skv_constants *c,
+void skv_rows_way_of_walls(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
                            const skv_boundary *boundary, float *dx, float *dy)
 {
     float x, y;
-    place_of(rows, i, c, &x, &y);
-    find_way(boundary, c->images, x, y, dx, dy);
+    skv_walls_met met;
+    place_of(rows, wall->particle, c, &x, &y);
+    meet_again(wall, c, boundary, x, y, &met);
+    skv_solids_way(boundary, &met, x, y, dx, dy);
 }
 
 /* Books what a wall gives particle i at (x, y). To a solid about its middle, and with the arm of
@@ -109,13 +138,14 @@ void skv_rows_book_cuts(const skv_rows *rows, const skv_boundary *boundary, int 
     }
 }
 
-static void book_turn(const skv_rows *rows, int i, const skv_constants *c,
+static void book_turn(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
                       const skv_boundary *boundary, skv_row_given *walls)
 {
     float x, y;
+    int i = wall->particle;
     skv_walls_met met;
     place_of(rows, i, c, &x, &y);
-    skv_solids_meet(boundary, c->images, x, y, &met);
+    meet_again(wall, c, boundary, x, y, &met);
     float flat = c->images ? c->image_gradient * skv_flat_slope(met.sum.distance) : 0;
     for (int k = 0; k < met.count; k++) {
         const skv_part_of_walls *part = &met.part[k];
@@ -128,13 +158,25 @@ static void book_turn(const skv_rows *rows, int i, const skv_constants *c,
     }
 }
 
-void skv_rows_book_turns(const skv_rows *rows, int row, const skv_constants *c,
-                         const skv_boundary *boundary, skv_row_given *walls)
+/* Whether a particle may turn what it is near. */
+static bool turns(const skv_rows *rows, int i)
 {
     const skv_row_particles *p = &rows->set[rows->current];
-    for (int i = rows->row_start[row]; i < rows->row_end[row]; i++)
-        if (p->clearance[i] < 1 && rows->graded[i / ROW_LANES] && !(p->number[i] & ROW_HELD))
-            book_turn(rows, i, c, boundary, walls);
+    return rows->graded[i / ROW_LANES] && !(p->number[i] & ROW_HELD);
+}
+
+void skv_rows_book_turns(const skv_rows *rows, int row, const skv_constants *c,
+                         const skv_boundary *boundary, const skv_row_samples *samples,
+                         skv_row_given *walls)
+{
+    for (int n = 0; n < samples->used; n++)
+        if (samples->sample[n].solid != 0 && turns(rows, samples->sample[n].particle))
+            book_turn(rows, &samples->sample[n], c, boundary, walls);
+    /* Those that found no place are met anew. */
+    const skv_row_particles *p = &rows->set[rows->current];
+    for (int i = rows->row_start[row]; samples->used < 0 && i < rows->row_end[row]; i++)
+        if (p->clearance[i] < 1 && turns(rows, i))
+            book_turn(rows, &(skv_near_wall){.particle = i, .solid = -1}, c, boundary, walls);
 }
 
 void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
@@ -147,8 +189,10 @@ void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
         skv_solids_contact(boundary, p->x[i], p->y[i], &nx, &ny, &p->clearance[i], &solid);
     if (!(depth > 0))
         return;
-    if (solid)
-        find_way(boundary, c->images, p->x[i], p->y[i], &way_x, &way_y);
+    if (solid) {
+        const skv_near_wall all = {.particle = i, .solid = -1};
+        skv_rows_way_of_walls(rows, &all, c, boundary, &way_x, &way_y);
+    }
     float slide = (p->v[i] - way_y) * nx - (p->u[i] - way_x) * ny;
     float rub = c->friction * slide, push = c->softness * depth;
     float dx = push * nx + rub * ny, dy = push * ny - rub * nx;

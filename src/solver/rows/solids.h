@@ -14,8 +14,8 @@ void skv_rows_expect_solids(const skv_rows *rows, int row, const skv_boundary *b
 float skv_rows_sample_solids(const skv_boundary *boundary, bool images, float x, float y,
                              skv_near_wall *to);
 
-/* How far the walls beside particle i move in the substep. */
-void skv_rows_way_of_walls(const skv_rows *rows, int i, const skv_constants *c,
+/* How far the walls move in the substep that a particle has been sampled beside. */
+void skv_rows_way_of_walls(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
                            const skv_boundary *boundary, float *dx, float *dy);
 
 /* What makes up a push: the factors of D's slope, of F1 and of F2. */
@@ -34,7 +34,8 @@ void skv_rows_book_cuts(const skv_rows *rows, const skv_boundary *boundary, int 
 /* ... and what the tension of a row's particles turns them by: its energy knows which way they
  * face, since what they add to the gradient is part of it. While the gradients are still there. */
 void skv_rows_book_turns(const skv_rows *rows, int row, const skv_constants *c,
-                         const skv_boundary *boundary, skv_row_given *walls);
+                         const skv_boundary *boundary, const skv_row_samples *samples,
+                         skv_row_given *walls);
 /* Writes what each has given in a call, of all threads, in m and the world's axes. */
 void skv_rows_tell_solids(const skv_rows *rows, const skv_boundary *boundary, skv_impulse *given);
 
