@@ -28,7 +28,8 @@ Usage: ./test.sh            install what is missing, build, run every test; then
        ./test.sh --help     this text
 
 Each label takes less than two minutes on two processors, the whole about nine. Every half minute a
-line says how far it has come. The last line is "N passed, N failed" or "N passed, N failed, N skipped",
+line says how far it has come; in the end lines say what each label took, which ten tests took longest,
+and how much processor time all of it took. The last line is "N passed, N failed" or "N passed, N failed, N skipped",
 where one test is one program or script under tests/ in one of the builds; the exit status is 0 if
 none failed. Skipped are tests of the page where its npm packages cannot be had. SKV_LONG_TESTS=1
 runs the long forms and the tests that have no other (CONTRIBUTING.md). SKVALP_VERBOSE=1 shows all
@@ -52,6 +53,19 @@ one_of() {
     printf '^(%s)$' "$*"
 }
 
+# tell_costs LOG: what ctest says that each label took and which ten tests took longest, in seconds.
+tell_costs() {
+    say "  by labels: $(sed -nE 's/^([a-z_]+) += +([0-9]+)\.[0-9]+ sec\*proc.*/\1 \2 s/p' "$1" |
+        paste -sd , | sed 's/,/, /g')"
+    say "  slowest: $(sed -nE 's|^ *[0-9]+/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9]+)\.[0-9]+ sec.*|\2 \1|p' "$1" |
+        sort -rn | head -n 10 | sed -E 's/(.*) (.*)/\2 \1 s/' | paste -sd , | sed 's/,/, /g')"
+}
+
+# processor_time FILE: of all that has ended, in whole seconds, by what `times` wrote; a pipe would hide it.
+processor_time() {
+    awk 'NR == 2 { split($1 $2, part, /[ms]/); print int(60 * (part[1] + part[3]) + part[2] + part[4]) }' "$1"
+}
+
 # run_tests PRESET LABEL...: runs their tests, shows what the failing ones said, counts all.
 # One more at a time than there are processors, for those with a window or a browser wait much.
 run_tests() {
@@ -69,6 +83,7 @@ run_tests() {
     failed=$((failed + bad))
     passed=$((passed + total - bad))
     say "build/$preset: $((total - bad)) of $total tests passed ($(elapsed))"
+    tell_costs "$log"
     if ((bad)); then
         grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^      Start ' "$log" | sed -n '1,200p'
     fi
@@ -123,7 +138,9 @@ finish() {
     if ((status && !failed)); then
         failed=1
     fi
-    say "Took $(elapsed)."
+    mkdir -p "$logs"
+    times >"$logs/times"
+    say "Took $(elapsed), and $(processor_time "$logs/times") s of processor time."
     say "$passed passed, $failed failed$( ((!skipped)) || printf ', %d skipped' "$skipped")"
     ((failed == 0)) || exit 1
 }
