@@ -43,8 +43,8 @@ at=$answer
 does . "moment == $at + 1"
 does s "moment == $at + 2"
 does , "moment == $at + 1 and end == $at + 2"
-does Shift+Left 'moment == 0'
-does Shift+Right 'moment == end'
+does Shift+Left "moment == max(0, $at + 1 - 60)" # a second; a busy machine came farther before it paused
+does Shift+Right "moment == min(end, max(0, $at + 1 - 60) + 60)"
 does r 'moment == 0'
 does - 'speed == 0.5'
 does + 'speed == 1'
