@@ -108,12 +108,12 @@ skv_result skv_scene_build_bodies(const skv_draft *draft, skv_scene *scene, skv_
         return SKV_OK;
     skv_shape *shapes = skv_calloc((size_t)list->count, sizeof *shapes);
     scene->bodies = skv_calloc((size_t)list->count, sizeof *scene->bodies);
-    skv_result result = SKV_OK;
-    if (!shapes || !scene->bodies)
-        result = skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", draft->label);
-    if (result == SKV_OK)
-        result = skv_shapes_make(draft, SKV_LIST_BODIES, scene->width * scene->pixel_size,
-                                 scene->height * scene->pixel_size, shapes, error);
+    if (!shapes || !scene->bodies) {
+        skv_free(shapes);
+        return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", draft->label);
+    }
+    skv_result result = skv_shapes_make(draft, SKV_LIST_BODIES, scene->width * scene->pixel_size,
+                                        scene->height * scene->pixel_size, shapes, error);
     for (int i = 0; i < list->count && result == SKV_OK; i++) {
         const builder b = {draft, &list->shapes[i], i, error};
         result = make_body(&b, scene, &shapes[i], &scene->bodies[i]);

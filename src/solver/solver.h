@@ -73,8 +73,8 @@ typedef struct skv_solver_step {
     skv_pool *pool;         /* null: the calling thread */
     skv_reaction *reaction; /* is added to. Null: not wanted */
     /* What each of the boundary's solids gives the particles in these substeps, as `advance`
-     * returns it of all walls, but the moment about the solid's middle. Written if there are particles; null: not wanted.
-     * While solids move a step is one substep. */
+     * returns it of all walls, but the moment about the solid's middle. Written if there are
+     * particles; null: not wanted. While solids move a step is one substep. */
     skv_impulse *solid_given;
 } skv_solver_step;
 
