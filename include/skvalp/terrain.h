@@ -21,7 +21,7 @@ extern "C" {
 #define SKV_TERRAIN_MAX_PIXELS 8192
 /** At most so many sides of pixels may part solid from air, for walls cost time along these: with
  * all of them in the largest picture a scene still opens in ten seconds. */
-#define SKV_TERRAIN_MAX_EDGE 4194304
+#define SKV_TERRAIN_MAX_EDGE 2097152
 
 /** Sides of the picture beyond which there is air instead of solid. Particles that leave through an
  * open side are removed from the world by the next step. */

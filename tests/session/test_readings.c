@@ -82,7 +82,7 @@ static void test_forecast(void **state)
     skv_stage *stage = stage_make(false, stage_still), *other = stage_make(false, stage_still);
     skv_stage *both[] = {stage, other};
     skv_scene_options options = skv_default_scene_options();
-    options.particles = 300;
+    options.particles = 1000;
     for (int i = 0; i < 2; i++) {
         skv_stage_open(both[i], "dam-break", &options);
         stage_pass_frames(both[i], 30);

@@ -240,7 +240,7 @@ static void bad_definitions_are_refused(void **state)
     skv_terrain_destroy(NULL);
 }
 
-enum { BARRED = 2560 }; /* pixels along each side */
+enum { BARRED = 1920 }; /* pixels along each side */
 
 /* A picture of horizontal bars: `period` rows from one to the next, the first half of them solid.
  */
@@ -260,7 +260,7 @@ static skv_result create_bars(int period, skv_terrain **made, skv_error *error)
     return result;
 }
 
-/* Of 2560 x 2560 pixels bars of one row have 6.5 million edges, of three 2.2 million; then a row is
+/* Of 1920 x 1920 pixels bars of one row have 3.7 million edges, of three 1.2 million; then a row is
  * painted in the air between any two of these. */
 static void too_many_edges_are_refused(void **state)
 {
