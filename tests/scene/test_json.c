@@ -50,8 +50,7 @@ static const mistake mistakes[] = {
     {"{\"zebra\": 1}", SKV_ERROR_VALUE,
      "a.json:1: zebra: unknown field; allowed are name, title, description, seconds, world, "
      "settle, particles, substeps, sleep, depth, gravity, emission, fluid, fluids, solid, water, "
-     "forces, "
-     "emitters, drains"},
+     "forces, emitters, drains, bodies"},
     {"{\"fluid.law\": \"clavet\"}", SKV_ERROR_VALUE,
      "a.json:1: \"fluid.law\": unknown field; a key is one word, a group is { ... }"},
     {"{\"water[0]\": {}}", SKV_ERROR_VALUE,
@@ -86,8 +85,7 @@ static const mistake mistakes[] = {
     {"{\"\\u202e\": 1}", SKV_ERROR_VALUE,
      "a.json:1: ?: unknown field; allowed are name, title, description, seconds, world, "
      "settle, particles, substeps, sleep, depth, gravity, emission, fluid, fluids, solid, water, "
-     "forces, "
-     "emitters, drains"},
+     "forces, emitters, drains, bodies"},
     {"{\"seconds\": \"\"}", SKV_ERROR_VALUE,
      "a.json:1: seconds: it is empty; allowed is a number from 0.1 to 3600 s"},
     {"{\"world\": {\"open\": {\"left\": 1}}}", SKV_ERROR_VALUE,
