@@ -134,7 +134,7 @@ for said in "the link to docs/nowhere.md leads nowhere" "there is no src/base/si
     "the sources know no skv_world_sin" "there is no experiment sin" "there is no scene sin" \
     "skvalp has no --sin" "there is no parameter sin.of" "has no heading for #sin" \
     "SPEED_OF_SOUND is 0.79, not 0.78" "its table is not that of bench/results" \
-    "its glossary has warm_sin" "the experiment momentum is not listed" "slosh, period: 0.979 is marked wrongly" "the-lattice.md is not listed" 'cites "A sin" of docs/model.md'; do
+    "its glossary has warm_sin" "the experiment momentum is not listed" "slosh, period: 0.979 is marked wrongly" "the-lattice.md is not in the table" 'cites "A sin" of docs/model.md'; do
     bites_once test_pages.sh "$said" "$said"
 done
 fresh_copy
