@@ -9,6 +9,11 @@ static float length_of(float x, float y)
     return sqrtf(x * x + y * y);
 }
 
+static int count_of(const skv_boundary *b)
+{
+    return b->solids ? b->solids->count : 0;
+}
+
 /* How far a point in the world's axes is from the circle around a solid: below 0 within. */
 static float outside(const skv_solid *s, float x, float y)
 {
@@ -100,7 +105,7 @@ void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_w
     met->count += meet(b, images, &met->distance, h * b->per_unit, x, y, part);
     const float terrain = met->distance;
     skv_boundary_to_world(b, &x, &y);
-    for (int k = 0; k < b->solids->count; k++) {
+    for (int k = 0; k < count_of(b); k++) {
         const skv_solid *s = &b->solids->solid[k];
         const float least = s->reach + 2 * h, dx = x - s->now.x, dy = y - s->now.y;
         if (dx * dx + dy * dy > least * least) {
@@ -227,7 +232,7 @@ float skv_solids_slide(const skv_boundary *b, bool advances, bool on, float *x, 
     skv_boundary_to_world(b, &px, &py);
     skv_boundary_to_world(b, &wx, &wy);
     cuts->count = 0;
-    for (int k = 0; k < b->solids->count && cuts->count < SKV_MOST_PARTS - 1; k++) {
+    for (int k = 0; k < count_of(b) && cuts->count < SKV_MOST_PARTS - 1; k++) {
         float way_x = wx, way_y = wy, left;
         if (stop(&b->solids->solid[k], advances, on, px, py, &wx, &wy, &left))
             note_cut(b, cuts, k + 1, wx - way_x, wy - way_y);
@@ -261,7 +266,7 @@ float skv_solids_contact(const skv_boundary *b, float x, float y, float *nx, flo
     float deepest = skv_boundary_contact(b, x, y, nx, ny, distance);
     *solid = 0;
     skv_boundary_to_world(b, &x, &y);
-    for (int k = 0; k < b->solids->count; k++) {
+    for (int k = 0; k < count_of(b); k++) {
         const skv_solid *s = &b->solids->solid[k];
         float away = outside(s, x, y), lx = x, ly = y, mx = 0, my = 0, depth = 0;
         if (away < s->shape->contact_distance) {

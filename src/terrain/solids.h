@@ -73,7 +73,8 @@ typedef struct skv_walls_met {
     skv_part_of_walls sum, part[SKV_MOST_PARTS];
 } skv_walls_met;
 
-/* Meets the walls at a point, those of the terrain first; `images`: as images need them. */
+/* Meets the walls at a point, those of the terrain first; `images`: as images need them. This and
+ * what follows serve a boundary without solids, too, and find there what it does alone. */
 void skv_solids_meet(const skv_boundary *boundary, bool images, float x, float y,
                      skv_walls_met *met);
 

@@ -45,7 +45,7 @@ static void book(skv_reference *f, int i, int solid, double dx, double dy)
 }
 
 /* Of particle i where it lies. */
-static void meet_solids(const skv_reference *f, int i, skv_walls_met *met)
+static void meet_walls(const skv_reference *f, int i, skv_walls_met *met)
 {
     skv_solids_meet(f->boundary, f->constants->images, (float)f->x[i], (float)f->y[i], met);
 }
@@ -60,7 +60,7 @@ void skv_book_push(skv_reference *f, int i, double out, double lambda, double ne
         return;
     }
     skv_walls_met met;
-    meet_solids(f, i, &met);
+    meet_walls(f, i, &met);
     float share[SKV_MOST_PARTS][2];
     double rest = lambda;
     if (f->constants->images)
@@ -83,7 +83,7 @@ void skv_book_turn(skv_reference *f, int i)
     if (!f->solid_given || !(f->wall_density[i] != 0 || f->image[i] < 1))
         return;
     skv_walls_met met;
-    meet_solids(f, i, &met);
+    meet_walls(f, i, &met);
     double flat = (double)c->image_gradient * (double)skv_flat_slope((float)f->image[i]);
     for (int k = 0; k < met.count; k++) {
         const skv_part_of_walls *part = &met.part[k];
@@ -97,21 +97,13 @@ void skv_book_turn(skv_reference *f, int i)
     }
 }
 
-/* What the walls at i are: those of the solids, if there are any, joined. */
+/* What the walls at i are, those of solids joined with the terrain's; beyond h nothing: what is
+ * left there is how the map rounds. */
 static void sample_solid(skv_reference *f, int i)
 {
-    skv_wall_sample wall;
-    float distance;
-    if (f->boundary->solids) {
-        skv_walls_met met;
-        meet_solids(f, i, &met);
-        distance = met.distance;
-        wall = skv_sums_of(&met.sum);
-    } else {
-        distance = skv_boundary_sample(f->boundary, (float)f->x[i], (float)f->y[i], &wall);
-    }
-    if (!(distance < f->constants->h))
-        wall = (skv_wall_sample){0}; /* what is left there is how the map rounds */
+    skv_walls_met met;
+    meet_walls(f, i, &met);
+    const skv_wall_sample wall = skv_sums_of(&met.sum);
     f->wall_density[i] = (double)wall.r;
     f->wall_near[i] = (double)wall.rn;
     f->f1x[i] = (double)wall.f1x;
@@ -126,18 +118,11 @@ static void sample_solid(skv_reference *f, int i)
 static void sample_image(skv_reference *f, int i)
 {
     const double share = (double)f->constants->residual_share;
-    skv_image_sample wall;
-    float distance;
-    if (f->boundary->solids) {
-        skv_walls_met met;
-        meet_solids(f, i, &met);
-        distance = met.distance;
-        wall = skv_image_of_part(&met.sum);
-    } else {
-        distance = skv_boundary_sample_image(f->boundary, (float)f->x[i], (float)f->y[i], &wall);
-    }
-    if (!(distance < f->constants->h && wall.distance < 1))
-        wall = (skv_image_sample){.distance = SKV_FAR};
+    skv_walls_met met;
+    meet_walls(f, i, &met);
+    skv_image_sample wall = skv_image_of_part(&met.sum);
+    if (!(wall.distance < 1))
+        wall.distance = SKV_FAR;
     f->image[i] = (double)wall.distance;
     f->facing_x[i] = (double)wall.nx;
     f->facing_y[i] = (double)wall.ny;
@@ -162,11 +147,8 @@ void skv_pass_walls(skv_reference *f)
 /* How far the wall beside i moves in the substep. */
 static void find_way(const skv_reference *f, int i, double *x, double *y)
 {
-    *x = *y = 0;
-    if (!f->boundary->solids)
-        return;
     skv_walls_met met;
-    meet_solids(f, i, &met);
+    meet_walls(f, i, &met);
     float way_x, way_y;
     skv_solids_way(f->boundary, &met, (float)f->x[i], (float)f->y[i], &way_x, &way_y);
     *x = (double)way_x;
@@ -200,13 +182,8 @@ static void meet_wall(skv_reference *f, int i, bool on)
 {
     float x = (float)f->x[i], y = (float)f->y[i], along_x, along_y, distance;
     skv_cuts cuts = {0};
-    double made;
-    if (f->boundary->solids)
-        made = (double)skv_solids_slide(f->boundary, f->advances, on, &x, &y, (float)f->dx[i],
-                                        (float)f->dy[i], &along_x, &along_y, &distance, &cuts);
-    else
-        made = (double)skv_boundary_slide(f->boundary, on, &x, &y, (float)f->dx[i], (float)f->dy[i],
-                                          &along_x, &along_y, &distance);
+    double made = (double)skv_solids_slide(f->boundary, f->advances, on, &x, &y, (float)f->dx[i],
+                                           (float)f->dy[i], &along_x, &along_y, &distance, &cuts);
     double lost_x = (made - 1) * f->dx[i] + (double)along_x;
     double lost_y = (made - 1) * f->dy[i] + (double)along_y;
     f->dx[i] += lost_x;
@@ -270,11 +247,7 @@ static contact find_contact(skv_reference *f, int i)
     if (!(f->clearance[i] < (double)f->boundary->contact_distance))
         return found;
     float nx, ny, distance, x = (float)f->x[i], y = (float)f->y[i];
-    if (f->boundary->solids)
-        found.depth =
-            (double)skv_solids_contact(f->boundary, x, y, &nx, &ny, &distance, &found.solid);
-    else
-        found.depth = (double)skv_boundary_contact(f->boundary, x, y, &nx, &ny, &distance);
+    found.depth = (double)skv_solids_contact(f->boundary, x, y, &nx, &ny, &distance, &found.solid);
     f->clearance[i] = (double)distance;
     if (!(found.depth > 0))
         return found;
