@@ -74,6 +74,14 @@ static inline bool skv_rigid_stirs(const skv_rigid *body, float x, float y, floa
     return dx * dx + dy * dy <= reach * reach;
 }
 
+/* A point of the rim in the world's axes, m. */
+static inline void skv_rigid_rim(const skv_rigid *body, int point, double *x, double *y)
+{
+    double rx = (double)body->shape->rim[point][0], ry = (double)body->shape->rim[point][1];
+    *x = body->x + body->cos * rx - body->sin * ry;
+    *y = body->y + body->sin * rx + body->cos * ry;
+}
+
 /* Whether a particle is kept awake by a body that moves or may. */
 bool skv_bodies_stir(const skv_world *world, int particle);
 

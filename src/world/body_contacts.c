@@ -102,14 +102,6 @@ static double reach_of(const skv_rigid *r, double dt)
     return dt * (speed + fabs(r->spin) * r->shape->outline.reach);
 }
 
-/* A rim point in the world's axes. */
-static void place_rim(const skv_rigid *r, int point, double *x, double *y)
-{
-    double rx = (double)r->shape->rim[point][0], ry = (double)r->shape->rim[point][1];
-    *x = r->x + r->cos * rx - r->sin * ry;
-    *y = r->y + r->sin * rx + r->cos * ry;
-}
-
 static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, double dt)
 {
     const skv_terrain *terrain = world->terrain;
@@ -120,7 +112,7 @@ static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, do
     for (int k = 0; k < a->shape->rims; k++) {
         double x, y;
         float nx, ny;
-        place_rim(a, k, &x, &y);
+        skv_rigid_rim(a, k, &x, &y);
         double distance = (double)skv_normal_at(terrain, (float)x, (float)y, &nx, &ny);
         if (distance < near)
             add(all, a, NULL, x, y, (double)nx, (double)ny, distance, dt);
@@ -136,7 +128,7 @@ static void meet_body(contacts *all, const skv_solid *solid, skv_rigid *a, skv_r
         return;
     for (int k = 0; k < a->shape->rims; k++) {
         double x, y;
-        place_rim(a, k, &x, &y);
+        skv_rigid_rim(a, k, &x, &y);
         if ((x - b->x) * (x - b->x) + (y - b->y) * (y - b->y) > reach * reach)
             continue;
         float lx = (float)x, ly = (float)y, nx, ny;

@@ -39,9 +39,7 @@ static bool place_rim(const skv_world *world, const skv_rigid *r, rim *all)
     int closed = 0;
     all->count = shape->rims;
     for (int k = 0; k < all->count; k++) {
-        double rx = (double)shape->rim[k][0], ry = (double)shape->rim[k][1];
-        all->x[k] = r->x + r->cos * rx - r->sin * ry;
-        all->y[k] = r->y + r->sin * rx + r->cos * ry;
+        skv_rigid_rim(r, k, &all->x[k], &all->y[k]);
         float gap = skv_distance_at(world->terrain, (float)all->x[k], (float)all->y[k]);
         all->film[k] = (double)skv_film_share(gap, world->fluid.spacing);
         closed += all->film[k] > 0;
