@@ -203,77 +203,74 @@ static void sums_are_weighed(void **unused)
     skv_world_destroy(world);
 }
 
-/* Every way to another mass leads to the same state: by filling, by changing fluids, by a density
- * that is set, and from a snapshot. */
+/* Every way to the fluids of a definition leads to the same state: by filling, by changing fluids,
+ * by a parameter that is set in a world that began as `other`, and from a snapshot. */
+static void reach_by_all_ways(skv_world *worlds[4], const skv_world_def *def,
+                              const skv_world_def *other, const char *path, const char *value)
+{
+    for (int i = 0; i < 4; i++) {
+        worlds[i] = make(i == 2 ? other : def);
+        fill(worlds[i], 0, 0.3f, i == 1 ? 0 : 2);
+        fill(worlds[i], 0.3f, 0.5f, 1);
+        fill(worlds[i], 0.5f, 0.8f, 0);
+    }
+    skv_particles p = skv_world_particles(worlds[0]);
+    assert_int_equal(skv_world_set_fluids(worlds[1], 0, p.count, p.fluid, NULL), SKV_OK);
+    assert_int_equal(skv_world_set(worlds[2], path, value, NULL), SKV_OK);
+    blob b = save(worlds[0]);
+    skv_world_destroy(worlds[3]);
+    skv_world_def plain = make_def(def->solver, 0);
+    worlds[3] = make(&plain);
+    assert_int_equal(skv_world_restore(worlds[3], b.bytes, b.size, NULL), SKV_OK);
+    free(b.bytes);
+    for (int i = 0; i < 4; i++)
+        fixture_run(worlds[i], 10);
+    for (int i = 1; i < 4; i++)
+        assert_true(skv_world_hash(worlds[i]) == skv_world_hash(worlds[0]));
+}
+
+static void destroy_all(skv_world *worlds[4])
+{
+    for (int i = 0; i < 4; i++)
+        skv_world_destroy(worlds[i]);
+}
+
 static void masses_follow(void **unused)
 {
     (void)unused;
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
         skv_world_def def = make_def((skv_solver_kind)solver, 2);
+        def.fluid.density = 1000;
         def.liquids[0].density = 800;
         def.liquids[1].density = 500;
         def.substeps = 8; /* which else know where a world comes from */
+        skv_world_def other = def;
+        other.fluid.density = 1500;
         skv_world *worlds[4];
-        for (int i = 0; i < 4; i++) {
-            def.fluid.density = i == 2 ? 1500 : 1000;
-            worlds[i] = make(&def);
-            fill(worlds[i], 0, 0.4f, i == 1 ? 0 : 2);
-            fill(worlds[i], 0.4f, 0.8f, 0);
-        }
-        skv_particles p = skv_world_particles(worlds[0]);
-        assert_int_equal(skv_world_set_fluids(worlds[1], 0, p.count, p.fluid, NULL), SKV_OK);
-        assert_int_equal(skv_world_set(worlds[2], "fluid.density", "1000", NULL), SKV_OK);
-        blob b = save(worlds[0]);
-        skv_world_destroy(worlds[3]);
-        def = make_def((skv_solver_kind)solver, 0);
-        worlds[3] = make(&def);
-        assert_int_equal(skv_world_restore(worlds[3], b.bytes, b.size, NULL), SKV_OK);
-        free(b.bytes);
-        for (int i = 0; i < 4; i++)
-            fixture_run(worlds[i], 10);
-        for (int i = 1; i < 4; i++)
-            assert_true(skv_world_hash(worlds[i]) == skv_world_hash(worlds[0]));
-        for (int i = 0; i < 4; i++)
-            skv_world_destroy(worlds[i]);
+        reach_by_all_ways(worlds, &def, &other, "fluid.density", "1000");
+        destroy_all(worlds);
     }
 }
 
-/* And to another viscosity: the first fluid's alone may change while it runs. */
+/* The first fluid's viscosity alone may change while it runs. */
 static void viscosities_follow(void **unused)
 {
     (void)unused;
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
         skv_world_def def = make_def((skv_solver_kind)solver, 2);
+        def.fluid.viscosity = 0.01f;
         def.liquids[0].viscosity = 0.02f;
         def.liquids[1].viscosity = 0.003f;
         def.substeps = 8;
+        skv_world_def other = def;
+        other.fluid.viscosity = 0;
         skv_world *worlds[4];
-        for (int i = 0; i < 4; i++) {
-            def.fluid.viscosity = i == 2 ? 0 : 0.01f;
-            worlds[i] = make(&def);
-            fill(worlds[i], 0, 0.3f, i == 1 ? 0 : 2);
-            fill(worlds[i], 0.3f, 0.5f, 1);
-            fill(worlds[i], 0.5f, 0.8f, 0);
-        }
-        skv_particles p = skv_world_particles(worlds[0]);
-        assert_int_equal(skv_world_set_fluids(worlds[1], 0, p.count, p.fluid, NULL), SKV_OK);
-        assert_int_equal(skv_world_set(worlds[2], "fluid.viscosity", "0.01", NULL), SKV_OK);
-        blob b = save(worlds[0]);
-        skv_world_destroy(worlds[3]);
-        def = make_def((skv_solver_kind)solver, 0);
-        worlds[3] = make(&def);
-        assert_int_equal(skv_world_restore(worlds[3], b.bytes, b.size, NULL), SKV_OK);
-        free(b.bytes);
-        for (int i = 0; i < 4; i++)
-            fixture_run(worlds[i], 10);
-        for (int i = 1; i < 4; i++)
-            assert_true(skv_world_hash(worlds[i]) == skv_world_hash(worlds[0]));
+        reach_by_all_ways(worlds, &def, &other, "fluid.viscosity", "0.01");
         assert_int_equal(skv_world_set(worlds[1], "fluid.viscosity", "0", NULL), SKV_OK);
         fixture_run(worlds[0], 5);
         fixture_run(worlds[1], 5);
         assert_true(skv_world_hash(worlds[1]) != skv_world_hash(worlds[0]));
-        for (int i = 0; i < 4; i++)
-            skv_world_destroy(worlds[i]);
+        destroy_all(worlds);
     }
 }
 
