@@ -43,6 +43,7 @@ export default defineConfig(({ mode }) => {
     const { build, plugins, alias } = mode === 'single' ? toFile : toFolder;
     return {
         root: 'page',
+        cacheDir: here('node_modules/.vite'),
         base: './',
         resolve: { alias },
         build: {

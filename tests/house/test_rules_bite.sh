@@ -5,6 +5,8 @@ set -euo pipefail
 build=$(realpath "${1:?usage: test_rules_bite.sh BUILD SOURCE}")
 source=$(realpath "${2:?usage: test_rules_bite.sh BUILD SOURCE}")
 rules=$source/tests/house
+# shellcheck source=tests/support/sources.sh
+source "$source/tests/support/sources.sh"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -12,9 +14,7 @@ bad=0
 
 fresh_copy() {
     rm -rf "$work/copy"
-    mkdir "$work/copy"
-    tar -C "$source" --exclude=node_modules -c app bench cli cmake docs examples include po scenes \
-        packaging src tests web scripts run.sh test.sh README.md CONTRIBUTING.md CHANGELOG.md LICENSE CMakeLists.txt | tar -C "$work/copy" -x
+    copy_sources "$source" "$work/copy"
 }
 
 # bites RULE WHAT EXPECTED [BUILD]: the rule must fail on the copy and say EXPECTED; then the copy is new.

@@ -7,12 +7,13 @@ build=$(realpath "${1:?usage: test_install_page.sh BUILD SOURCE}")
 cd "${2:?usage: test_install_page.sh BUILD SOURCE}"
 # shellcheck source=tests/install/lib.sh
 source tests/install/lib.sh
+# shellcheck source=tests/support/sources.sh
+source tests/support/sources.sh
 expect_output
 
 prefix=$work/local
 copy=$work/skvalp
-mkdir "$copy"
-tar -c --exclude=./build --exclude=./out --exclude=node_modules --exclude=./.git . | tar -x -C "$copy"
+copy_sources . "$copy"
 cp examples/hello.c "$copy/program.c"
 # No package of this machine is found, so that none is needed; what gets installed is.
 export PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig CMAKE_PREFIX_PATH=$prefix
