@@ -131,11 +131,72 @@ static void test_a_claim_costs_nothing(void **state)
     buffer_free(&b);
 }
 
+/* ---- Large pictures, opened ------------------------------------------------------------------ */
+
+enum { HEAD = 64, LARGE = 2048 };
+
+static size_t held, peak; /* bytes */
+
+static void *count_bytes(size_t bytes, size_t alignment, void *user)
+{
+    (void)user;
+    assert_true(alignment <= HEAD);
+    uint8_t *block = aligned_alloc(HEAD, (bytes + 2 * HEAD - 1) / HEAD * HEAD);
+    assert_non_null(block);
+    memcpy(block, &bytes, sizeof bytes);
+    held += bytes;
+    peak = held > peak ? held : peak;
+    return block + HEAD;
+}
+
+static void uncount_bytes(void *memory, void *user)
+{
+    (void)user;
+    size_t bytes;
+    memcpy(&bytes, (uint8_t *)memory - HEAD, sizeof bytes);
+    held -= bytes;
+    free((uint8_t *)memory - HEAD);
+}
+
+/* A basin of slanted walls, half full. */
+static rgb paint_basin(int x, int y, void *user)
+{
+    (void)user;
+    if (x < y / 8 || x > LARGE - y / 8)
+        return (rgb){255, 255, 255};
+    return y > LARGE / 2 ? (rgb){32, 64, 255} : (rgb){0, 0, 0};
+}
+
+/* A picture takes at most eight bytes a pixel to open, 512 MiB for the largest: its colours, four
+ * of them, go once they are read. */
+static void test_a_large_picture_is_opened_in_little(void **state)
+{
+    (void)state;
+    buffer b = write_rgb(LARGE, LARGE, paint_basin, NULL);
+    skv_set_allocator(&(skv_allocator){count_bytes, uncount_bytes, NULL});
+    held = peak = 0;
+    skv_scene *scene;
+    skv_world *world = NULL;
+    skv_error error;
+    if (skv_scene_load_memory(b.data, b.size, "png", "p.png", NULL, &scene, &error) != SKV_OK ||
+        skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    double each = (double)peak / LARGE / LARGE;
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+    assert_int_equal(held, 0);
+    skv_set_allocator(NULL);
+    buffer_free(&b);
+    if (!(each <= 8))
+        fail_msg("%.2f bytes a pixel", each);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_notes_do_not_fill_the_memory),
         cmocka_unit_test(test_a_claim_costs_nothing),
+        cmocka_unit_test(test_a_large_picture_is_opened_in_little),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

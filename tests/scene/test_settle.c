@@ -421,26 +421,18 @@ static bool count_question(void *user)
     return false;
 }
 
-/* How often settling is asked whether it is to stop: once a round and substep. The basin is cut in
- * pieces by upright walls, of which each particle has one near. */
-static int questions_of(const char *pixel)
+/* How often settling a scene is asked whether it is to stop: twice a round. */
+static int questions_of(const char *text, int particles)
 {
-    char text[1000];
-    size_t used = (size_t)snprintf(text, sizeof text,
-                                   "{\"world\":{\"width\":3.2,\"height\":3.2,\"pixel\":%s},"
-                                   "\"fluid\":{\"spacing\":0.1},\"solid\":[",
-                                   pixel);
-    for (int i = 1; i < 8; i++)
-        used += (size_t)snprintf(text + used, sizeof text - used,
-                                 "%s{\"shape\":\"box\",\"x0\":%g,\"x1\":%g}", i > 1 ? "," : "",
-                                 0.4 * i, 0.4 * i + 0.02);
-    snprintf(text + used, sizeof text - used, "],\"water\":[{\"shape\":\"box\",\"y1\":2.4}]}");
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = particles;
     skv_scene *scene;
     skv_world *world;
     skv_pool *own;
     int asked = 0;
     skv_error error;
-    if (skv_scene_load_memory(text, strlen(text), "json", "test", NULL, &scene, &error) != SKV_OK)
+    if (skv_scene_load_memory(text, strlen(text), "json", "test", &options, &scene, &error) !=
+        SKV_OK)
         fail_msg("%s", error.text);
     assert_int_equal(skv_pool_create(1, &own, NULL), SKV_OK);
     skv_pool_set_stop(own, count_question, &asked);
@@ -454,15 +446,46 @@ static int questions_of(const char *pixel)
     return asked;
 }
 
+/* The basin is cut in pieces by upright walls, of which each particle has one near. */
+static int questions_of_pieces(const char *pixel)
+{
+    char text[1000];
+    size_t used = (size_t)snprintf(text, sizeof text,
+                                   "{\"world\":{\"width\":3.2,\"height\":3.2,\"pixel\":%s},"
+                                   "\"fluid\":{\"spacing\":0.1},\"solid\":[",
+                                   pixel);
+    for (int i = 1; i < 8; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "%s{\"shape\":\"box\",\"x0\":%g,\"x1\":%g}", i > 1 ? "," : "",
+                                 0.4 * i, 0.4 * i + 0.02);
+    snprintf(text + used, sizeof text - used, "],\"water\":[{\"shape\":\"box\",\"y1\":2.4}]}");
+    return questions_of(text, 0);
+}
+
 /* Where a radius has very many pixels, each round takes long beside thin walls, and is one of
  * fewer.
  */
 static void fine_pictures_get_fewer_rounds(void **unused)
 {
     (void)unused;
-    int coarse = questions_of("0.01"), fine = questions_of("0.002");
+    int coarse = questions_of_pieces("0.01"), fine = questions_of_pieces("0.002");
     if (!(fine < coarse / 2))
         fail_msg("%d rounds, and %d in a fine picture", coarse / 2, fine / 2);
+}
+
+/* The more particles, the fewer rounds: a million begin with less work than a third of a frame's,
+ * and ten thousand, which could have 500 rounds of five millions, with half of these. */
+static void many_particles_get_few_rounds(void **unused)
+{
+    (void)unused;
+    static const struct {
+        int particles, most;
+    } cases[] = {{10000, 250}, {40000, 125}, {200000, 25}, {1000000, 20}};
+    for (int i = 0; i < (long_tests() ? 4 : 2); i++) {
+        int rounds = questions_of(pool, cases[i].particles) / 2;
+        if (!(rounds > 0 && rounds <= cases[i].most))
+            fail_msg("%d rounds of %d particles", rounds, cases[i].particles);
+    }
 }
 
 int main(void)
@@ -479,6 +502,7 @@ int main(void)
         cmocka_unit_test(levels_of_arms_stay_as_they_are_drawn),
         cmocka_unit_test(a_host_may_say_how_it_is_drawn),
         cmocka_unit_test(fine_pictures_get_fewer_rounds),
+        cmocka_unit_test(many_particles_get_few_rounds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
