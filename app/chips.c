@@ -150,6 +150,19 @@ static gboolean on_key(G_GNUC_UNUSED GtkEventControllerKey *controller, guint ke
     return GDK_EVENT_STOP;
 }
 
+/* A new chip is the last one of a row that may be wider than the window. Scrolls to it as soon as
+ * it has a place. */
+static gboolean scroll_to_new(GtkWidget *button, G_GNUC_UNUSED GdkFrameClock *clock,
+                              G_GNUC_UNUSED gpointer data)
+{
+    if (gtk_widget_get_width(button) == 0)
+        return G_SOURCE_CONTINUE;
+    GtkWidget *frame = gtk_widget_get_ancestor(button, GTK_TYPE_SCROLLED_WINDOW);
+    GtkAdjustment *way = gtk_scrolled_window_get_hadjustment(GTK_SCROLLED_WINDOW(frame));
+    gtk_adjustment_set_value(way, gtk_adjustment_get_upper(way));
+    return G_SOURCE_REMOVE;
+}
+
 static chip *add_chip(PlayChips *chips, const skv_probe *probe)
 {
     chip *c = g_new0(chip, 1);
@@ -167,6 +180,7 @@ static chip *add_chip(PlayChips *chips, const skv_probe *probe)
     g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), c);
     gtk_widget_add_controller(c->button, keys);
     gtk_box_append(chips->tray, c->button);
+    gtk_widget_add_tick_callback(c->button, scroll_to_new, NULL, NULL);
     g_ptr_array_add(chips->chips, c);
     return c;
 }

@@ -166,6 +166,19 @@ tab_to '2  Ruler'
 key Delete
 await 'not worlds[0].probes'
 
+# Ten of them: apart from each other and from walls, and the new one's chip is in sight.
+for i in {1..10}; do
+    point 60 15
+    key m
+    await "len(worlds[0].probes) == $i"
+    await 'still(middle([one.name for one in windows[0].widgets if "  Pressure  " in one.name][-1]))'
+done
+apart='for one in worlds[0].probes for two in worlds[0].probes if one.id < two.id'
+await "min(abs(complex(one.x0 - two.x0, one.y0 - two.y0)) $apart) > 0.03"
+# The row of chips takes room from the picture, whose walls keep their margin.
+lid='worlds[0].camera.originY - worlds[0].camera.scale * worlds[0].height'
+await "abs(min(worlds[0].camera.originX, $lid) - 6) < 0.1"
+
 # 4. A stopwatch runs by the water's time.
 key w
 await 'shows("Lap") and says("0.00 s")'

@@ -166,6 +166,14 @@ const trials = {
         await button(page, 'Remove').click();
         await chip.waitFor({ state: 'detached' });
         await page.locator('dialog').waitFor({ state: 'detached' });
+        // Of ten, each new one's chip is in sight.
+        for (let count = 1; count <= 10; count++) {
+            await page.keyboard.press('m');
+            await until(page, (count) => {
+                const chips = document.querySelectorAll('.chip'), last = chips[count - 1]?.getBoundingClientRect();
+                return chips.length === count && last.left >= 0 && last.right <= innerWidth;
+            }, 'the new chip is in sight', count);
+        }
     },
 
     async 'numbers are read and typed as Swedish has them'(browser) {

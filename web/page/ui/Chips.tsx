@@ -20,6 +20,9 @@ function onKey(event: KeyboardEvent, probe: Probe): void {
     event.stopPropagation();
 }
 
+/** A new one comes last, in a row that may be wider than the page. */
+const comeIntoSight = (chip: HTMLElement | null) => chip?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+
 export default function Chips() {
     const [first, second] = state.value?.worlds ?? [];
     if (!first)
@@ -34,6 +37,7 @@ export default function Chips() {
                     <button
                         type="button"
                         key={probe.id}
+                        ref={comeIntoSight}
                         class="chip"
                         data-arrows
                         aria-expanded={open}
