@@ -23,16 +23,29 @@ extern "C" {
  * be spared; and by the load. */
 SKV_API skv_result skv_world_set_gravity(skv_world *world, float gx, float gy, skv_error *error);
 
+/** A body's name: the number that it was given when it was added, never 0, which names nothing, and
+ * never given to another in the same world. It is part of the state, as skv_acting_id is. */
+typedef uint32_t skv_body_id;
+
 /** A finger or the mouse holding fluid (thesis, section 3.5): within `radius` of (x, y), and fading
  * with the distance, particles are pulled towards the point, slowed down, and carried along with
- * the pointer's velocity. */
+ * the pointer's velocity. Or it holds a body (skv_world_grasp) by a point, which follows (x, y) as
+ * a spring without swing does, and no fluid; and (x, y) goes on with the hand's velocity until it
+ * is changed. */
 typedef struct skv_hand {
     float x, y;       /**< m */
     float vx, vy;     /**< the pointer's velocity, m/s */
     float radius;     /**< m, > 0; default 0.15 */
-    float attraction; /**< m/s^2 towards the point, at half the radius; default 60 */
-    float friction;   /**< 1/s: how fast the particles' own velocity fades; default 6 */
-    float follow;     /**< 1/s: how fast they take the pointer's velocity; default 6 */
+    float attraction; /**< m/s^2 towards the point, at half the radius; default 60. At most so much
+                         for a body and as much fluid as it displaces */
+    float friction;   /**< 1/s: how fast the particles' own velocity fades; default 6. For a body
+                         its swing about the point */
+    float follow;     /**< 1/s: how fast they take the pointer's velocity; default 6. For a body the
+                         frequency of the spring, as an angle */
+    skv_body_id body; /**< 0, the default: fluid; else the body that is held, or nothing if that is
+                         gone or fixed */
+    float at_x, at_y; /**< m: where it is held, about its centre of mass as it lies when its angle
+                         is 0; each -100..100 */
 } skv_hand;
 
 SKV_API skv_hand skv_default_hand(void);

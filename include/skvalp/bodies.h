@@ -9,6 +9,7 @@
 #ifndef SKVALP_BODIES_H
 #define SKVALP_BODIES_H
 
+#include "skvalp/acting.h"
 #include "skvalp/area.h"
 #include "skvalp/base.h"
 #include "skvalp/world.h"
@@ -18,10 +19,6 @@ extern "C" {
 #endif
 
 #define SKV_MAX_BODIES 64 /**< in a world at once */
-
-/** A body's name: the number that it was given when it was added, never 0, which names nothing, and
- * never given to another in the same world. It is part of the state, as skv_acting_id is. */
-typedef uint32_t skv_body_id;
 
 /** How to make a body. Initialise with skv_default_body_def. */
 typedef struct skv_body_def {
@@ -89,6 +86,11 @@ SKV_API skv_result skv_world_set_body_pose(skv_world *world, skv_body_id id, flo
 /** Sets how a body moves, in the ranges of skv_body_def; a fixed one goes on like that. */
 SKV_API skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float vx, float vy,
                                                float spin, skv_error *error);
+
+/** Makes `*hand` hold the body that lies nearest to (x, y), m, at that point, which may lie beside
+ * it: not farther than `reach`, m, which is cut to a smoothing radius. Fixed ones are passed over.
+ * False, and `*hand` holds no body, if there is none. The hand's other members stay as they are. */
+SKV_API bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_hand *hand);
 
 #ifdef __cplusplus
 }

@@ -104,7 +104,7 @@ static void wake_for_acting(skv_world *world)
     }
     for (int k = 0; k < world->acting.hand_count; k++) {
         const skv_hand *hand = &world->acting.hands[k];
-        for (int i = 0; i < p->count; i++) {
+        for (int i = 0; !hand->body && i < p->count; i++) {
             float x = p->x[i] - hand->x, y = p->y[i] - hand->y;
             if (x * x + y * y < hand->radius * hand->radius)
                 skv_sleep_wake(world, i);

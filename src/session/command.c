@@ -7,6 +7,7 @@
 #include "skvalp/parameters.h"
 #include "skvalp/particles.h"
 #include "world/forces.h"
+#include "world/hands.h"
 #include "world/liquids.h"
 
 #include <string.h>
@@ -58,15 +59,32 @@ static void code_hand(skv_hand *hand, const skv_hand *last, const skv_hand *befo
     skv_code_float(coder, &hand->follow, last->follow, SKV_UNIT_SPEED);
 }
 
+/* The first byte of hands, of which some hold bodies. */
+enum { HOLDING = 128 };
+
+static uint64_t begin_hands(const skv_hands *hands)
+{
+    uint64_t begin = (uint64_t)hands->count;
+    for (int i = 0; i < hands->count; i++)
+        if (hands->list[i].body)
+            begin |= HOLDING;
+    return begin;
+}
+
 static bool code_hands(skv_command *command, const skv_command *last, skv_coder *coder)
 {
-    uint64_t count = (uint64_t)command->hands.count;
-    skv_exchange(&coder->port, &count, 1);
+    uint64_t begin = begin_hands(&command->hands), count;
+    skv_exchange(&coder->port, &begin, 1);
+    count = begin & ~(uint64_t)HOLDING;
     if (count > SKV_MAX_HANDS)
         return false;
     command->hands.count = (int)count;
-    for (int i = 0; i < command->hands.count; i++)
-        code_hand(&command->hands.list[i], &last[0].hands.list[i], &last[1].hands.list[i], coder);
+    for (int i = 0; i < command->hands.count; i++) {
+        skv_hand *hand = &command->hands.list[i];
+        code_hand(hand, &last[0].hands.list[i], &last[1].hands.list[i], coder);
+        if (begin & HOLDING)
+            skv_exchange_held(&coder->port, hand);
+    }
     return true;
 }
 

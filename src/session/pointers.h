@@ -26,10 +26,11 @@ typedef struct skv_pointer {
     double pressure;
     double start_x, start_y;     /* where it went down */
     double held_x, held_y;       /* where a hand holds, which follows the pointer */
+    skv_hand hold;               /* what it holds */
     double done_x, done_y;       /* up to where a brush has drawn */
     double way[SKV_MOST_WAY][2]; /* points on the way from there to (x, y), for brushes */
     int way_count;
-    bool begun; /* a brush has drawn */
+    bool begun; /* a brush has drawn, a hand has closed */
 } skv_pointer;
 
 typedef struct skv_pointers {

@@ -10,6 +10,7 @@
 
 #include "base/assert.h"
 #include "skvalp/base.h"
+#include "skvalp/bodies.h"
 
 /* What a hand does (docs/stage.md): it carries water at several metres a second. */
 #define HAND_ATTRACTION 300.0f /* m/s^2 */
@@ -18,6 +19,11 @@
 #define FASTEST_HAND    10.0   /* m/s; faster, the fluid would only tear off */
 #define SLOW_HAND       2.0    /* m/s of the world's time, in slow motion: it keeps its water */
 #define FRAME           (1.0 / 60)
+
+/* What it does to a body: that is drawn as water is, and stops swinging within a second. */
+#define BODY_FRICTION 10.0f /* 1/s */
+/* How far from its middle a hand feels for one, of its radius: a finger covers what it aims at. */
+#define FEELS 0.1
 
 /* Shares of the world's longer side. */
 #define HAND_SHARE  0.1
@@ -342,6 +348,15 @@ void skv_tools_cancel(skv_toolbox *box)
 
 /* ---- Frames ---------------------------------------------------------------------------------- */
 
+/* What it holds is what lies where it went down: a body, or else water. */
+static void grasp(const skv_toolbox *box, const skv_world *world, skv_pointer *pointer)
+{
+    pointer->begun = true;
+    pointer->hold = skv_default_hand();
+    float reach = (float)(FEELS * skv_tools_radius(box, pointer->tool));
+    skv_world_grasp(world, (float)pointer->start_x, (float)pointer->start_y, reach, &pointer->hold);
+}
+
 /* What is held follows the pointer. In slow motion a finger moves fast for the water, which would
  * lose it: then it follows at a pace that water can keep, and both show. */
 static skv_hand hold(const skv_toolbox *box, skv_pointer *pointer, const skv_slice *slice)
@@ -361,24 +376,28 @@ static skv_hand hold(const skv_toolbox *box, skv_pointer *pointer, const skv_sli
         vy = y / FRAME;
     }
     limit(&vx, &vy, fastest);
-    skv_hand hand = skv_default_hand();
+    skv_hand hand = pointer->hold;
     hand.x = (float)pointer->held_x;
     hand.y = (float)pointer->held_y;
     hand.vx = (float)whole_steps(vx, box->steps.speed);
     hand.vy = (float)whole_steps(vy, box->steps.speed);
     hand.radius = (float)skv_tools_radius(box, pointer->tool);
     hand.attraction = HAND_ATTRACTION;
-    hand.friction = HAND_FRICTION;
+    hand.friction = hand.body ? BODY_FRICTION : HAND_FRICTION;
     hand.follow = HAND_FOLLOW;
     return hand;
 }
 
-int skv_tools_frame(skv_toolbox *box, const skv_slice *slice, skv_hand hands[SKV_MAX_HANDS])
+int skv_tools_frame(skv_toolbox *box, const skv_world *world, const skv_slice *slice,
+                    skv_hand hands[SKV_MAX_HANDS])
 {
     int count = 0;
     for (int i = 0; i < box->pointers.count; i++) {
         skv_pointer *pointer = &box->pointers.list[i];
-        if (!tools[pointer->tool].draw)
+        bool holds = !tools[pointer->tool].draw;
+        if (holds && !pointer->begun)
+            grasp(box, world, pointer);
+        if (holds)
             hands[count++] = hold(box, pointer, slice);
         else if (tools[pointer->tool].goes_on && !waits_for_end(pointer))
             draw_way(box, pointer);
@@ -432,7 +451,8 @@ static int mark_pointer(const skv_toolbox *box, const skv_pointer *p, skv_mark *
             marks[count++] = segment(SKV_MARK_BRUSH, p->start_x, p->start_y, p->x, p->y);
         return count;
     }
-    marks[count++] = circle(SKV_MARK_HAND, p->held_x, p->held_y, radius);
+    marks[count++] =
+        circle(SKV_MARK_HAND, p->held_x, p->held_y, p->hold.body ? FEELS * radius : radius);
     if (hypot(p->x - p->held_x, p->y - p->held_y) > 0.1 * radius) {
         marks[count++] = segment(SKV_MARK_HAND, p->held_x, p->held_y, p->x, p->y);
         marks[count] = circle(SKV_MARK_HAND, p->x, p->y, 0);

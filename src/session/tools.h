@@ -43,8 +43,10 @@ void skv_tools_cancel(skv_toolbox *box);
 /* What brushes have to draw of the ways that their pointers have gone. */
 void skv_tools_draw(skv_toolbox *box);
 
-/* Before a frame is stepped: moves on what hands hold, and draws. Writes the hands that act. */
-int skv_tools_frame(skv_toolbox *box, const skv_slice *slice, skv_hand hands[SKV_MAX_HANDS]);
+/* Before a frame of a world is stepped: moves on what hands hold, and draws. Writes the hands that
+ * act. */
+int skv_tools_frame(skv_toolbox *box, const skv_world *world, const skv_slice *slice,
+                    skv_hand hands[SKV_MAX_HANDS]);
 
 /* Whether anything happens while the world rests. */
 bool skv_tools_busy(const skv_toolbox *box);

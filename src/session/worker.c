@@ -293,7 +293,8 @@ static bool play_frame(skv_worker *worker, const skv_slice *slice)
     }
     if (worker->tilt_pending)
         tilt(worker);
-    give_hands(worker, hands, skv_tools_frame(&worker->tools, slice, hands));
+    const skv_world *world = skv_player_world(worker->player);
+    give_hands(worker, hands, skv_tools_frame(&worker->tools, world, slice, hands));
     if (!step_frame(worker))
         return false;
     if (!worker->following || !is_at_end(worker))

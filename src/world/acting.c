@@ -15,7 +15,8 @@ int skv_make_external_forces(const skv_acting *acting, float h, float dt,
 {
     int count = 0;
     for (int i = 0; i < acting->hand_count; i++)
-        forces[count++] = skv_hand_force(&acting->hands[i], dt);
+        if (!acting->hands[i].body)
+            forces[count++] = skv_hand_force(&acting->hands[i], dt);
     for (int i = 0; i < acting->force_count; i++)
         forces[count++] = skv_field_force(&acting->forces[i], h, dt);
     for (int i = 0; i < acting->emitter_count; i++)

@@ -225,6 +225,7 @@ void skv_bodies_feel(skv_world *world, double dt)
         r->spin += moment / r->inertia;
     }
     skv_bodies_press_films(world, dt);
+    skv_bodies_follow_hands(world, dt);
     b->felt += dt;
     skv_bodies_solve_contacts(world, dt);
     skv_bodies_show(world); /* at rest, for who asks between substeps */

@@ -114,6 +114,9 @@ skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies
 /* body_film.c: the pressure of films between bodies and walls acts on these for `dt`. */
 void skv_bodies_press_films(const skv_world *world, double dt);
 
+/* body_grip.c: hands pull at what they hold for `dt`, and move on. */
+void skv_bodies_follow_hands(skv_world *world, double dt);
+
 /* body_contacts.c: lets no body move into the terrain or another in the next `dt`. */
 void skv_bodies_solve_contacts(const skv_world *world, double dt);
 

@@ -1,5 +1,5 @@
-/* What a host does with bodies: adding, setting, looking, taking away. Invariant: nothing changes
- * on failure; where a body is put no particle is left inside it. */
+/* What a host does with bodies: adding, setting, looking, taking hold and away. Invariant: nothing
+ * changes on failure; where a body is put no particle is left inside it. */
 #include "world/bodies.h"
 
 #include "base/assert.h"
@@ -245,4 +245,27 @@ skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float v
     world->bodies->set = true;
     skv_bodies_show(world);
     return SKV_OK;
+}
+
+bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_hand *hand)
+{
+    SKV_ASSERT_OR(world && hand, false);
+    int nearest = -1;
+    float least = skv_minf(reach, world->h);
+    hand->body = 0;
+    for (int k = 0; k < skv_world_has_bodies(world); k++) {
+        float distance = skv_body_distance(world, k, x, y);
+        if (!(distance <= least) || world->bodies->body[k].fixed)
+            continue;
+        least = distance;
+        nearest = k;
+    }
+    if (nearest < 0)
+        return false;
+    const skv_rigid *r = &world->bodies->body[nearest];
+    double rx = (double)x - r->x, ry = (double)y - r->y;
+    hand->body = r->id;
+    hand->at_x = (float)(r->cos * rx + r->sin * ry);
+    hand->at_y = (float)(r->cos * ry - r->sin * rx);
+    return true;
 }

@@ -30,6 +30,9 @@ skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error)
                             "hand %d: radius (0..100 m], attraction +-10000 m/s^2, friction and "
                             "follow 0..10000 1/s are allowed",
                             i);
+        if (!skv_within((double)h->at_x, -100, 100) || !skv_within((double)h->at_y, -100, 100))
+            return skv_fail(error, SKV_ERROR_VALUE,
+                            "hand %d: where it holds its body is not finite or beyond 100 m", i);
     }
     return SKV_OK;
 }
@@ -76,6 +79,30 @@ static void exchange(skv_port *port, skv_hand *hand)
                              &hand->radius, &hand->attraction, &hand->friction, &hand->follow};
     for (int i = 0; i < 8; i++)
         skv_exchange_float(port, values[i]);
+}
+
+bool skv_hands_hold_bodies(const skv_acting *acting)
+{
+    for (int i = 0; i < acting->hand_count; i++)
+        if (acting->hands[i].body)
+            return true;
+    return false;
+}
+
+void skv_exchange_held(skv_port *port, skv_hand *hand)
+{
+    uint64_t body = hand->body;
+    skv_exchange(port, &body, 4);
+    hand->body = (skv_body_id)body;
+    skv_exchange_float(port, &hand->at_x);
+    skv_exchange_float(port, &hand->at_y);
+}
+
+skv_result skv_exchange_holds(skv_port *port, skv_acting *acting, skv_error *error)
+{
+    for (int i = 0; i < acting->hand_count; i++)
+        skv_exchange_held(port, &acting->hands[i]);
+    return skv_check_hands(acting->hands, acting->hand_count, error);
 }
 
 skv_result skv_exchange_hands(skv_port *port, skv_acting *acting, skv_error *error)

@@ -9,6 +9,7 @@
 #include "base/envelope.h"
 #include "terrain/terrain.h"
 #include "world/bodies.h"
+#include "world/hands.h"
 #include "world/liquids.h"
 #include "world/names.h"
 #include "world/parameters.h"
@@ -22,14 +23,16 @@ enum {
     WITH_LOAD = 4,
     WITH_WARM = 8,
     WITH_NAMES = 16,
-    WITH_RAMP = 32,   /* of a world on its way, so that others are read by older libraries */
-    WITH_FLUIDS = 64, /* of a world with several fluids, likewise */
-    WITH_BODIES = 128 /* of a world that has had bodies, likewise */
+    WITH_RAMP = 32,    /* of a world on its way, so that others are read by older libraries */
+    WITH_FLUIDS = 64,  /* of a world with several fluids, likewise */
+    WITH_BODIES = 128, /* of a world that has had bodies, likewise */
+    WITH_HOLDS = 256   /* of one whose hands hold some, likewise */
 };
 
 static const skv_envelope kind = {"snapshot", 'V', 1, 1,
                                   WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
-                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES};
+                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES |
+                                      WITH_HOLDS};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -81,6 +84,8 @@ static void put_facts(skv_writer *w, const skv_world *world)
     skv_acting acting = world->acting;
     skv_exchange_acting(&(skv_port){.to = w}, &acting, world->fluid_count, NULL);
     skv_exchange_names(&(skv_port){.to = w}, &acting, NULL);
+    if (skv_hands_hold_bodies(&acting))
+        skv_exchange_holds(&(skv_port){.to = w}, &acting, NULL);
     if (world->bodies)
         skv_bodies_save(w, world->bodies);
 }
@@ -147,6 +152,7 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
         w, &kind,
         WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
             (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
+            (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
             (world->bodies ? WITH_BODIES : 0u) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
@@ -202,6 +208,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_names = flags & WITH_NAMES;
     s->with_ramp = flags & WITH_RAMP;
     s->with_fluids = flags & WITH_FLUIDS;
+    s->with_holds = flags & WITH_HOLDS;
     s->with_bodies = flags & WITH_BODIES;
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
                (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u);
@@ -295,6 +302,8 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
         result = skv_exchange_names(&(skv_port){.from = r}, &s->acting, error);
     else
         skv_acting_rename(&s->acting);
+    if (result == SKV_OK && s->with_holds)
+        result = skv_exchange_holds(&(skv_port){.from = r}, &s->acting, error);
     s->bodies = *r;
     if (result == SKV_OK && s->with_bodies)
         return skv_bodies_check(r, s->def.fluid.spacing, error);

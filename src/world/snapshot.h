@@ -9,7 +9,7 @@
 /* What a snapshot says, its particles apart. */
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
-    bool substeps_fixed, with_load, with_names, with_ramp, with_fluids, with_bodies;
+    bool substeps_fixed, with_load, with_names, with_ramp, with_fluids, with_holds, with_bodies;
     unsigned holds; /* of the particles' attributes: skv_saved */
     skv_load load;
     skv_ramp ramp;

@@ -123,8 +123,14 @@ static void allowed_violence_is_survived(void **unused)
     for (int law = SKV_LAW_CALIBRATED; law <= SKV_LAW_CLAVET; law++) {
         skv_world *world = fixture_dam((skv_law)law, 0.025f, 1);
         for (int f = 0; f < 60; f++) {
-            skv_hand hand = {0.4f,  0.2f, 1000, -1000, 2, f % 2 ? 10000.0f : -10000.0f,
-                             10000, 10000};
+            skv_hand hand = {.x = 0.4f,
+                             .y = 0.2f,
+                             .vx = 1000,
+                             .vy = -1000,
+                             .radius = 2,
+                             .attraction = f % 2 ? 10000.0f : -10000.0f,
+                             .friction = 10000,
+                             .follow = 10000};
             float gravity = f % 3 ? 1000.0f : -1000.0f;
             assert_int_equal(skv_world_set_hands(world, &hand, f % 4 < 2, NULL), SKV_OK);
             assert_int_equal(skv_world_set_gravity(world, gravity, -gravity, NULL), SKV_OK);

@@ -56,6 +56,12 @@ float skv_bodies_distance(const skv_world *world, float x, float y)
     return INFINITY;
 }
 
+bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_hand *hand)
+{
+    (void)world, (void)x, (void)y, (void)reach, (void)hand;
+    return false;
+}
+
 void skv_bodies_take_over(skv_world *world, skv_bodies *bodies)
 {
     (void)world, (void)bodies;

@@ -1,0 +1,83 @@
+/* Hands that hold bodies by a point.
+ *
+ * A spring without swing draws the point to the hand and gives it the hand's velocity, with as much
+ * mass as moves there: of the body, the lever counted, and of the fluid that has to make way, taken
+ * as what the body displaces. It is taken at the substep's end, so it is stable whatever its
+ * frequency, and two hands at one body take their turns. Contacts come after it and undo what leads
+ * into a wall. What is longer than the spring that the hand's strength stretches pulls no more, so
+ * against the hand a body is never faster than half of that length times the frequency.
+ *
+ * A hand goes on with its velocity until the next is told, else the body would lag by half of what
+ * it goes between two.
+ *
+ * Invariant: hands act in their order; who lets go leaves the body what velocity it has.
+ */
+#include "base/exact.h"
+#include "world/bodies.h"
+
+#include <math.h>
+
+/* Cuts a vector to a length. */
+static void cut(double *x, double *y, double most)
+{
+    double length = sqrt(*x * *x + *y * *y);
+    if (length > most) {
+        *x *= most / length;
+        *y *= most / length;
+    }
+}
+
+/* Gives the point (rx, ry) beside the centre of mass another velocity, by an impulse there that is
+ * cut to `most`. */
+static void change(skv_rigid *r, double rx, double ry, double dvx, double dvy, double most)
+{
+    double mass = 1 / r->mass, inertia = 1 / r->inertia;
+    double xx = mass + inertia * ry * ry, xy = -inertia * rx * ry, yy = mass + inertia * rx * rx;
+    double area = xx * yy - xy * xy;
+    double x = (yy * dvx - xy * dvy) / area, y = (xx * dvy - xy * dvx) / area;
+    cut(&x, &y, most);
+    r->vx += mass * x;
+    r->vy += mass * y;
+    r->spin += inertia * (rx * y - ry * x);
+}
+
+static void pull(skv_rigid *r, const skv_hand *hand, double density, double dt)
+{
+    double strength = (double)hand->attraction, follow = (double)hand->follow;
+    if (strength <= 0 || follow <= 0)
+        return;
+    double rx = r->cos * (double)hand->at_x - r->sin * (double)hand->at_y;
+    double ry = r->sin * (double)hand->at_x + r->cos * (double)hand->at_y;
+    double away_x = r->x + rx - (double)hand->x, away_y = r->y + ry - (double)hand->y;
+    double vx = r->vx - r->spin * ry - (double)hand->vx;
+    double vy = r->vy + r->spin * rx - (double)hand->vy;
+    double share = 1 + density / (double)r->density, turns = dt * follow;
+    double stiff = share * turns * follow, damped = 1 + share * turns * (2 + turns);
+    cut(&away_x, &away_y, strength / (follow * follow));
+    double wanted_x = (vx - stiff * away_x) / damped, wanted_y = (vy - stiff * away_y) / damped;
+    change(r, rx, ry, wanted_x - vx, wanted_y - vy, dt * strength * share * r->mass);
+    double lever = 1 + r->mass * (rx * rx + ry * ry) / r->inertia;
+    r->spin /= 1 + dt * (double)hand->friction * lever;
+}
+
+/* Not beyond where a hand may be. */
+static float move_on(float at, float speed, double dt)
+{
+    return (float)skv_max(skv_min((double)at + dt * (double)speed, 1000), -1000);
+}
+
+void skv_bodies_follow_hands(skv_world *world, double dt)
+{
+    for (int i = 0; i < world->acting.hand_count; i++) {
+        skv_hand *hand = &world->acting.hands[i];
+        for (int k = 0; hand->body && k < world->bodies->count; k++) {
+            skv_rigid *r = &world->bodies->body[k];
+            if (r->id == hand->body && !r->fixed)
+                pull(r, hand, (double)world->fluid.density, dt);
+        }
+        if (hand->body) {
+            hand->x = move_on(hand->x, hand->vx, dt);
+            hand->y = move_on(hand->y, hand->vy, dt);
+        }
+    }
+}

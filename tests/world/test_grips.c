@@ -1,0 +1,356 @@
+/* Hands that hold bodies: these follow, hang still, fly on when they are let go, and come through
+ * no wall; the same bits on any threads, and from a snapshot on. */
+#include "support/fixture.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#define SPACING 0.0155f
+#define EARTH   9.81
+/* As strong and as quick as those of people (session/tools.c). */
+#define STRENGTH 300.0f
+#define FOLLOW   40.0f
+
+/* A tank of 1.2 x 0.8 m with water of a depth, and a wall of 5 mm at 0.6 m if asked for. */
+static skv_world *make_tank(int threads, skv_instruction_set set, float depth, bool wall)
+{
+    skv_terrain_def terrain = skv_default_terrain_def();
+    terrain.width = 480;
+    terrain.height = 320;
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, SPACING, threads);
+    def.instruction_set = set;
+    assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
+    skv_world *world;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    if (wall) {
+        skv_terrain *painted;
+        skv_brush_stroke stroke = {
+            .x0 = 0.6f, .x1 = 0.6f, .y0 = -0.1f, .y1 = 0.9f, .radius = 0.0025f};
+        assert_int_equal(skv_terrain_paint(skv_world_terrain(world), &stroke, 1, &painted, NULL),
+                         SKV_OK);
+        assert_int_equal(skv_world_set_terrain(world, painted, NULL, NULL), SKV_OK);
+    }
+    if (depth > 0)
+        fixture_fill(world, 0, 0, 1.2f, depth);
+    return world;
+}
+
+static skv_world *make_dry(void)
+{
+    return make_tank(1, SKV_ISA_BEST, 0, false);
+}
+
+/* A box of 0.1 m. */
+static skv_body_id add(skv_world *world, float x, float y, float density)
+{
+    skv_body_def def = skv_default_body_def();
+    def.x = x;
+    def.y = y;
+    def.density = density;
+    skv_body_id id;
+    assert_int_equal(skv_world_add_body(world, &def, &id, NULL, NULL), SKV_OK);
+    return id;
+}
+
+static skv_body look(const skv_world *world, skv_body_id id)
+{
+    skv_body body;
+    assert_true(skv_world_body(world, id, &body));
+    return body;
+}
+
+static skv_hand grasp(const skv_world *world, float x, float y)
+{
+    skv_hand hand = skv_default_hand();
+    hand.x = x;
+    hand.y = y;
+    hand.attraction = STRENGTH;
+    hand.follow = FOLLOW;
+    assert_true(skv_world_grasp(world, x, y, 0, &hand));
+    return hand;
+}
+
+/* A frame with hands, which move on. */
+static void hold(skv_world *world, skv_hand *hands, int count)
+{
+    assert_int_equal(skv_world_set_hands(world, hands, count, NULL), SKV_OK);
+    fixture_run(world, 1);
+    for (int i = 0; i < count; i++) {
+        hands[i].x += hands[i].vx / 60;
+        hands[i].y += hands[i].vy / 60;
+    }
+}
+
+static void let_go(skv_world *world)
+{
+    assert_int_equal(skv_world_set_hands(world, NULL, 0, NULL), SKV_OK);
+}
+
+/* In the air, at 3 m/s to the right; thrown upwards it rises as high as its speed says. */
+static void bodies_follow_and_fly_on(void **unused)
+{
+    (void)unused;
+    static const float densities[] = {10, 500, 7850};
+    for (int k = 0; k < 3; k++) {
+        skv_world *world = make_dry();
+        skv_body_id id = add(world, 0.1f, 0.3f, densities[k]);
+        skv_hand hand = grasp(world, 0.1f, 0.3f);
+        hand.vx = 2;
+        hand.vy = 1;
+        for (int f = 0; f < 15; f++) {
+            hold(world, &hand, 1);
+            skv_body body = look(world, id);
+            double behind = hypot((double)(body.x - hand.x), (double)(body.y - hand.y));
+            assert_true(f < 6 || behind < 0.02);
+        }
+        let_go(world);
+        skv_body before = look(world, id);
+        assert_near((double)before.vx, 2, 0.15);
+        assert_near((double)before.vy, 1, 0.25);
+        fixture_run(world, 6);
+        skv_body after = look(world, id);
+        assert_near((double)after.vx, (double)before.vx, 1e-3);
+        assert_near((double)after.vy, (double)before.vy - 0.1 * EARTH, 1e-2);
+        assert_near((double)(after.x - before.x), 0.1 * (double)before.vx, 1e-3);
+        skv_world_destroy(world);
+    }
+}
+
+/* Held by a corner it hangs below the hand and stops swinging; in water, cork stays down. */
+static void what_is_held_hangs_still(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_dry();
+    skv_body_id id = add(world, 0.6f, 0.4f, 1900);
+    skv_hand hand = grasp(world, 0.64f, 0.44f);
+    hand.friction = 10;
+    for (int f = 0; f < 240; f++)
+        hold(world, &hand, 1);
+    skv_body body = look(world, id);
+    assert_near((double)body.x, 0.64, 1e-3);
+    /* Its weight stretches the spring. */
+    double sag = EARTH / (double)(FOLLOW * FOLLOW) / (1 + 1000.0 / 1900);
+    assert_near((double)body.y, 0.44 - 0.04 * sqrt(2) - sag, 5e-4);
+    assert_true(hypot((double)body.vx, (double)body.vy) < 1e-3 && fabs((double)body.spin) < 0.01);
+    skv_world_destroy(world);
+
+    world = make_tank(1, SKV_ISA_BEST, 0.4f, false);
+    id = add(world, 0.6f, 0.5f, 100);
+    hand = grasp(world, 0.6f, 0.5f);
+    hand.vy = -0.5f;
+    for (int f = 0; f < 120; f++) {
+        hold(world, &hand, 1);
+        if (f == 35)
+            hand.vy = 0;
+    }
+    body = look(world, id);
+    assert_near((double)body.y, 0.2, 0.01);
+    let_go(world);
+    fixture_run(world, 90);
+    assert_true((double)look(world, id).y > 0.33);
+    skv_world_destroy(world);
+}
+
+/* To and fro between the two sides of a thin wall, in jumps and as fast as a hand goes, and into
+ * floor and corners. */
+static void walls_hold_what_is_held(void **unused)
+{
+    (void)unused;
+    static const float densities[] = {10,  500, 7850,
+                                      100, 500, 7850}; /* what is dry, and in water */
+    static const float places[][2] = {{0.9f, 0.4f},  {1.3f, -0.2f}, {0.3f, -0.5f},
+                                      {-0.5f, 0.4f}, {0.3f, 1.5f},  {0.7f, 0.1f}};
+    for (int k = 0; k < 6; k++) {
+        skv_world *world = make_tank(1, SKV_ISA_BEST, k < 3 ? 0 : 0.3f, true);
+        skv_body_id id = add(world, 0.3f, 0.5f, densities[k]);
+        skv_hand hand = grasp(world, 0.33f, 0.54f);
+        double deepest = 0;
+        for (int f = 0; f < 180; f++) {
+            const float *to = places[f / 30];
+            float x = to[0] - hand.x, y = to[1] - hand.y, way = sqrtf(x * x + y * y);
+            float speed = k % 2 ? 10 : 60 * way;
+            hand.vx = way > speed / 60 ? speed * x / way : 0;
+            hand.vy = way > speed / 60 ? speed * y / way : 0;
+            hold(world, &hand, 1);
+            skv_body body = look(world, id);
+            if (k == 3)
+                print_message("%d: %g %g  v %g %g spin %g sub %d\n", f, (double)body.x,
+                              (double)body.y, (double)body.vx, (double)body.vy, (double)body.spin,
+                              skv_world_substeps_per_frame(world));
+            assert_true((double)body.x < 0.6);
+            for (int c = 0; c < body.corners; c++) {
+                float cx = body.outline[2 * c], cy = body.outline[2 * c + 1];
+                float px = body.x + cosf(body.angle) * cx - sinf(body.angle) * cy;
+                float py = body.y + sinf(body.angle) * cx + cosf(body.angle) * cy;
+                double in = fmax(fmax(-(double)px, -(double)py),
+                                 fmax((double)px - 0.5975, (double)py - 0.8));
+                deepest = fmax(deepest, in);
+            }
+        }
+        assert_true(deepest < 0.003);
+        skv_stats stats = skv_world_stats(world);
+        assert_int_equal(stats.not_finite, 0);
+        assert_int_equal(stats.escaped, 0);
+        skv_world_destroy(world);
+    }
+}
+
+/* Two hands turn one body, which lies between them as they take their turns. */
+static void hands_share_a_body(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_dry();
+    skv_body_id id = add(world, 0.6f, 0.4f, 500);
+    skv_hand hands[2] = {grasp(world, 0.56f, 0.4f), grasp(world, 0.64f, 0.4f)};
+    for (int f = 0; f < 120; f++) {
+        hands[0].vy = f < 60 ? -0.06f : 0;
+        hands[1].vy = f < 60 ? 0.06f : 0;
+        hold(world, hands, 2);
+    }
+    skv_body body = look(world, id);
+    assert_near((double)body.angle, atan(0.06 / 0.04), 0.05);
+    assert_near((double)body.x, 0.6, 0.01);
+    assert_true(hypot((double)body.vx, (double)body.vy) < 1e-3 && fabs((double)body.spin) < 0.01);
+    skv_world_destroy(world);
+}
+
+/* A hand that holds a body holds no water, and wakes none. */
+static void what_holds_a_body_holds_no_water(void **unused)
+{
+    (void)unused;
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 2, 0.03f, 1);
+    def.sleep = true;
+    skv_world *world = fixture_dam_of(&def);
+    skv_hand hand = skv_default_hand();
+    for (int f = 0; f < 2400 && skv_world_awake_count(world) > 0; f++)
+        fixture_run(world, 1);
+    assert_int_equal(skv_world_awake_count(world), 0);
+    hand.x = 0.5f;
+    hand.y = 0.1f;
+    hand.body = 7; /* there is none */
+    assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+    fixture_run(world, 2);
+    assert_int_equal(skv_world_awake_count(world), 0);
+    hand.body = 0;
+    assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+    fixture_run(world, 2);
+    assert_true(skv_world_awake_count(world) > 0);
+    skv_world_destroy(world);
+}
+
+static skv_world *make_busy(int threads, skv_instruction_set set)
+{
+    skv_world *world = make_tank(threads, set, 0.3f, false);
+    add(world, 0.3f, 0.5f, 240);
+    add(world, 0.8f, 0.6f, 1900);
+    return world;
+}
+
+/* Stirs with the one and the other from frame to frame. */
+static void stir(skv_world *world, int from, int to)
+{
+    skv_hand hands[2] = {grasp(world, look(world, 1).x, look(world, 1).y),
+                         grasp(world, look(world, 2).x, look(world, 2).y)};
+    for (int f = from; f < to; f++) {
+        hands[0].x = 0.3f + 0.004f * (float)f;
+        hands[0].y = f % 30 < 15 ? 0.2f : 0.3f;
+        hands[1].x = 0.8f - 0.006f * (float)f;
+        hands[1].y = 0.2f;
+        hold(world, hands, 2);
+    }
+}
+
+static void bits_are_the_same(void **unused)
+{
+    (void)unused;
+    static const struct {
+        int threads;
+        skv_instruction_set set;
+    } ways[] = {{1, SKV_ISA_BEST}, {2, SKV_ISA_BEST}, {3, SKV_ISA_SCALAR}};
+    uint64_t hash = 0;
+    for (int k = 0; k < 3; k++) {
+        skv_world *world = make_busy(ways[k].threads, ways[k].set);
+        stir(world, 0, 60);
+        if (k == 0)
+            hash = skv_world_hash(world);
+        assert_true(skv_world_hash(world) == hash);
+        skv_world_destroy(world);
+    }
+}
+
+static void snapshots_hold_what_hands_hold(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_busy(1, SKV_ISA_BEST), *copy;
+    stir(world, 0, 20);
+    assert_int_equal(skv_world_copy(world, NULL, &copy, NULL), SKV_OK);
+    int count;
+    const skv_hand *hands = skv_world_hands(copy, &count);
+    assert_int_equal(count, 2);
+    assert_int_equal(hands[1].body, 2);
+    fixture_run(world, 20);
+    fixture_run(copy, 20);
+    assert_true(skv_world_hash(copy) == skv_world_hash(world));
+    skv_world_destroy(world);
+    skv_world_destroy(copy);
+}
+
+static void what_cannot_be_held_is_not(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_dry();
+    skv_hand hand = skv_default_hand();
+    assert_false(skv_world_grasp(world, 0.5f, 0.5f, 1, &hand));
+    skv_body_id id = add(world, 0.5f, 0.5f, 500);
+    assert_false(skv_world_grasp(world, 0.56f, 0.5f, 0.005f, &hand));
+    assert_int_equal(hand.body, 0);
+    assert_true(skv_world_grasp(world, 0.56f, 0.5f, 0.02f, &hand));
+    assert_int_equal(hand.body, id);
+    assert_near((double)hand.at_x, 0.06, 1e-6);
+    assert_true(hand.radius == skv_default_hand().radius);
+
+    /* What is fixed stays, and who holds what has gone does nothing. */
+    skv_body_def def = skv_default_body_def();
+    def.x = 0.9f;
+    def.y = 0.5f;
+    def.fixed = true;
+    skv_body_id fixed;
+    assert_int_equal(skv_world_add_body(world, &def, &fixed, NULL, NULL), SKV_OK);
+    skv_hand other = hand;
+    assert_false(skv_world_grasp(world, 0.9f, 0.5f, 0.01f, &other));
+    other.body = fixed;
+    assert_int_equal(skv_world_set_hands(world, &other, 1, NULL), SKV_OK);
+    fixture_run(world, 10);
+    assert_near((double)look(world, fixed).x, 0.9, 1e-7);
+    assert_true(skv_world_remove_body(world, id));
+    assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+    fixture_run(world, 10);
+
+    hand.at_y = NAN;
+    skv_error error;
+    assert_int_equal(skv_world_set_hands(world, &hand, 1, &error), SKV_ERROR_VALUE);
+    assert_string_equal(error.text,
+                        "hand 0: where it holds its body is not finite or beyond 100 m");
+    skv_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bodies_follow_and_fly_on),
+        cmocka_unit_test(what_is_held_hangs_still),
+        cmocka_unit_test(walls_hold_what_is_held),
+        cmocka_unit_test(hands_share_a_body),
+        cmocka_unit_test(what_holds_a_body_holds_no_water),
+        cmocka_unit_test(bits_are_the_same),
+        cmocka_unit_test(snapshots_hold_what_hands_hold),
+        cmocka_unit_test(what_cannot_be_held_is_not),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
