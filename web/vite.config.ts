@@ -36,7 +36,7 @@ const toFile = {
         emptyOutDir: false, cssCodeSplit: false, assetsInlineLimit: 1e6,
         rolldownOptions: { input: here('page/single/start.ts'), output: { codeSplitting: false } },
     },
-    plugins: [single(here('page/index.html'), here('page/single/inside.html'), `${page}/skvalp.wasm`, icon)],
+    plugins: [single(here('page/index.html'), here('page/single/inside.html'), `${page}/bodies.wasm`, icon)],
 };
 
 export default defineConfig(({ mode }) => {

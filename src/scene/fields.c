@@ -10,8 +10,10 @@
 #include "skvalp/acting.h"
 #include "world/dye.h"
 
-/* The page has no bodies, and no fields of theirs: web/core/no_bodies.c. They are the last. */
+/* Without bodies there are no fields of theirs, which are the last. Who asks for one tells the
+ * host, which brings more: web/core/no_bodies.c. */
 #ifdef SKV_WITHOUT_BODIES
+void skv_want_bodies(void);
 enum { FIELDS = SKV_F_BODIES };
 #else
 enum { FIELDS = SKV_F_COUNT };
@@ -198,6 +200,10 @@ int skv_scene_find_field(const char *pattern)
 
 void skv_scene_suggest(const char *pattern, char *text, size_t size)
 {
+#ifdef SKV_WITHOUT_BODIES
+    if (strncmp(pattern, "bodies", 6) == 0)
+        skv_want_bodies();
+#endif
     skv_field_suggest(fields, FIELDS, pattern, text, size);
 }
 

@@ -1,11 +1,31 @@
-/* What stands in the page's modules for rigid bodies, which no scene there has yet: without them a
- * first visit takes a thirtieth less. Invariant: no field of a scene there is a body's, so no world
- * there gets one, and what a world with bodies asks is never asked.
+/* What stands for rigid bodies in the page's first modules: without them a first visit takes a
+ * thirtieth less. Who asks for some is refused, and the host, which is told, brings the modules
+ * that have them. Invariant: no field of a scene here is a body's, so no world here gets one, and
+ * what a world with bodies asks is never asked.
  */
 #include "render/bodies.h"
 #include "scene/bodies.h"
 #include "solver/rows/solids.h"
 #include "world/bodies.h"
+
+static bool wanted;
+
+/* Somebody asks for bodies, as src/scene/fields.c does. */
+void skv_want_bodies(void);
+/* Whether anybody has since this was last called. Modules that have bodies do not export it. */
+__attribute__((export_name("skv_wasm_wants_bodies"))) bool skv_wasm_wants_bodies(void);
+
+void skv_want_bodies(void)
+{
+    wanted = true;
+}
+
+bool skv_wasm_wants_bodies(void)
+{
+    bool was = wanted;
+    wanted = false;
+    return was;
+}
 
 skv_result skv_scene_build_bodies(const skv_draft *draft, skv_scene *scene, skv_error *error)
 {
@@ -40,6 +60,7 @@ float skv_placed_body_distance(const skv_placed_body *placed, float x, float y)
 skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
 {
     (void)reader, (void)spacing;
+    skv_want_bodies();
     return skv_fail(error, SKV_ERROR_VALUE, "the page knows no bodies; use the program");
 }
 

@@ -58,7 +58,7 @@ export function offline(icon, service) {
                 put('manifest.webmanifest', JSON.stringify(manifest));
                 sizes.forEach((size) => put(`icon-${size}.png`, draw(icon, size)));
                 const names = Object.keys(bundle).filter((name) => name !== 'index.html').sort();
-                const isSpare = (/** @type {string} */ name) => /\/skvalp-(?!threads-)[^/]*\.wasm$/.test(name);
+                const isSpare = (/** @type {string} */ name) => /\/(skvalp-(?!threads-)|bodies-)[^/]*\.wasm$/.test(name);
                 const kept = names.filter((name) => !isSpare(name) && !/^icon-/.test(name));
                 const files = ['./', ...new Set([...kept, 'manifest.webmanifest', 'icon.svg'])];
                 const list = (/** @type {string[]} */ all) => all.map((name) => `'${name}'`).join(', ');

@@ -28,7 +28,7 @@ export function single(page, inside, wasm, icon) {
         enforce: 'pre',
         resolveId: (source) => (source.startsWith(module) ? `\0${source}` : null),
         load: (id) => (id.startsWith(`\0${module}`)
-            ? `export default ${id.endsWith('/skvalp') ? 'globalThis.skvalpModule' : "''"};` : null),
+            ? `export default ${/\/(skvalp|bodies)$/.test(id) ? 'globalThis.skvalpModule' : "''"};` : null),
         transform: (code) => (url.test(code)
             ? { code: code.replaceAll(url, "import.meta.url.split('#')[0] + '#$1'"), map: null } : null),
         generateBundle: {

@@ -1,5 +1,6 @@
 // The page in Chromium, as people use it. Arguments: the folder of the built page.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
 import {
@@ -83,6 +84,51 @@ const trials = {
         assert.deepEqual(await faults(page, 'chips'), []);
         const other = await begin(browser, phone, '?scene=pool');
         assert.equal(await other.locator('.drop').count(), 0, 'a choice of one fluid');
+    },
+
+    async 'bodies come with a larger module, are drawn, float, and can be thrown'(browser) {
+        const page = await begin(browser, desk, '?paused=1&view=pressure');
+        const modules = [];
+        page.context().on('request', (request) => modules.push(request.url().replace(/.*\//, '')));
+        await page.evaluate(() => window.skvalp.simulation.setDye(2));
+        const { worlds: [{ opened }], threads } = await stateOf(page);
+        const duck = readFileSync(new URL('../../../examples/duck.json', import.meta.url), 'utf8');
+        await page.evaluate((text) => window.skvalp.simulation.openBytes(
+            new TextEncoder().encode(text), 'json', 'duck.json', { particles: '1500' }), duck);
+        await until(page, () => window.skvalp.state.value.worlds[0].title === 'Duck', 'the duck is there');
+        assert.ok(modules.some((file) => /^bodies(-threads)?-/.test(file)), `of ${modules.join()} none has bodies`);
+        const state = await stateOf(page);
+        assert.ok(state.worlds[0].opened > opened, 'nothing else was opened');
+        assert.deepEqual([state.paused, state.moment, state.style.view, state.dye, state.threads, state.worlds[0].particles > 1400],
+            [true, 0, 'pressure', 2, threads, true], 'what was chosen is lost');
+        const { camera } = state.worlds[0];
+        const canvas = await page.locator('canvas.canvas').boundingBox();
+        const at = (x, y) => [canvas.x + camera.originX + camera.scale * x, canvas.y + camera.originY - camera.scale * y];
+        /** Around a place of the world. */
+        const look = async (x, y) => {
+            const [left, top] = at(x, y);
+            return page.screenshot({ clip: { x: Math.round(left) - 3, y: Math.round(top) - 3, width: 6, height: 6 } });
+        };
+        const air = await look(0.9, 0.8), head = await look(0.42, 0.58);
+        assert.notDeepEqual(head, air, 'no duck is drawn');
+        await page.evaluate(() => window.skvalp.simulation.setPaused(false));
+        await until(page, () => window.skvalp.state.value.moment > 90, 'time passes');
+        assert.notDeepEqual(await look(0.42, 0.58), head, 'the duck hovers');
+
+        /* By hand into the air. */
+        await page.mouse.move(...at(0.48, 0.38));
+        await page.mouse.down();
+        await page.mouse.move(...at(0.48, 0.7), { steps: 12 });
+        await until(page, () => window.skvalp.state.value.worlds[0].hands === 1, 'a hand');
+        await page.waitForTimeout(1000);
+        await page.evaluate(() => window.skvalp.simulation.setPaused(true));
+        await until(page, () => window.skvalp.state.value.paused, 'it stands still');
+        assert.notDeepEqual(await look(0.48, 0.69), air, 'the duck is not lifted');
+        await page.mouse.up();
+
+        /* What has none is still opened, and so are links. */
+        await page.evaluate(() => window.skvalp.simulation.open('pool'));
+        await until(page, () => window.skvalp.state.value.worlds[0].name === 'pool', 'the pool is there');
     },
 
     async 'a wall is drawn and undone'(browser) {

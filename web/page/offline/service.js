@@ -6,7 +6,7 @@
 const version = '@version';
 /** Relative to this script; of names with a hash in assets/. */
 const files = ['@files'];
-/** Kept if the page has used them: the module without threads, where those cannot be had. */
+/** Kept if the page has used them: the module without threads, where those cannot be had, and those with bodies. */
 const ifUsed = ['@ifUsed'];
 
 const prefix = 'skvalp ';

@@ -81,6 +81,16 @@ export class Opening {
         });
     }
 
+    /** Whether something is yet to be opened. */
+    get waits() {
+        return this.#next !== null;
+    }
+
+    /** Opens what another one could not. */
+    goOn(before: Opening) {
+        this.#open(before.#next!);
+    }
+
     /** What was asked for is there, or is not. */
     done(well: boolean) {
         this.#current = well ? this.#next : this.#current;

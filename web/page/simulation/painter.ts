@@ -29,6 +29,11 @@ export class Painter {
         this.#canvas = new Canvas(library, surface, tell);
     }
 
+    /** Leaves the canvas to another one. */
+    destroy() {
+        this.#canvas.destroy();
+    }
+
     /** The canvas's size from the next picture on, in device pixels. */
     resize(width: number, height: number) {
         this.#size = { width, height };

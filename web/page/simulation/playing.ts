@@ -36,6 +36,8 @@ export interface Surroundings {
     particles: number | null;
     /** devicemotion has the other signs here: Apple's. */
     reversed: boolean;
+    /** What is to be opened has bodies, and the module has none. */
+    grow?: () => void;
 }
 
 type Waiting = { resolve: () => void; reject: (error: Error) => void };
@@ -154,6 +156,11 @@ export class Playing {
             return;
         }
         if (number === this.#library.constants.SKV_OUTCOME_OPEN) {
+            const { grow } = this.#surroundings;
+            if (error && grow && this.#library.instance.exports.skv_wasm_wants_bodies?.()) {
+                grow();
+                return;
+            }
             this.opening.done(!error);
         }
         if (error || kind === 'open') {
@@ -242,6 +249,13 @@ export class Playing {
         this.styleNames = { ...this.styleNames, ...style };
         c.skv_stage_set_look(this.worlds.stage, this.styleNames.view, this.styleNames.overlays.join());
         this.worlds.stale = true;
+    }
+
+    /** Nothing passes and nothing is told any more; what would have been. */
+    end() {
+        clearTimeout(this.#late);
+        this.setHidden(true);
+        return this.#state();
     }
 
     // ---- Frames ----------------------------------------------------------------------------------

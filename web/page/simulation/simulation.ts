@@ -59,6 +59,27 @@ export class Simulator implements Simulation {
         }
     }
 
+    // ---- Another one in its place -------------------------------------------------------------------
+
+    /** Whether something is yet to be opened. */
+    get waits() {
+        return this.#playing.opening.waits;
+    }
+
+    /** Ends; what it told last, and how often something was opened here. */
+    giveWay() {
+        this.#opened++;
+        this.#pointers.cancel();
+        this.#surroundings.painter!.destroy();
+        return { state: this.#playing.end(), opened: this.#worlds.first.opened };
+    }
+
+    /** Opens what another one could not. */
+    goOn(before: Simulator) {
+        this.#playing.opening.goOn(before.#playing.opening);
+        this.#playing.asked();
+    }
+
     // ---- What is open ----------------------------------------------------------------------------
 
     open(scene: string, settings?: Settings) {

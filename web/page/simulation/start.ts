@@ -1,41 +1,22 @@
 // Starting a simulation where it is to live: in a worker, or on the page.
-import { load } from '../../src/browser.js';
+import { type Loading, make } from './make';
+import type { Listener, Simulation } from './protocol';
 
-import { Painter } from './painter';
-import { parts } from './parts';
-import type { Listener } from './protocol';
-import { Simulator } from './simulation';
-
-/**
- * What takes longest, and can be begun before there is a canvas.
- * @param threads to step each world on, where they can be had
- */
-export async function loadModule(threads: number) {
-    const files = new Map<string, Uint8Array>();
-    // Two worlds that are compared have a pool each.
-    const library = await load(parts, { workers: 2 * (threads - 1), files, lean: true });
-    return { library, files, threads: library.workers > 0 ? threads : 1 };
-}
-
-/** @param canvas to draw on, from now on and alone */
-export async function start(canvas: HTMLCanvasElement | OffscreenCanvas,
-    loading: ReturnType<typeof loadModule>, listener: Listener) {
-    const { library, files, threads } = await loading;
-    let simulation: Simulator | null = null;
-    const painter = new Painter(library, canvas, (trouble) => {
-        listener.picture(trouble);
-        simulation?.setStyle({}); // nothing else, but it is drawn
+/** As make. It stays the same when another module goes on (grow.ts). */
+export async function start(canvas: HTMLCanvasElement | OffscreenCanvas, loading: Loading, listener: Listener) {
+    const first = await loading;
+    /** What was last asked of each method. */
+    const asked = new Map<string, unknown[]>();
+    const small = make(first, canvas, listener, async () => {
+        const { grow } = await import('./grow');
+        await grow(small, first, canvas, listener, asked, (larger) => (now = larger));
     });
-    simulation = new Simulator({
-        library,
-        threads,
-        files,
-        listener,
-        painter,
-        nextFrame: (callback) => requestAnimationFrame(callback),
-        clock: () => performance.now() / 1000,
-        particles: null,
-        reversed: /^(Mac|iP)/.test(navigator.platform),
-    });
-    return simulation;
+    let now = small;
+    // Whoever awaits it must not take it for a promise.
+    return new Proxy({}, {
+        get: (_, name: string) => (name === 'then' ? undefined : (...values: unknown[]) => {
+            asked.set(name, values);
+            return (now as any)[name](...values);
+        }),
+    }) as Simulation;
 }
