@@ -20,6 +20,19 @@ static float outside(const skv_solid *s, float x, float y)
     return length_of(x - s->now.x, y - s->now.y) - s->reach;
 }
 
+/* The share of a film between the terrain and a solid at a place in m: of what is narrow, where the
+ * two face each other. */
+static float film_at(const skv_boundary *b, const skv_solid *s, float x, float y)
+{
+    float nx, ny, mx, my, gap = skv_normal_at(b->terrain, x, y, &nx, &ny);
+    if (!(gap < skv_film_reach(b->solids->spacing)))
+        return 0;
+    skv_solid_enter(s, &s->now, &x, &y);
+    gap += skv_normal_at(s->shape->terrain, x, y, &mx, &my);
+    skv_solid_turn(&s->now, &mx, &my);
+    return skv_film_share(gap, b->solids->spacing) * skv_facing(nx, ny, mx, my);
+}
+
 /* What is within h, by images or not. False: nothing. */
 static bool meet(const skv_boundary *b, bool images, float *distance, float h, float x, float y,
                  skv_part_of_walls *part)
@@ -103,7 +116,6 @@ void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_w
     skv_part_of_walls *part = met->part;
     *part = (skv_part_of_walls){0};
     met->count += meet(b, images, &met->distance, h * b->per_unit, x, y, part);
-    const float terrain = met->distance;
     skv_boundary_to_world(b, &x, &y);
     for (int k = 0; k < count_of(b); k++) {
         const skv_solid *s = &b->solids->solid[k];
@@ -125,7 +137,7 @@ void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_w
         *part = (skv_part_of_walls){.solid = k + 1};
         if (meet(s->shape, images, &distance, h, lx, ly, part)) {
             turn_part(b, s, part);
-            part->film = skv_film_share(terrain * b->unit + distance, b->solids->spacing);
+            part->film = film_at(b, s, x, y);
             met->count++;
         }
         distance *= b->per_unit;
@@ -191,6 +203,14 @@ void skv_solids_share(const skv_walls_met *met, float by_slope, float by_rest, f
             share[0][axis] += borne;
         }
     }
+}
+
+float skv_solids_film(const skv_boundary *b, int solid, float x, float y)
+{
+    if (solid == 0)
+        return 0;
+    skv_boundary_to_world(b, &x, &y);
+    return film_at(b, &b->solids->solid[solid - 1], x, y);
 }
 
 static void note_cut(const skv_boundary *b, skv_cuts *cuts, int solid, float dx, float dy)

@@ -65,6 +65,12 @@ static inline float skv_film_share(float gap, float spacing)
     return skv_clamp((skv_film_reach(spacing) - gap) / (0.6f * spacing), 0, 1);
 }
 
+/* How much two walls with these normals face each other. */
+static inline float skv_facing(float nx, float ny, float mx, float my)
+{
+    return skv_clamp(-(nx * mx + ny * my), 0, 1);
+}
+
 /* What all of them are together: `sum` as if of one solid, its number or -1 if there are several.
  */
 typedef struct skv_walls_met {
@@ -98,6 +104,10 @@ void skv_solids_way(const skv_boundary *boundary, const skv_walls_met *met, floa
  * F2; what is over goes by the sizes of the shares. */
 void skv_solids_share(const skv_walls_met *met, float by_slope, float by_rest, float by_near,
                       float dx, float dy, float share[SKV_MOST_PARTS][2]);
+
+/* How much of what stops a particle at (x, y) beside solid number `solid` the terrain bears,
+ * because it lies in a film between the two. */
+float skv_solids_film(const skv_boundary *boundary, int solid, float x, float y);
 
 /* What walls take from a move, one after the other. */
 typedef struct skv_cuts {

@@ -21,12 +21,32 @@
 /* With less than a tenth of a particle there an end lies in air. */
 #define LEAST 0.1
 
-/* The rim of one body, in the world's axes. */
+/* The pieces of one body's rim, in the world's axes, in the order of its points. */
 typedef struct rim {
     int count;
-    double x[SKV_MOST_RIM], y[SKV_MOST_RIM];
+    double x[SKV_MOST_RIM], y[SKV_MOST_RIM]; /* their middles */
+    double along_x[SKV_MOST_RIM], along_y[SKV_MOST_RIM];
+    bool open[SKV_MOST_RIM];   /* no wall is near: the water's pressure is known there */
     double film[SKV_MOST_RIM]; /* share of the pressure that the film bears there */
 } rim;
+
+static int next_of(const rim *all, int k, int step)
+{
+    return (k + step + all->count) % all->count;
+}
+
+/* How narrow it is at piece k, which bears a film where its outer side faces the wall. */
+static void look(const skv_world *world, rim *all, int k)
+{
+    float nx, ny, spacing = world->fluid.spacing;
+    float gap = skv_normal_at(world->terrain, (float)all->x[k], (float)all->y[k], &nx, &ny);
+    double x = all->along_x[k], y = all->along_y[k], length = sqrt(x * x + y * y);
+    all->open[k] = !(gap < skv_film_reach(spacing));
+    all->film[k] = 0;
+    if (!all->open[k] && length > 0)
+        all->film[k] = (double)(skv_film_share(gap, spacing) *
+                                skv_facing(nx, ny, (float)(y / length), (float)(-x / length)));
+}
 
 /* Whether part of it is so near to a wall, and part of it is not. */
 static bool place_rim(const skv_world *world, const skv_rigid *r, rim *all)
@@ -36,15 +56,20 @@ static bool place_rim(const skv_world *world, const skv_rigid *r, rim *all)
     float middle = skv_distance_at(world->terrain, (float)r->x, (float)r->y);
     if (middle > (float)shape->outline.reach + reach)
         return false;
-    int closed = 0;
+    int open = 0;
     all->count = shape->rims;
     for (int k = 0; k < all->count; k++) {
-        skv_rigid_rim(r, k, &all->x[k], &all->y[k]);
-        float gap = skv_distance_at(world->terrain, (float)all->x[k], (float)all->y[k]);
-        all->film[k] = (double)skv_film_share(gap, world->fluid.spacing);
-        closed += all->film[k] > 0;
+        double x0, y0, x1, y1;
+        skv_rigid_rim(r, k, &x0, &y0);
+        skv_rigid_rim(r, next_of(all, k, 1), &x1, &y1);
+        all->x[k] = (x0 + x1) / 2;
+        all->y[k] = (y0 + y1) / 2;
+        all->along_x[k] = x1 - x0;
+        all->along_y[k] = y1 - y0;
+        look(world, all, k);
+        open += all->open[k];
     }
-    return closed > 0 && closed < all->count;
+    return open > 0 && open < all->count;
 }
 
 /* What depth adds to the pressure on the way (x, y). */
@@ -70,20 +95,15 @@ static double pressure_at(const skv_world *world, double x, double y)
     return weights > LEAST ? skv_max(sum / weights, 0) : 0;
 }
 
-static int next_of(const rim *all, int k, int step)
-{
-    return (k + step + all->count) % all->count;
-}
-
-/* From rim point k on to the first that is open; writes how many pieces away it is. */
+/* From piece k on to the first that is open; writes how many pieces away it is. */
 static int find_end(const rim *all, int k, int step, double *way)
 {
-    for (*way = 0; all->film[k] > 0; ++*way)
+    for (*way = 0; !all->open[k]; ++*way)
         k = next_of(all, k, step);
     return k;
 }
 
-/* The pressure that an end has hands on to rim point k. */
+/* The pressure that an end has hands on to piece k. */
 static double handed_on(const skv_world *world, const rim *all, int end, double pressure, int k)
 {
     if (!(pressure > 0))
@@ -108,15 +128,16 @@ static void press(const skv_world *world, skv_rigid *r, const rim *all, double d
         for (int side = 0; side < 2; side++)
             sum += ways[1 - side] * handed_on(world, all, ends[side], pressures[side], k);
         double pressure = skv_max(sum / (ways[0] + ways[1]), 0) * all->film[k];
-        int before = next_of(all, k, -1), after = next_of(all, k, 1);
-        double jx = -pressure * dt * (all->y[after] - all->y[before]) / 2;
-        double jy = pressure * dt * (all->x[after] - all->x[before]) / 2;
-        r->vx += jx / r->mass;
-        r->vy += jy / r->mass;
-        r->spin += ((all->x[k] - r->x) * jy - (all->y[k] - r->y) * jx) / r->inertia;
+        double jx = -pressure * dt * all->along_y[k], jy = pressure * dt * all->along_x[k];
+        double moment = (all->x[k] - r->x) * jy - (all->y[k] - r->y) * jx;
         r->felt.x += jx;
         r->felt.y += jy;
-        r->felt.moment += (all->x[k] - r->x) * jy - (all->y[k] - r->y) * jx;
+        r->felt.moment += moment;
+        if (r->fixed)
+            continue;
+        r->vx += jx / r->mass;
+        r->vy += jy / r->mass;
+        r->spin += moment / r->inertia;
     }
 }
 
@@ -124,6 +145,6 @@ void skv_bodies_press_films(const skv_world *world, double dt)
 {
     rim all;
     for (int k = 0; k < world->bodies->count; k++)
-        if (!world->bodies->body[k].fixed && place_rim(world, &world->bodies->body[k], &all))
+        if (place_rim(world, &world->bodies->body[k], &all))
             press(world, &world->bodies->body[k], &all, dt);
 }

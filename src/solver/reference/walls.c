@@ -176,6 +176,15 @@ void skv_pass_slip(skv_reference *f)
     }
 }
 
+/* Books what stops particle i at a wall at (x, y), a film's share of it to the terrain. */
+static void book_stop(skv_reference *f, int i, int solid, float x, float y, double dx, double dy)
+{
+    double film = (double)skv_solids_film(f->boundary, solid, x, y) * f->mass[i];
+    book(f, i, solid, (f->mass[i] - film) * dx, (f->mass[i] - film) * dy);
+    if (film > 0)
+        book(f, i, 0, film * dx, film * dy);
+}
+
 /* The way of a particle that may meet a wall, on along it or not; what the wall makes of it is
  * booked. */
 static void meet_wall(skv_reference *f, int i, bool on)
@@ -191,12 +200,12 @@ static void meet_wall(skv_reference *f, int i, bool on)
     f->clearance[i] = (double)distance;
     for (int k = 0; k + 1 < cuts.count; k++) {
         double cut_x = (double)cuts.cut[k].dx, cut_y = (double)cuts.cut[k].dy;
-        book(f, i, cuts.cut[k].solid, f->mass[i] * cut_x, f->mass[i] * cut_y);
+        book_stop(f, i, cuts.cut[k].solid, x, y, cut_x, cut_y);
         lost_x -= cut_x;
         lost_y -= cut_y;
     }
     int last = cuts.count ? cuts.cut[cuts.count - 1].solid : 0;
-    book(f, i, last, f->mass[i] * lost_x, f->mass[i] * lost_y);
+    book_stop(f, i, last, x, y, lost_x, lost_y);
 }
 
 /* A solid that moves may come as near as the circle around it does. */
@@ -271,7 +280,7 @@ void skv_pass_contact(skv_reference *f)
         double push = softness * c.depth;
         f->dx[i] = push * c.nx - rub * tx;
         f->dy[i] = push * c.ny - rub * ty;
-        book(f, i, c.solid, f->mass[i] * f->dx[i], f->mass[i] * f->dy[i]);
+        book_stop(f, i, c.solid, (float)f->x[i], (float)f->y[i], f->dx[i], f->dy[i]);
         move_one(f, i, false);
     }
 }

@@ -132,9 +132,13 @@ void skv_rows_book_cuts(const skv_rows *rows, const skv_boundary *boundary, int 
 {
     float mass = skv_row_mass(rows, i);
     for (int k = 0; k < cuts->count; k++) {
+        int solid = cuts->cut[k].solid;
         float dx = mass * cuts->cut[k].dx, dy = mass * cuts->cut[k].dy;
+        float film = skv_solids_film(boundary, solid, x, y);
         skv_impulse_give(&walls->all, x, y, dx, dy);
-        book(rows, boundary, cuts->cut[k].solid, i, x, y, dx, dy, walls);
+        book(rows, boundary, solid, i, x, y, (1 - film) * dx, (1 - film) * dy, walls);
+        if (film > 0)
+            book(rows, boundary, 0, i, x, y, film * dx, film * dy, walls);
     }
 }
 
