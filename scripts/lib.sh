@@ -18,7 +18,7 @@ packages_core=(libcmocka-dev libegl1 libgles2 libgl1-mesa-dri ffmpeg imagemagick
     libsdl2-dev parallel)
 packages_app=(xvfb xauth xdotool xclip imagemagick x11-utils openbox mutter pipewire dbus at-spi2-core
     desktop-file-utils appstream python3)
-packages_browser=(chromium ffmpeg)
+packages_browser=(chromium chromium-headless-shell ffmpeg)
 # What the page is built with; npm brings the newer node that its build takes.
 packages_web=(clang-19 lld-19 binaryen wasi-libc libclang-rt-19-dev-wasm32 cmake ninja-build libgles-dev
     nodejs librsvg2-bin)

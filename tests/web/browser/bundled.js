@@ -71,4 +71,4 @@ const trials = {
     },
 };
 
-await carryOut([join(project, 'out')], trials);
+await carryOut([join(project, 'out')], trials, [], { whole: true });

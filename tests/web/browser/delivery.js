@@ -179,4 +179,4 @@ const trials = {
     },
 };
 
-await carryOut([built], trials);
+await carryOut([built], trials, [], { whole: true });

@@ -347,4 +347,4 @@ await carryOut([folder], trials, [
     'two fingers at once zoom, a pen draws, a touch knocks, and the screen is full',
     'a graphics processor that is taken away comes back',
     'a process of graphics that dies is no limit of the device',
-], { composited: true }); // a page that is not composited is said to crash with that process
+], { composited: true, whole: true }); // a page that is not composited is said to crash with that process

@@ -27,7 +27,7 @@ function watch() {
 }
 
 const { home, sent, close } = await serve(folder);
-const browser = await launch([folder]);
+const browser = await launch([folder], { whole: true });
 console.log('| visit | simulation, s | water, s | pace of the first second |\n|--:|--:|--:|--:|');
 for (let i = 0; i <= Number(count); i++) {
     sent.clear();
