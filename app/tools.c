@@ -36,6 +36,20 @@ static void show_dye(PlayView *view, GtkWidget *button)
     }
 }
 
+/* The button of a tool that drops bodies says their shape. */
+static void show_shape(PlayView *view, GtkWidget *button)
+{
+    int chosen = skv_stage_shape(play_view_stage(view));
+    if (g_object_get_data(G_OBJECT(button), "skvalp-shape") == GINT_TO_POINTER(chosen + 1))
+        return;
+    g_object_set_data(G_OBJECT(button), "skvalp-shape", GINT_TO_POINTER(chosen + 1));
+    /* Translators: the shape of the tool that drops bodies. */
+    char *label = g_strdup_printf(_("Body: %s"), play_word(skv_drop_shape(chosen)));
+    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, label,
+                                   -1);
+    g_free(label);
+}
+
 static GtkWidget *make_button(int number, const skv_tool *tool)
 {
     GtkWidget *button = gtk_toggle_button_new();
@@ -118,10 +132,13 @@ void play_tools_fill(GtkBox *box, PlayView *view)
     for (int i = 0; (tool = skv_tool_info(i)); i++) {
         GtkWidget *button = make_button(i, tool);
         gtk_box_append(box, button);
-        if (!tool->dyes)
+        void (*show)(PlayView *, GtkWidget *) = tool->dyes    ? show_dye
+                                                : tool->drops ? show_shape
+                                                              : NULL;
+        if (!show)
             continue;
-        show_dye(view, button);
-        g_signal_connect_object(view, "changed", G_CALLBACK(show_dye), button, 0);
+        show(view, button);
+        g_signal_connect_object(view, "changed", G_CALLBACK(show), button, 0);
     }
     gtk_box_append(box, make_size_button(view));
 }

@@ -157,6 +157,8 @@ int main(void)
     }
     for (int i = 0; skv_dye_name(i); i++)
         print_text(skv_dye_name(i), "a colour of dye");
+    for (int i = 0; skv_drop_shape(i); i++)
+        print_text(skv_drop_shape(i), "a shape that the tool for bodies drops");
     const skv_scene_info *scene;
     for (int i = 0; (scene = skv_builtin_scene(i)); i++) {
         print_text(scene->title, scene->name);

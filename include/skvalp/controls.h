@@ -60,7 +60,8 @@ SKV_API const char *skv_going_words(int i);
 SKV_API const skv_named_number *skv_planet_at(int i);
 SKV_API void skv_control_planet(skv_stage *stage, int side, const skv_named_number *planet);
 
-/** Chooses a tool; one that dyes and is chosen already takes its next colour. */
+/** Chooses a tool; one that dyes and is chosen already takes its next colour, one that drops bodies
+ * its next shape. */
 SKV_API void skv_control_tool(skv_stage *stage, int tool);
 /** Chooses what is poured, and the tool that pours it, unless one is chosen. */
 SKV_API void skv_control_fluid(skv_stage *stage, int fluid);

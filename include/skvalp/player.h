@@ -35,9 +35,11 @@ typedef enum skv_command_kind {
     SKV_COMMAND_EMIT,    /**< skv_world_set_emitters, with one more */
     SKV_COMMAND_DRAIN,   /**< skv_world_set_drains, with one more, which takes all */
     SKV_COMMAND_CLOSE,   /**< both, and fans, without those whose middle a brush comes over; a fan
-                            is a force in a swept circle, which only commands make */
+                            is a force in a swept circle, which only commands make; and bodies over
+                            which its way leads */
     SKV_COMMAND_DYE,     /**< skv_world_dye_area, and the emitters whose middle it comes over */
-    SKV_COMMAND_FORCE    /**< skv_world_set_forces, with one more, another, or one less */
+    SKV_COMMAND_FORCE,   /**< skv_world_set_forces, with one more, another, or one less */
+    SKV_COMMAND_DROP     /**< skv_world_add_body, where there is room */
 } skv_command_kind;
 
 typedef struct skv_hands {
@@ -70,6 +72,19 @@ typedef struct skv_force_change {
     skv_force force; /**< what comes there, unless it goes */
 } skv_force_change;
 
+/** A body that comes: of a shape that skv_drop_shape names, in a circle of a radius about (x, y).
+ */
+typedef struct skv_drop {
+    int shape;     /**< counted from 0 */
+    float x, y;    /**< m */
+    float vx, vy;  /**< m/s */
+    float radius;  /**< m */
+    float density; /**< kg/m^2 */
+} skv_drop;
+
+/** "duck", "ball", "crate"; null beyond. Static. */
+SKV_API const char *skv_drop_shape(int i);
+
 /** A command: plain data, with nothing in it that depends on the machine or the hour. */
 typedef struct skv_command {
     skv_command_kind kind;
@@ -82,6 +97,7 @@ typedef struct skv_command {
         skv_emitter source;     /**< EMIT */
         skv_strokes paint;      /**< PAINT: walls drawn and erased */
         skv_force_change force; /**< FORCE */
+        skv_drop drop;          /**< DROP */
     };
 } skv_command;
 

@@ -308,6 +308,7 @@ typedef struct skv_tool {
     char key;          /**< that chooses it */
     bool dyes;         /**< works with a colour: skv_stage_set_dye */
     bool pours;        /**< places fluid: skv_stage_set_fluid */
+    bool drops;        /**< places bodies: skv_stage_set_shape */
 } skv_tool;
 SKV_API const skv_tool *skv_tool_info(int i);
 
@@ -325,6 +326,9 @@ SKV_API int skv_stage_dye(const skv_stage *stage);
 SKV_API void skv_stage_set_fluid(skv_stage *stage, int fluid);
 /** What is poured in the first side's world. */
 SKV_API int skv_stage_fluid(const skv_stage *stage);
+/** Chooses the shape of bodies that tools drop, as skv_drop_shape; default 0. */
+SKV_API void skv_stage_set_shape(skv_stage *stage, int shape);
+SKV_API int skv_stage_shape(const skv_stage *stage);
 
 typedef enum skv_device {
     SKV_DEVICE_MOUSE,

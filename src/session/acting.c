@@ -194,6 +194,21 @@ int skv_stage_fluid(const skv_stage *stage)
     return stage->chosen.fluid < stage->shown[0]->frame.fluid_count ? stage->chosen.fluid : 0;
 }
 
+void skv_stage_set_shape(skv_stage *stage, int shape)
+{
+    SKV_ASSERT(stage);
+    if (!skv_drop_shape(shape))
+        return;
+    stage->chosen.shape = shape;
+    ask_chosen(stage);
+}
+
+int skv_stage_shape(const skv_stage *stage)
+{
+    SKV_ASSERT_OR(stage, 0);
+    return stage->chosen.shape;
+}
+
 /* A finger that is lifted is nowhere. */
 static void note_hover(skv_stage *stage, int side, const skv_pointer_event *event)
 {

@@ -321,6 +321,8 @@ static skv_result close_all(const skv_command *command, skv_world *world, skv_er
         result = close_drains(&command->water, world, error);
     if (result == SKV_OK)
         result = close_fans(&command->water, world, error);
+    if (result == SKV_OK)
+        skv_drop_take(&command->water, world);
     return result;
 }
 
@@ -385,6 +387,13 @@ static bool code_force(skv_command *command, const skv_command *last, skv_coder 
     return true;
 }
 
+/* ---- Bodies ---------------------------------------------------------------------------------- */
+
+static skv_result drop(const skv_command *command, skv_world *world, skv_error *error)
+{
+    return skv_drop_apply(&command->drop, world, error);
+}
+
 /* ---- The table ------------------------------------------------------------------------------- */
 
 /* `code` writes or reads what belongs to a command; `last` are the last one of its kind and the one
@@ -407,13 +416,14 @@ static const struct row {
     [SKV_COMMAND_CLOSE] = {close_all, code_water},
     [SKV_COMMAND_DYE] = {dye, code_dyed_water},
     [SKV_COMMAND_FORCE] = {change_force, code_force},
+    [SKV_COMMAND_DROP] = {drop, skv_drop_code},
 };
 
 bool skv_command_changes_balance(skv_command_kind kind)
 {
     return kind == SKV_COMMAND_GRAVITY || kind == SKV_COMMAND_SET || kind == SKV_COMMAND_POUR ||
            kind == SKV_COMMAND_TAKE || kind == SKV_COMMAND_PAINT || kind == SKV_COMMAND_CLOSE ||
-           kind == SKV_COMMAND_FORCE;
+           kind == SKV_COMMAND_FORCE || kind == SKV_COMMAND_DROP;
 }
 
 skv_result skv_command_apply(const skv_command *command, skv_world *world, skv_error *error)

@@ -6,10 +6,16 @@
 #include "session/coder.h"
 #include "skvalp/player.h"
 
-enum { SKV_COMMAND_KINDS = SKV_COMMAND_FORCE + 1 };
+enum { SKV_COMMAND_KINDS = SKV_COMMAND_DROP + 1 };
 
 /* Does it to the world. On failure the world is as it was. */
 skv_result skv_command_apply(const skv_command *command, skv_world *world, skv_error *error);
+
+/* drop.c: a body comes; those go over which a brush's way leads, which is no failure. */
+skv_result skv_drop_apply(const skv_drop *drop, skv_world *world, skv_error *error);
+void skv_drop_take(const skv_dab *dab, skv_world *world);
+/* As the table's `code`. */
+bool skv_drop_code(skv_command *command, const skv_command last[2], skv_coder *coder);
 
 /* Whether what the fluid weighs, or what holds it, is another afterwards. */
 bool skv_command_changes_balance(skv_command_kind kind);

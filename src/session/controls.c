@@ -173,9 +173,12 @@ void skv_control_tool(skv_stage *stage, int tool)
 {
     SKV_ASSERT(stage);
     const skv_tool *info = skv_tool_info(tool);
-    int next = skv_stage_dye(stage) + 1;
-    if (info && info->dyes && tool == skv_stage_tool(stage))
+    int next = skv_stage_dye(stage) + 1, shape = skv_stage_shape(stage) + 1;
+    bool again = info && tool == skv_stage_tool(stage);
+    if (again && info->dyes)
         skv_stage_set_dye(stage, skv_dye_name(next) ? next : 0);
+    if (again && info->drops)
+        skv_stage_set_shape(stage, skv_drop_shape(shape) ? shape : 0);
     skv_stage_set_tool(stage, tool);
 }
 

@@ -30,13 +30,15 @@
 #define BRUSH_SHARE 0.025
 #define WALL_SHARE  0.0125
 #define WIND_SHARE  0.05
+#define BODY_SHARE  0.05
 
 /* m/s of a tap or a fan a metre drawn, and the least and most of it; a tap that is shorter flows
  * down at 1 m/s, a fan blows up. */
 #define FLOW_SPEED   10.0
 #define SLOWEST_FLOW 0.2
 #define FASTEST_FLOW 5.0
-#define WIND_DRAG    10.0f /* 1/s: water takes most of the wind's speed on its way through */
+#define WOOD         500.0f /* kg/m^2: it floats half out of water */
+#define WIND_DRAG    10.0f  /* 1/s: water takes most of the wind's speed on its way through */
 
 typedef struct tool {
     skv_tool info;
@@ -170,6 +172,22 @@ static void blow(skv_toolbox *box, const skv_pointer *pointer, double x, double 
     apply(box, &command);
 }
 
+/* A body where it went down. */
+static void drop(skv_toolbox *box, const skv_pointer *pointer, double x, double y)
+{
+    double vx, vy;
+    flow_along(pointer, x, y, 0, &vx, &vy);
+    skv_command command = {.kind = SKV_COMMAND_DROP};
+    command.drop.shape = box->chosen.shape;
+    command.drop.x = (float)pointer->start_x;
+    command.drop.y = (float)pointer->start_y;
+    command.drop.vx = (float)vx;
+    command.drop.vy = (float)vy;
+    command.drop.radius = (float)skv_tools_radius(box, pointer->tool);
+    command.drop.density = WOOD;
+    apply(box, &command);
+}
+
 /* What lies under it: walls and taps where it moves, and the water all the time. */
 static void erase(skv_toolbox *box, const skv_pointer *pointer, double x, double y)
 {
@@ -182,41 +200,50 @@ static void erase(skv_toolbox *box, const skv_pointer *pointer, double x, double
 
 /* ---- The table ------------------------------------------------------------------------------- */
 
-enum { HAND, WALL, WATER, ERASER, TAP, DRAIN, DYE, WIND };
+enum { HAND, WALL, WATER, ERASER, TAP, DRAIN, DYE, WIND, BODY };
 
 static const tool tools[] = {
-    [HAND] = {.info = {"hand", "Hand", "Holds water, lifts it and throws it.", '1', false, false},
+    [HAND] = {.info = {"hand", "Hand", "Holds water or a body, lifts it and throws it.", '1', false,
+                       false, false},
               .share = HAND_SHARE},
-    [WALL] = {.info = {"wall", "Wall", "Draws walls.", '2', false, false},
+    [WALL] = {.info = {"wall", "Wall", "Draws walls.", '2', false, false, false},
               .draw = draw_wall,
               .share = WALL_SHARE},
-    [WATER] = {.info = {"water", "Water", "Pours water.", '3', false, true},
+    [WATER] = {.info = {"water", "Water", "Pours water.", '3', false, true, false},
                .draw = pour,
                .goes_on = true,
                .share = BRUSH_SHARE},
-    [ERASER] = {.info = {"eraser", "Eraser", "Takes walls, taps, drains, wind and water away.", '4',
+    [ERASER] = {.info = {"eraser", "Eraser",
+                         "Takes walls, taps, drains, wind, bodies and water away.", '4', false,
                          false, false},
                 .draw = erase,
                 .goes_on = true,
                 .share = BRUSH_SHARE},
     [TAP] = {.info = {"tap", "Tap", "Lets water flow: draw the way it is to take.", '5', false,
-                      true},
+                      true, false},
              .draw = tap,
              .at_end = true,
              .share = WALL_SHARE},
-    [DRAIN] = {.info = {"drain", "Drain", "Lets water out.", '6', false, false},
+    [DRAIN] = {.info = {"drain", "Drain", "Lets water out.", '6', false, false, false},
                .draw = drain,
                .at_end = true,
                .share = BRUSH_SHARE},
     [DYE] = {.info = {"dye", "Dye", "Colours water and taps; again: the next colour.", '7', true,
-                      false},
+                      false, false},
              .draw = dye,
              .goes_on = true,
              .share = BRUSH_SHARE},
-    [WIND] = {.info = {"wind", "Wind", "Blows on: draw the way it is to take.", '8', false, false},
+    [WIND] = {.info = {"wind", "Wind", "Blows on: draw the way it is to take.", '8', false, false,
+                       false},
               .draw = blow,
               .at_end = true,
               .share = WIND_SHARE},
+    [BODY] = {.info = {"body", "Body",
+                       "Drops what floats: draw the way it is to fly; again: the next shape.", '9',
+                       false, false, true},
+              .draw = drop,
+              .at_end = true,
+              .share = BODY_SHARE},
 };
 enum { TOOLS = sizeof tools / sizeof *tools };
 

@@ -12,6 +12,7 @@ typedef struct skv_chosen {
     double brush; /* m; 0: by the world's size */
     int dye;      /* of tools that dye */
     int fluid;    /* of those that pour; the first, where a world lacks it */
+    int shape;    /* of those that drop bodies, as skv_drop_shape */
 } skv_chosen;
 
 /* What tools are given to work with. */

@@ -14,6 +14,7 @@
  */
 #include "base/exact.h"
 #include "world/bodies.h"
+#include "world/hands.h"
 
 #include <math.h>
 
@@ -80,4 +81,30 @@ void skv_bodies_follow_hands(skv_world *world, double dt)
             hand->y = move_on(hand->y, hand->vy, dt);
         }
     }
+}
+
+/* ---- In snapshots and commands --------------------------------------------------------------- */
+
+bool skv_hands_hold_bodies(const skv_acting *acting)
+{
+    for (int i = 0; i < acting->hand_count; i++)
+        if (acting->hands[i].body)
+            return true;
+    return false;
+}
+
+void skv_exchange_held(skv_port *port, skv_hand *hand)
+{
+    uint64_t body = hand->body;
+    skv_exchange(port, &body, 4);
+    hand->body = (skv_body_id)body;
+    skv_exchange_float(port, &hand->at_x);
+    skv_exchange_float(port, &hand->at_y);
+}
+
+skv_result skv_exchange_holds(skv_port *port, skv_acting *acting, skv_error *error)
+{
+    for (int i = 0; i < acting->hand_count; i++)
+        skv_exchange_held(port, &acting->hands[i]);
+    return skv_check_hands(acting->hands, acting->hand_count, error);
 }

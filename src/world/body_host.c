@@ -253,6 +253,8 @@ bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_
     int nearest = -1;
     float least = skv_minf(reach, world->h);
     hand->body = 0;
+    if (!skv_within((double)x, -1000, 1000) || !skv_within((double)y, -1000, 1000))
+        return false;
     for (int k = 0; k < skv_world_has_bodies(world); k++) {
         float distance = skv_body_distance(world, k, x, y);
         if (!(distance <= least) || world->bodies->body[k].fixed)

@@ -81,30 +81,6 @@ static void exchange(skv_port *port, skv_hand *hand)
         skv_exchange_float(port, values[i]);
 }
 
-bool skv_hands_hold_bodies(const skv_acting *acting)
-{
-    for (int i = 0; i < acting->hand_count; i++)
-        if (acting->hands[i].body)
-            return true;
-    return false;
-}
-
-void skv_exchange_held(skv_port *port, skv_hand *hand)
-{
-    uint64_t body = hand->body;
-    skv_exchange(port, &body, 4);
-    hand->body = (skv_body_id)body;
-    skv_exchange_float(port, &hand->at_x);
-    skv_exchange_float(port, &hand->at_y);
-}
-
-skv_result skv_exchange_holds(skv_port *port, skv_acting *acting, skv_error *error)
-{
-    for (int i = 0; i < acting->hand_count; i++)
-        skv_exchange_held(port, &acting->hands[i]);
-    return skv_check_hands(acting->hands, acting->hand_count, error);
-}
-
 skv_result skv_exchange_hands(skv_port *port, skv_acting *acting, skv_error *error)
 {
     if (!skv_exchange_count(port, &acting->hand_count, SKV_MAX_HANDS))

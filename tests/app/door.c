@@ -128,6 +128,14 @@ static void tell_fluids(GString *json, const skv_frame *frame)
     g_string_append_c(json, ']');
 }
 
+static void tell_bodies(GString *json, const skv_frame *frame)
+{
+    open(json, "bodies", '[');
+    for (int i = 0; i < frame->body_count; i++)
+        pair(json, NULL, frame->bodies[i].x, frame->bodies[i].y);
+    g_string_append_c(json, ']');
+}
+
 static void tell_probes(GString *json, const skv_picture *picture)
 {
     open(json, "probes", '[');
@@ -176,6 +184,7 @@ static void tell_world(GString *json, PlayView *view)
     text(json, "name", picture->name);
     text(json, "title", picture->title);
     tell_fluids(json, &picture->frame);
+    tell_bodies(json, &picture->frame);
     number(json, "opened", picture->opened);
     number(json, "picture", (double)picture->number);
     number(json, "time", picture->frame.time);

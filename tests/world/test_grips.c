@@ -315,6 +315,10 @@ static void what_cannot_be_held_is_not(void **unused)
     assert_near((double)hand.at_x, 0.06, 1e-6);
     assert_true(hand.radius == skv_default_hand().radius);
 
+    assert_false(skv_world_grasp(world, NAN, 0.5f, 1, &hand));
+    assert_false(skv_world_grasp(world, 0.5f, -INFINITY, 1, &hand));
+    assert_true(skv_world_grasp(world, 0.56f, 0.5f, 0.02f, &hand));
+
     /* What is fixed stays, and who holds what has gone does nothing. */
     skv_body_def def = skv_default_body_def();
     def.x = 0.9f;

@@ -7,17 +7,19 @@
 #include "scene/bodies.h"
 #include "solver/rows/solids.h"
 #include "world/bodies.h"
+#include "world/hands.h"
 
 static bool wanted;
 
-/* Somebody asks for bodies, as src/scene/fields.c does. */
-void skv_want_bodies(void);
+/* Somebody asks for bodies, as src/scene/fields.c does; refuses. */
+skv_result skv_want_bodies(skv_error *error);
 /* Whether anybody has since this was last called. Modules that have bodies do not export it. */
 __attribute__((export_name("skv_wasm_wants_bodies"))) bool skv_wasm_wants_bodies(void);
 
-void skv_want_bodies(void)
+skv_result skv_want_bodies(skv_error *error)
 {
     wanted = true;
+    return skv_fail(error, SKV_ERROR_VALUE, "bodies are yet to come; try again");
 }
 
 bool skv_wasm_wants_bodies(void)
@@ -60,8 +62,7 @@ float skv_placed_body_distance(const skv_placed_body *placed, float x, float y)
 skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
 {
     (void)reader, (void)spacing;
-    skv_want_bodies();
-    return skv_fail(error, SKV_ERROR_VALUE, "the page knows no bodies; use the program");
+    return skv_want_bodies(error);
 }
 
 skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
@@ -75,6 +76,24 @@ float skv_bodies_distance(const skv_world *world, float x, float y)
 {
     (void)world, (void)x, (void)y;
     return INFINITY;
+}
+
+bool skv_hands_hold_bodies(const skv_acting *acting)
+{
+    (void)acting;
+    return false;
+}
+
+void skv_exchange_held(skv_port *port, skv_hand *hand)
+{
+    (void)port, (void)hand;
+    skv_want_bodies(NULL);
+}
+
+skv_result skv_exchange_holds(skv_port *port, skv_acting *acting, skv_error *error)
+{
+    (void)acting;
+    return skv_bodies_check(port->from, 0, error);
 }
 
 bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_hand *hand)

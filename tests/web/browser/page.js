@@ -131,6 +131,41 @@ const trials = {
         await until(page, () => window.skvalp.state.value.worlds[0].name === 'pool', 'the pool is there');
     },
 
+    async 'the tool that drops bodies brings what they take, and links have them'(browser) {
+        const page = await begin(browser, desk, '?scene=pool&particles=500');
+        await until(page, () => window.skvalp.state.value.moment > 20, 'time passes');
+        const { worlds: [{ opened }], tool } = await stateOf(page);
+        await button(page, 'Body').click();
+        await until(page, (before) => window.skvalp.state.value.worlds[0].opened > before, 'the larger module goes on', opened);
+        const state = await stateOf(page);
+        assert.notEqual(state.tool, tool);
+        assert.deepEqual([state.worlds[0].name, state.paused, state.worlds[0].particles], ['pool', false, 500]);
+        const stop = () => page.evaluate(() => window.skvalp.simulation.setPaused(true));
+        await stop();
+        await until(page, () => window.skvalp.state.value.paused, 'it stands still');
+        const { camera } = state.worlds[0];
+        const canvas = await page.locator('canvas.canvas').boundingBox();
+        const x = canvas.x + camera.originX + 0.8 * camera.scale, y = canvas.y + camera.originY - 0.7 * camera.scale;
+        const look = () => page.screenshot({ clip: { x: Math.round(x) - 3, y: Math.round(y) - 3, width: 6, height: 6 } });
+        await page.mouse.move(x + 200, y);
+        const air = await look();
+        await page.mouse.click(x, y);
+        await until(page, () => window.skvalp.state.value.canUndo, 'a body is dropped');
+        await page.mouse.move(x + 200, y);
+        await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        assert.notDeepEqual(await look(), air, 'no body is drawn');
+        await page.evaluate(() => window.skvalp.simulation.setPaused(false));
+        const from = (await stateOf(page)).moment;
+        await until(page, (from) => window.skvalp.state.value.moment > from + 20, 'it falls', from);
+        await stop();
+        const link = await page.evaluate(() => window.skvalp.simulation.share());
+        const other = await begin(browser, desk, '?paused=1');
+        await other.evaluate((link) => window.skvalp.simulation.openLink(link), link.replace(/.*#/, ''));
+        await until(other, () => window.skvalp.state.value.worlds[0].name === 'pool', 'the link opens');
+        await other.evaluate(() => window.skvalp.simulation.setPaused(false));
+        await until(other, () => window.skvalp.state.value.asRecorded, 'it goes as it was recorded');
+    },
+
     async 'a wall is drawn and undone'(browser) {
         const page = await begin(browser, desk);
         await button(page, 'Wall').click();

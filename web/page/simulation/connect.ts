@@ -108,6 +108,6 @@ export const connect: Connect = async (canvas, listener) => {
     if (worker) {
         return connectWorker(worker, canvas, listener);
     }
-    const [{ loadModule }, { start }] = await Promise.all([import('./make'), import('./start')]);
+    const { loadModule, start } = await import('./start');
     return start(canvas, loadModule(threadsHere()), listener);
 };

@@ -1,57 +1,76 @@
-// Growing: what could not be opened for want of bodies goes on in a larger module, on the same canvas.
+// Growing: what wants bodies goes on in a larger module, on the same canvas.
 //
 // Invariant: what is open goes on until the larger module is there; if that fails, it is reported.
-import { type Loading, loadModule, make } from './make';
+import type { Library } from '../../src/library.js';
+
 import type { Listener, State } from './protocol';
 import type { Simulator } from './simulation';
 
 /** What nothing but the face knows. */
 const known = ['setView', 'setUnits', 'setTilt', 'setHidden'];
-let loading: Loading | undefined;
+let loading: Promise<any> | undefined, grown = false;
+
+interface From {
+    library: Library & { end(): unknown };
+    files: Map<string, Uint8Array>;
+}
 
 /**
- * @param from which could not open it
+ * @param from which lacks them; `listener` is its own
  * @param asked what was last asked of its methods
- * @param take the larger one from now on
+ * @param foresees they are not wanted yet: what is open goes on from this moment
+ * @param load brings the larger module
+ * @param make a simulation of it, which is asked from now on
  */
-export async function grow(from: Simulator, { library, threads }: Awaited<Loading>,
-    canvas: HTMLCanvasElement | OffscreenCanvas, listener: Listener, asked: Map<string, unknown[]>,
-    take: (larger: Simulator) => void) {
-    const { state: tell, report } = listener;
-    loading ??= loadModule(threads, 'bodies');
-    try {
-        const larger = await loading;
-        if (library.instance.hasCodecs) {
-            await larger.library.instance.bringCodecs();
+export async function grow<Loaded extends From>(from: Simulator, { library, files }: Loaded, listener: Listener,
+    asked: Map<string, unknown[]>, foresees: boolean, load: () => Promise<Loaded>,
+    make: (larger: Loaded, listener: Listener) => Simulator) {
+    const { opening, worlds } = from.playing, { c } = library, { stage } = worlds;
+    /** What is open: from its start, or at this moment if more would be missed. */
+    const again = async () => {
+        if (!c.skv_control_would_be_missed(stage)) {
+            return opening.current;
         }
-        if (!from.waits) { // something else was opened meanwhile
+        await from.playing.settled('save', () => c.skv_stage_save_moment(stage, 'kept'));
+        const bytes = files.get('kept')!;
+        return { source: { bytes, format: 'skvr' as const, label: 'kept', cautious: false }, settings: {} };
+    };
+    loading ??= load();
+    try {
+        const larger: Loaded = await loading;
+        await larger.library.instance.bringCodecs();
+        if (foresees && !grown) {
+            opening.next ??= await again();
+        }
+        if (grown || !opening.next) { // something else was opened meanwhile
             return;
         }
+        grown = true;
         let quiet = true;
-        const { state: last, opened } = from.giveWay();
-        const simulation = make(larger, canvas, {
+        const { opened } = worlds.first, last = from.end();
+        const now = make(larger, {
             ...listener,
             state: (state: State) => {
                 state.worlds.forEach((world) => (world.opened += opened));
                 if (!quiet) {
-                    tell(state);
+                    listener.state(state);
                 }
             },
         });
-        take(simulation);
-        known.filter((name) => asked.has(name)).forEach((name) => (simulation as any)[name](...asked.get(name)!));
-        simulation.setStyle(last.style);
-        simulation.setParticles(last.chosen ?? 0);
-        simulation.setTool(last.tool);
-        simulation.setDye(last.dye);
-        simulation.setLinked(last.linked);
-        simulation.setSpeed(last.speed);
-        simulation.setPaused(last.paused);
+        known.filter((name) => asked.has(name)).forEach((name) => (now as any)[name](...asked.get(name)!));
+        now.setStyle(last.style);
+        now.setParticles(last.chosen ?? 0);
+        now.setTool(last.tool);
+        now.setDye(last.dye);
+        now.setLinked(last.linked);
+        now.setSpeed(last.speed);
+        now.setPaused(last.paused);
         quiet = false;
-        simulation.goOn(from);
+        now.playing.opening.open(opening.next);
+        now.playing.asked();
         void library.end();
     } catch (error) {
         loading = undefined;
-        report({ kind: 'open', error: (error as Error).message });
+        listener.report({ kind: 'open', error: (error as Error).message });
     }
 }

@@ -20,8 +20,9 @@ export class Opening {
     #library;
     #stage;
     #amount;
-    #current: Wanted | null = null;
-    #next: Wanted | null = null;
+    /** What is open, and what is to be opened instead. */
+    current: Wanted | null = null;
+    next: Wanted | null = null;
 
     /** @param amount the number of particles for a scene or an experiment that is opened without one; 0: its own */
     constructor(library: Library, stage: number, amount: (of: string | number) => number) {
@@ -33,12 +34,12 @@ export class Opening {
     scene(name: string, settings: Settings = {}) {
         const amount = 'particles' in settings ? 0 : this.#amount(name);
         const own: Settings = amount ? { particles: String(amount) } : {};
-        this.#open({ source: { name }, settings: { ...own, ...settings } });
+        this.open({ source: { name }, settings: { ...own, ...settings } });
     }
 
     /** @param cautious asks once more about what takes long: it may be anybody's */
     bytes(bytes: Uint8Array, format: FileFormat, label: string, settings: Settings = {}, cautious = true) {
-        this.#open({ source: { bytes, format, label, cautious }, settings });
+        this.open({ source: { bytes, format, label, cautious }, settings });
     }
 
     /** Throws what is wrong with a link. */
@@ -60,15 +61,15 @@ export class Opening {
 
     /** What is open, from its start, with other settings. */
     change(settings: Settings) {
-        if (this.#current) {
-            const { source, settings: before } = this.#current;
-            this.#open({ source, settings: { ...before, ...settings } });
+        if (this.current) {
+            const { source, settings: before } = this.current;
+            this.open({ source, settings: { ...before, ...settings } });
         }
     }
 
-    #open(wanted: Wanted) {
+    open(wanted: Wanted) {
         const { c } = this.#library, { source, settings } = wanted;
-        this.#next = wanted;
+        this.next = wanted;
         withOptions(this.#library, settings, (options) => {
             if ('name' in source) {
                 c.skv_stage_open(this.#stage, source.name, options);
@@ -81,19 +82,9 @@ export class Opening {
         });
     }
 
-    /** Whether something is yet to be opened. */
-    get waits() {
-        return this.#next !== null;
-    }
-
-    /** Opens what another one could not. */
-    goOn(before: Opening) {
-        this.#open(before.#next!);
-    }
-
     /** What was asked for is there, or is not. */
     done(well: boolean) {
-        this.#current = well ? this.#next : this.#current;
-        this.#next = null;
+        this.current = well ? this.next : this.current;
+        this.next = null;
     }
 }

@@ -36,8 +36,8 @@ export interface Surroundings {
     particles: number | null;
     /** devicemotion has the other signs here: Apple's. */
     reversed: boolean;
-    /** What is to be opened has bodies, and the module has none. */
-    grow?: () => void;
+    /** Bodies are wanted, and the module has none: in what is to be opened, or, as is foreseen, in what is open. */
+    grow?: (foresees: boolean) => void;
 }
 
 type Waiting = { resolve: () => void; reject: (error: Error) => void };
@@ -158,7 +158,7 @@ export class Playing {
         if (number === this.#library.constants.SKV_OUTCOME_OPEN) {
             const { grow } = this.#surroundings;
             if (error && grow && this.#library.instance.exports.skv_wasm_wants_bodies?.()) {
-                grow();
+                grow(false);
                 return;
             }
             this.opening.done(!error);

@@ -59,25 +59,18 @@ export class Simulator implements Simulation {
         }
     }
 
-    // ---- Another one in its place -------------------------------------------------------------------
+    // ---- Another one in its place (grow.ts) ----------------------------------------------------------
 
-    /** Whether something is yet to be opened. */
-    get waits() {
-        return this.#playing.opening.waits;
+    get playing() {
+        return this.#playing;
     }
 
-    /** Ends; what it told last, and how often something was opened here. */
-    giveWay() {
+    /** Ends, with the canvas for another one; the last state. */
+    end() {
         this.#opened++;
         this.#pointers.cancel();
         this.#surroundings.painter!.destroy();
-        return { state: this.#playing.end(), opened: this.#worlds.first.opened };
-    }
-
-    /** Opens what another one could not. */
-    goOn(before: Simulator) {
-        this.#playing.opening.goOn(before.#playing.opening);
-        this.#playing.asked();
+        return this.#playing.end();
     }
 
     // ---- What is open ----------------------------------------------------------------------------
@@ -343,7 +336,11 @@ export class Simulator implements Simulation {
     }
 
     chooseTool(tool: number) {
-        this.#ask(this.#library.c.skv_control_tool, tool);
+        const { c } = this.#library;
+        this.#ask(c.skv_control_tool, tool);
+        if (this.#library.view('skv_tool', c.skv_tool_info(tool)).drops) {
+            this.#surroundings.grow?.(true);
+        }
     }
 
     chooseFluid(fluid: number) {

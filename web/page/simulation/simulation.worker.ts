@@ -5,8 +5,7 @@
 // simulation was there.
 import type { Simulation } from './protocol';
 import type { FromWorker, ToWorker } from './messages';
-import { loadModule } from './make';
-import { start } from './start';
+import { loadModule, start } from './start';
 
 const tell = (message: FromWorker) => postMessage(message);
 const words = (error: unknown) => (error instanceof Error ? error.message : String(error));
