@@ -595,7 +595,7 @@ const trials = {
         assert.ok((await kept({})).si, 'what another tab had kept is lost');
 
         page = await begun(small, '?scene=nowhere');
-        await page.getByRole('alert').filter({ hasText: 'no scene of this name' }).waitFor();
+        await page.getByRole('alert').filter({ hasText: 'no scene of this name. (nowhere)' }).waitFor();
         await plays(page, 'an unknown scene');
         assert.equal((await stateOf(page)).worlds[0].name, 'dam-break');
 
