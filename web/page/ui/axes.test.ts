@@ -28,6 +28,8 @@ test('ticks are round and every point lies within', () => {
 test('what hardly changes looks like that, and what does not change, or is not there, has axes', () => {
     const { up } = axesOf([line([0, 1], [100, 100.001])], ...box);
     expect(up.ticks.at(-1)! - up.ticks[0]).toBeGreaterThanOrEqual(5);
+    // Round a lone zero, labels are short: the first moment of a plot over time.
+    expect(axesOf([line([0], [0])], ...box).across.ticks).toEqual([-0.5, 0, 0.5]);
     for (const [x, y] of [[[1e6], [0]], [[0], [1e-7]], [[], []], [[NaN], [-5]]]) {
         const { across, up } = axesOf([line(x, y)], ...box);
         for (const { ticks, place } of [across, up]) {

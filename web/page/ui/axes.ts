@@ -28,7 +28,7 @@ export function axisOf(lists: Float64Array[], from: number, to: number, apart: n
     if (low > high)
         [low, high] = [0, 1];
     const size = Math.max(-low, high), span = high - low;
-    const pad = Math.max((span > 1e-9 * size ? leastSpan * size : size / 10 || 1e-3) - span, 0) / 2;
+    const pad = Math.max((span > 1e-9 * size ? leastSpan * size : size / 10 || 1) - span, 0) / 2;
     const step = roundStep(((span + 2 * pad) * apart) / Math.abs(to - from));
     const first = Math.floor((low - pad) / step + 1e-9), last = Math.ceil((high + pad) / step - 1e-9);
     const ticks = Array.from({ length: last - first + 1 }, (_, i) => (first + i) * step);
