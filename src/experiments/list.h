@@ -8,6 +8,7 @@
     X(slosh)                                                                                       \
     X(dam_break)                                                                                   \
     X(orifice)                                                                                     \
+    X(torricelli)                                                                                  \
     X(channel)                                                                                     \
     X(archimedes)                                                                                  \
     X(momentum)                                                                                    \

@@ -178,6 +178,15 @@ static void draw_outline(rig *s, const rig_plan *plan)
     s->result = SKV_STOPPED;
 }
 
+/* The spacing that the settings say, or that a world had which was built anew; else 0. */
+static double given_spacing(const rig *s)
+{
+    for (int i = 0; i < s->override_count; i++)
+        if (strcmp(s->overrides[i].path, "fluid.spacing") == 0)
+            return s->spacing;
+    return s->settings.spacing;
+}
+
 void skv_rig_build(rig *s, const rig_plan *plan)
 {
     if (!skv_rig_ok(s))
@@ -186,7 +195,7 @@ void skv_rig_build(rig *s, const rig_plan *plan)
         draw_outline(s, plan);
         return;
     }
-    skv_scene *scene = load(s, plan, s->settings.spacing);
+    skv_scene *scene = load(s, plan, given_spacing(s));
     skv_world *world = scene ? make_world(s, scene) : NULL;
     if (world) {
         skv_rig_keep(s, skv_scene_fill(scene, world, s->error));

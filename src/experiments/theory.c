@@ -98,6 +98,11 @@ double skv_theory_jet_speed(double gravity, double head)
     return sqrt(2 * gravity * head);
 }
 
+double skv_theory_jet_range(double head, double height)
+{
+    return 2 * sqrt(head * height);
+}
+
 double skv_theory_contraction(void)
 {
     return SKV_PI / (SKV_PI + 2);

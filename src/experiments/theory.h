@@ -60,6 +60,10 @@ double skv_theory_dam_front(int point, double height);
 /* Speed of a jet under a head of water: sqrt(2 g h) (Torricelli). */
 double skv_theory_jet_speed(double gravity, double head);
 
+/* How far a jet reaches that leaves horizontally under such a head, until it has fallen by a
+ * height: 2 sqrt(head height). */
+double skv_theory_jet_range(double head, double height);
+
 /* Contraction of a jet from a sharp-edged slot in a plane wall: pi/(pi + 2) (Kirchhoff 1869). */
 double skv_theory_contraction(void);
 
