@@ -23,6 +23,7 @@ typedef struct world_kind {
     int stirred;            /* hands and a changing gravity */
     float gravity_x;
     bool images; /* walls by images */
+    bool bodies; /* a box and a circle, which hands hold and let go */
 } world_kind;
 
 static int limited(int value)
@@ -117,6 +118,17 @@ static const world_kind kinds[] = {
      .fill_x1 = 0.3f,
      .fill_y1 = 1,
      .stirred = 1},
+    {.name = "bodies/calibrated", .fill_x1 = 1, .fill_y1 = 0.25f, .bodies = true},
+    {.name = "bodies/clavet",
+     .law = SKV_LAW_CLAVET,
+     .fill_x1 = 1,
+     .fill_y1 = 0.25f,
+     .bodies = true},
+    {.name = "bodies/reference",
+     .solver = SKV_SOLVER_REFERENCE,
+     .fill_x1 = 1,
+     .fill_y1 = 0.25f,
+     .bodies = true},
 };
 
 int bits_count(void)
@@ -206,6 +218,39 @@ static void stir(skv_world *world, int frame)
     skv_world_set_gravity(world, 0.25f * (float)(frame % 40 - 10), -9.81f, NULL);
 }
 
+/* One that is to float, and one that sinks and turns. */
+static bool add_bodies(skv_world *world)
+{
+    skv_body_def box = skv_default_body_def(), ball = skv_default_body_def();
+    box.x = 0.25f;
+    box.y = 0.28125f;
+    box.angle = 0.375f;
+    ball.shape = skv_circle(0, 0, 0.0625f);
+    ball.x = 0.5f;
+    ball.y = 0.375f;
+    ball.vx = -1;
+    ball.spin = 8;
+    ball.density = 1900;
+    return skv_world_add_body(world, &box, NULL, NULL, NULL) == SKV_OK &&
+           skv_world_add_body(world, &ball, NULL, NULL, NULL) == SKV_OK;
+}
+
+/* The box is picked up, carried through the water and thrown. */
+static void carry(skv_world *world, int frame)
+{
+    skv_hand hand = skv_default_hand();
+    hand.attraction = 300;
+    hand.follow = 40;
+    hand.x = 0.25f + 0.015625f * (float)frame;
+    hand.y = 0.3125f - 0.0078125f * (float)frame;
+    hand.vx = 0.9375f;
+    hand.vy = -0.46875f;
+    hand.body = 1;
+    hand.at_x = 0.03125f;
+    hand.at_y = 0.03125f;
+    skv_world_set_hands(world, &hand, frame > 1 && frame < 24, NULL);
+}
+
 static uint64_t add_bytes(uint64_t hash, const void *data, int size)
 {
     const unsigned char *bytes = data;
@@ -239,10 +284,12 @@ uint64_t bits_hash(int number, int threads, int frames)
     skv_world *world = make_world(kind, threads);
     if (!world)
         return 0;
-    bool fine = true;
+    bool fine = !kind->bodies || add_bodies(world);
     for (int frame = 0; frame < frames; frame++) {
         if (kind->stirred)
             stir(world, frame);
+        if (kind->bodies)
+            carry(world, frame);
         fine = skv_world_step(world, 1.0f / 60, NULL) == SKV_OK && fine;
     }
     skv_stats stats = skv_world_stats(world);
