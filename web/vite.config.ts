@@ -52,7 +52,8 @@ export default defineConfig(({ mode }) => {
         },
         plugins: [...plugins, words(here('../po'), here('page'))],
         worker: { format: 'es' },
-        test: { testTimeout: longest, hookTimeout: longest },
+        // Files share a process: none changes what is global, and each would load all anew.
+        test: { testTimeout: longest, hookTimeout: longest, isolate: false },
         oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
     };
 });
