@@ -12,6 +12,7 @@
 #include <jansson.h>
 
 #include "program.h"
+#include "support/long.h"
 
 static json_t *parse(const program_result *result)
 {
@@ -189,7 +190,8 @@ static int starts_of(void **state, const char *name, const char *setting)
  * them to differ in. */
 static void test_what_scatters_has_several_starts(void **state)
 {
-    assert_int_equal(starts_of(state, "rest", "particles=300"), 8);
+    if (long_tests())
+        assert_int_equal(starts_of(state, "rest", "particles=300"), 8);
     assert_int_equal(starts_of(state, "momentum", "particles=300"), 0);
     /* Fewer than 200 particles are not allowed, so four have more. */
     assert_int_equal(starts_of(state, "rest", "particles=200"), 5);

@@ -340,6 +340,7 @@ const trials = {
 };
 
 await carryOut([folder], trials, [
+    'a newcomer holds water with two fingers and tilts the tank',
     'a device has one number of particles, which people choose',
     'a turned screen keeps water that is in the air',
     'who is asked for the sensor may say no',

@@ -129,4 +129,4 @@ const trials = {
     },
 };
 
-await carryOut([folder], trials);
+await carryOut([folder], trials, ['all that can be dragged follows a finger the full way']);
