@@ -154,6 +154,18 @@ const trials = {
         await plays(page, 'the single file');
         const text = readFileSync(join(built, 'skvalp.html'), 'utf8');
         expect(!/(src|href)="(?!data:)/.test(text), 'the single file wants others');
+        /* It has bodies, and nothing begins anew for them. */
+        const { opened } = await page.evaluate(() => window.skvalp.state.value.worlds[0]);
+        await page.getByRole('button', { name: 'Body', exact: true }).click();
+        await page.waitForFunction(() => window.skvalp.state.value.tool === 8);
+        const duck = readFileSync(new URL('../../../examples/duck.json', import.meta.url), 'utf8');
+        await page.evaluate((text) => window.skvalp.simulation.openBytes(
+            new TextEncoder().encode(text), 'json', 'duck.json', { particles: '500' }), duck);
+        await page.waitForFunction(() => window.skvalp.state.value.worlds[0].title === 'Duck');
+        expect((await page.evaluate(() => window.skvalp.state.value.worlds[0].opened)) === opened + 1,
+            'something was opened besides');
+        await page.evaluate(() => window.skvalp.simulation.open('dam-break'));
+        await page.waitForFunction(() => window.skvalp.state.value.worlds[0].name === 'dam-break');
         await page.getByRole('button', { name: 'Main menu' }).click();
         await page.getByRole('button', { name: 'Share', exact: true }).click();
         await page.waitForFunction(() => document.querySelector('textarea.link')?.value);

@@ -336,9 +336,9 @@ export class Simulator implements Simulation {
     }
 
     chooseTool(tool: number) {
-        const { c } = this.#library;
+        const { c, instance } = this.#library;
         this.#ask(c.skv_control_tool, tool);
-        if (this.#library.view('skv_tool', c.skv_tool_info(tool)).drops) {
+        if (instance.exports.skv_wasm_wants_bodies && this.#library.view('skv_tool', c.skv_tool_info(tool)).drops) {
             this.#surroundings.grow?.(true);
         }
     }
