@@ -63,6 +63,12 @@ typedef struct skv_liquid {
     float density;             /**< kg/m^2 of the sheet, 0.01..20 times that of the first */
     float viscosity;           /**< kinematic, m^2/s, as in skv_fluid_def: 0..0.05 */
     int color; /**< 0xrrggbb, as it looks in deep layers; -1: by material and number */
+    /** Pa, 0..20000: springs between its particles resist a change of shape, as in jelly; 0: none,
+     * a liquid. */
+    float shear_modulus;
+    float yield;      /**< strain of a spring from which on it gives way for good, 0..1 */
+    float plasticity; /**< share of what is beyond that which it gives way by in a second, 1/s,
+                           0..100; 0: it stays elastic, and what touches later does not join */
 } skv_liquid;
 
 /** A liquid like the default fluid, which still needs a name of its own; and the same for binders

@@ -32,6 +32,10 @@ SKV_API skv_stats skv_world_stats(const skv_world *world);
 /** The same of one fluid's particles, by its number (skv_world_liquid); zeros past the last. */
 SKV_API skv_stats skv_world_fluid_stats(const skv_world *world, int fluid);
 
+/** Springs between particles of fluids that have a shear modulus (skv_liquid). They are made in steps:
+ * a new world has none. */
+SKV_API int skv_world_spring_count(const skv_world *world);
+
 /** How the particles of a world are packed. */
 typedef struct skv_packing {
     double neighbours;   /**< particles within h of a particle, on average; 0 without particles */
@@ -55,7 +59,7 @@ typedef struct skv_wall_impulse {
 SKV_API skv_wall_impulse skv_world_wall_impulse(const skv_world *world);
 
 /** 64-bit FNV-1a hash over x, y, vx, vy of every particle in creation order, its dye if it has
- * one, and its fluid if it is not the first. */
+ * one, and its fluid if it is not the first; then over springs and bodies, if there are any. */
 SKV_API uint64_t skv_world_hash(const skv_world *world);
 
 /** Writes the indices (into the arrays of skv_world_particles) of the particles in an area,

@@ -52,23 +52,10 @@ static bool is_followed(const skv_world *world)
     return !world->substeps_fixed && world->fluid.law == SKV_LAW_CALIBRATED;
 }
 
-/* The rule, and how many warm substeps are as stiff as so many of it, of the most viscous fluid. */
-static int rule(const skv_world *world, double load)
-{
-    skv_fluid_def fluid = skv_world_most_viscous(world);
-    return skv_substep_rule(&fluid, load);
-}
-
-static int warm_substeps(const skv_world *world, int cold)
-{
-    skv_fluid_def fluid = skv_world_most_viscous(world);
-    return skv_warm_substeps(&fluid, cold);
-}
-
 /* Takes what is as stiff as so many of the rule's substeps. */
 static void take(skv_world *world, int cold)
 {
-    int substeps = warm_substeps(world, cold);
+    int substeps = skv_world_warm_substeps(world, cold);
     world->due *= (double)substeps / world->substeps;
     world->substeps = substeps;
 }
@@ -76,7 +63,7 @@ static void take(skv_world *world, int cold)
 void skv_load_begin(skv_world *world, int substeps)
 {
     world->load = (skv_load){.most = substeps, .wanted = substeps, .stiffness = (float)substeps};
-    world->substeps = world->substeps_fixed ? substeps : warm_substeps(world, substeps);
+    world->substeps = world->substeps_fixed ? substeps : skv_world_warm_substeps(world, substeps);
 }
 
 float skv_load_stiffness(const skv_world *world)
@@ -136,10 +123,10 @@ static void bear(skv_world *world, float load)
     l->peak = skv_maxf(l->peak, load);
     if (l->wanted == l->most)
         return;
-    int needed = rule(world, (double)load);
+    int needed = skv_world_substep_rule(world, (double)load);
     if (needed > l->wanted)
         l->wanted = needed < l->most ? needed : l->most;
-    if (warm_substeps(world, l->wanted) > world->substeps)
+    if (skv_world_warm_substeps(world, l->wanted) > world->substeps)
         take(world, l->wanted);
 }
 
@@ -198,7 +185,7 @@ void skv_load_rest(skv_world *world, float depth)
     float head = skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
                                  skv_terrain_height(world->terrain));
     double load = skv_load_of_depth(gravity_of(world), depth, head);
-    int needed = rule(world, (double)MARGIN * load);
+    int needed = skv_world_substep_rule(world, (double)MARGIN * load);
     if (needed >= l->wanted)
         return;
     l->wanted = needed;
@@ -232,7 +219,7 @@ void skv_load_follow(skv_world *world, double before)
     skv_load *l = &world->load;
     bear(world, measure(world));
     if (has_come(before, world->time, LOOKS)) {
-        int needed = rule(world, (double)(MARGIN * l->peak));
+        int needed = skv_world_substep_rule(world, (double)(MARGIN * l->peak));
         l->wanted = needed < l->wanted ? needed : l->wanted;
         l->peak = 0;
     }

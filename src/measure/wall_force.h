@@ -4,6 +4,7 @@
 
 #include "skvalp/measure.h"
 #include "solver/solver.h"
+#include "world/springs.h"
 
 /* On the walls inside a box. */
 typedef struct skv_wall_force {
@@ -20,6 +21,10 @@ typedef struct skv_force_meter {
     uint32_t *id;
     int capacity;
     void *block;
+    /* What springs push the world's particles by. */
+    skv_pushed pushed;
+    int pushed_room;
+    void *pushed_block;
 } skv_force_meter;
 
 /* Takes the world's next substep on a copy of the fluid near the box and adds up what the walls in

@@ -37,6 +37,7 @@
 #define STICKS           0.05  /* wall friction from which on a viscous fluid does not slip */
 #define RESIDUAL_CROWD   2     /* how crowded the residual volume is, to the lattice */
 #define SLIP_FRICTION    0.2   /* of the friction in contact: it acts on all of the layer */
+#define MOST_SPRING      4.05  /* k dt^2 eta^2: at twice as much springs throw the lattice apart */
 #define COHESION_MARGIN  12    /* how much stiffer than the cohesion the pressure must be */
 
 skv_kernel skv_law_kernel(skv_law law)
@@ -86,6 +87,39 @@ double skv_linear_viscosity(const skv_fluid_def *f)
     return sigma;
 }
 
+/* A shear by g lengthens a pair by g r sin cos. The energy of springs m k q/2, summed over the disc
+ * with n0 = (eta/h)^2 particles per area and half of the pairs, makes the modulus G = pi/320 rho k
+ * eta^2 h^2. This is k. */
+static double spring_of_modulus(const skv_fluid_def *f, double modulus, double density)
+{
+    double eta = (double)f->radius_ratio, h = (double)f->spacing * eta;
+    return SKV_SPRINGS / SKV_PI * modulus / (density * eta * eta * h * h);
+}
+
+static double most_spring(const skv_fluid_def *f)
+{
+    return MOST_SPRING / (double)(f->radius_ratio * f->radius_ratio);
+}
+
+double skv_spring_stiffness(const skv_fluid_def *f, double modulus, double density, double dt)
+{
+    double stiffness = spring_of_modulus(f, modulus, density) * dt * dt, most = most_spring(f);
+    return stiffness < most ? stiffness : most;
+}
+
+static int whole_substeps(double substeps)
+{
+    if (!(substeps < MOST_SUBSTEPS))
+        return MOST_SUBSTEPS; /* also of what is no number */
+    int whole = (int)ceil(substeps - 1e-9);
+    return whole < 1 ? 1 : whole;
+}
+
+int skv_spring_rule(const skv_fluid_def *f, double modulus, double density)
+{
+    return whole_substeps(FRAME * sqrt(spring_of_modulus(f, modulus, density) / most_spring(f)));
+}
+
 int skv_substep_rule(const skv_fluid_def *f, double load)
 {
     double h = (double)f->spacing * (double)f->radius_ratio;
@@ -105,10 +139,7 @@ int skv_substep_rule(const skv_fluid_def *f, double load)
     double viscous = skv_linear_viscosity(f) * FRAME / (double)SKV_MOST_VISCOUS;
     if (substeps < viscous)
         substeps = viscous;
-    if (!(substeps < MOST_SUBSTEPS))
-        return MOST_SUBSTEPS; /* also of what is no number */
-    int whole = (int)ceil(substeps - 1e-9);
-    return whole < 1 ? 1 : whole;
+    return whole_substeps(substeps);
 }
 
 /* Whether a fluid has the margin that warm starts need. Of the liveliest waves an iteration takes

@@ -89,6 +89,14 @@ double skv_linear_viscosity(const skv_fluid_def *fluid);
 /* Those of a fluid as stiff as dt allows. */
 skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
 
+/* k dt^2 of the springs of a fluid with a shear modulus, Pa, and a density, kg/m^2, as stiff as dt
+ * allows: two of their particles push each other by half of it times q(L) and what their spring is
+ * shortened by, L being its length at rest. */
+double skv_spring_stiffness(const skv_fluid_def *fluid, double shear_modulus, double density,
+                            double dt);
+/* How many substeps a frame bear such springs. */
+int skv_spring_rule(const skv_fluid_def *fluid, double shear_modulus, double density);
+
 /* The rule: how many substeps a frame bear a load. */
 int skv_substep_rule(const skv_fluid_def *fluid, double load);
 /* How many substeps are as stiff as that many of the rule's, which start cold, if they start warm

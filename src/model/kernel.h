@@ -44,7 +44,10 @@ enum {
 
     /* Pi over it is 1/4 int q x^2 y^2/r^2 over where x y < 0: the viscosity of pairs that approach
      * each other in a shear flow, per sigma n0 h^4. */
-    SKV_VISCOUS = 640
+    SKV_VISCOUS = 640,
+    /* Pi over it is 1/4 int q x^2 y^2/r^2: the shear modulus of pairs that push each other by k q/2
+     * of what they are shortened by, per density and k n0 h^4. */
+    SKV_SPRINGS = 320
 };
 
 static inline double skv_kernel_density(skv_kernel kernel, double q)

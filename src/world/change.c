@@ -36,8 +36,7 @@ double skv_expected_load(const skv_world *world)
 
 int skv_substeps_needed(const skv_world *world)
 {
-    skv_fluid_def fluid = skv_world_most_viscous(world);
-    return skv_substep_rule(&fluid, skv_expected_load(world));
+    return skv_world_substep_rule(world, skv_expected_load(world));
 }
 
 /* Follows the gravity and the forces that have been set. */

@@ -9,6 +9,7 @@
 #include "terrain/sample.h"
 #include "world/area.h"
 #include "world/remove.h"
+#include "world/springs.h"
 
 #include <math.h>
 
@@ -143,6 +144,7 @@ skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain, int *re
         skv_world_revise(world); /* pairs that a new thin wall parts are none */
         skv_terrain_destroy(before);
         skv_world_end_removal(world, buried);
+        skv_springs_part(world);
         skv_world_adapt_substeps(world);
     }
     skv_squares_destroy(&e.changed);

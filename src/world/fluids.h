@@ -17,9 +17,10 @@ void skv_world_weigh(skv_world *world);
 /* The greatest density of its fluids over the least: 1 for one fluid. */
 double skv_world_contrast(const skv_world *world);
 
-/* The world's fluid with the viscosity of the most viscous one of the list: for the substeps' rule.
- */
-skv_fluid_def skv_world_most_viscous(const skv_world *world);
+/* How many substeps of the rule bear a load, the most viscous fluid and the stiffest springs of the
+ * list; and how many are as stiff as so many of these, if they start warm. */
+int skv_world_substep_rule(const skv_world *world, double load);
+int skv_world_warm_substeps(const skv_world *world, int cold);
 
 /* What the world's particles weigh, over that of the first fluid's; null if all weigh as much, and
  * are as viscous. */

@@ -6,6 +6,7 @@
 #include "base/exact.h"
 #include "base/fields.h"
 #include "base/plain.h"
+#include "world/springs.h"
 
 #include <string.h>
 
@@ -71,6 +72,8 @@ skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char 
         wrong = SKV_LIQUID_WRONG_COLOR;
     }
     if (!complaint)
+        complaint = skv_springs_complain(liquid, &wrong);
+    if (!complaint)
         return SKV_LIQUID_SANE;
     skv_format(text, size, "%s", complaint);
     return wrong;
@@ -78,7 +81,8 @@ skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char 
 
 skv_result skv_check_liquids(const skv_world_def *def, skv_error *error)
 {
-    static const char *const members[] = {"", "name", "density", "viscosity", "color"};
+    static const char *const members[] = {"",      "name",          "density", "viscosity",
+                                          "color", "shear_modulus", "yield",   "plasticity"};
     if (def->liquid_count < 0 || def->liquid_count >= SKV_MAX_FLUIDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "fluids: %d beside the first; allowed is 0..%d",
                         def->liquid_count, SKV_MAX_FLUIDS - 1);
@@ -126,7 +130,7 @@ static bool exchange_name(skv_port *port, char name[SKV_FLUID_NAME])
     return true;
 }
 
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def)
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, bool springs)
 {
     uint64_t count = (uint64_t)def->liquid_count;
     skv_exchange(port, &count, 1);
@@ -145,6 +149,11 @@ bool skv_exchange_liquids(skv_port *port, skv_world_def *def)
         skv_exchange_float(port, &liquid->viscosity);
         skv_exchange(port, &color, 4);
         liquid->color = color <= MOST_COLOR + 1 ? (int)color - 1 : MOST_COLOR + 1;
+        if (springs) {
+            skv_exchange_float(port, &liquid->shear_modulus);
+            skv_exchange_float(port, &liquid->yield);
+            skv_exchange_float(port, &liquid->plasticity);
+        }
     }
     return sane && skv_check_liquids(def, NULL) == SKV_OK;
 }

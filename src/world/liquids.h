@@ -23,7 +23,10 @@ typedef enum skv_liquid_member {
     SKV_LIQUID_WRONG_NAME,
     SKV_LIQUID_WRONG_DENSITY,
     SKV_LIQUID_WRONG_VISCOSITY,
-    SKV_LIQUID_WRONG_COLOR
+    SKV_LIQUID_WRONG_COLOR,
+    SKV_LIQUID_WRONG_MODULUS,
+    SKV_LIQUID_WRONG_YIELD,
+    SKV_LIQUID_WRONG_PLASTICITY
 } skv_liquid_member;
 
 /* The first wrong value of a fluid beside those before it in a definition's list, and in `text`
@@ -36,7 +39,8 @@ skv_result skv_check_fluid(int fluid, int fluids, skv_error *error);
 /* Writes or reads a dye and a fluid's number as one byte: the dye, and 16 times the number. */
 void skv_exchange_contents(skv_port *port, int *dye, int *fluid);
 
-/* Writes or reads the further fluids of a definition; false if they are none. */
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def);
+/* Writes or reads the further fluids of a definition, with what is said of their springs or without
+ * that; false if they are none. */
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, bool springs);
 
 #endif

@@ -4,6 +4,7 @@
 #include "base/exact.h"
 #include "solver/rows/rows.h"
 #include "world/bodies.h"
+#include "world/springs.h"
 
 #include <math.h>
 #include <string.h>
@@ -110,7 +111,15 @@ uint64_t skv_world_hash(const skv_world *world)
         if (skv_fluid_of(s, i))
             hash = hash_byte(hash, 16u * (unsigned)skv_fluid_of(s, i));
     }
+    if (world->springs)
+        hash = skv_springs_hash(hash, world->springs);
     return world->bodies ? skv_bodies_hash(hash, world->bodies) : hash;
+}
+
+int skv_world_spring_count(const skv_world *world)
+{
+    SKV_ASSERT_OR(world, 0);
+    return world->springs ? world->springs->count : 0;
 }
 
 skv_wall_impulse skv_world_wall_impulse(const skv_world *world)
@@ -125,7 +134,7 @@ skv_memory skv_world_memory(const skv_world *world)
     skv_solver_memory solver = world->solver->type->memory(world->solver);
     return (skv_memory){
         .particles = skv_state_bytes(&world->state) + solver.particles,
-        .kept = solver.kept,
+        .kept = solver.kept + skv_springs_bytes(world->springs),
         .grid = solver.grid,
         .histograms = solver.histograms,
     };

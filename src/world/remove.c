@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "world/area.h"
+#include "world/springs.h"
 
 /* True for a particle that has left through an open side: by more than h, or round the corner,
  * where it would meet a closed side from behind. */
@@ -35,6 +36,7 @@ static void close_ranks(skv_world *world)
 {
     skv_state *s = &world->state;
     int kept = 0;
+    skv_springs_forget(world);
     for (int i = 0; i < s->count; i++) {
         if (s->unrest[i] == SKV_LEAVING)
             continue;

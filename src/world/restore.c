@@ -8,6 +8,7 @@
 #include "world/fluids.h"
 #include "world/parameters.h"
 #include "world/snapshot.h"
+#include "world/springs.h"
 
 /* What a world was built around. The rest can change while it runs, and comes with the snapshot. */
 static const skv_parameter fixed[] = {SKV_P_SOLVER,
@@ -77,9 +78,15 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
     skv_bodies *bodies = NULL;
     if (result == SKV_OK && s->with_bodies)
         result = skv_bodies_load(world, s->bodies, &bodies, error);
-    if (result != SKV_OK)
+    skv_springs *springs = NULL;
+    if (result == SKV_OK && s->with_springs)
+        result = skv_springs_load(s->springs, s->count, &springs, error);
+    if (result != SKV_OK) {
+        skv_bodies_destroy(bodies);
         return result;
+    }
     skv_bodies_take_over(world, bodies);
+    skv_springs_take_over(world, springs);
     skv_snapshot_particles(s, &world->state);
     take_facts(world, s);
     take_sleep(world, s);

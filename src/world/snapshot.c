@@ -13,6 +13,7 @@
 #include "world/liquids.h"
 #include "world/names.h"
 #include "world/parameters.h"
+#include "world/springs.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,13 +27,14 @@ enum {
     WITH_RAMP = 32,    /* of a world on its way, so that others are read by older libraries */
     WITH_FLUIDS = 64,  /* of a world with several fluids, likewise */
     WITH_BODIES = 128, /* of a world that has had bodies, likewise */
-    WITH_HOLDS = 256   /* of one whose hands hold some, likewise */
+    WITH_HOLDS = 256,  /* of one whose hands hold some, likewise */
+    WITH_SPRINGS = 512 /* of one with a fluid that has some, likewise */
 };
 
 static const skv_envelope kind = {"snapshot", 'V', 1, 1,
                                   WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
                                       WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES |
-                                      WITH_HOLDS};
+                                      WITH_HOLDS | WITH_SPRINGS};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -79,7 +81,7 @@ static void put_facts(skv_writer *w, const skv_world *world)
     }
     if (world->fluid_count > 1) {
         skv_world_def def = skv_world_describe(world);
-        skv_exchange_liquids(&(skv_port){.to = w}, &def);
+        skv_exchange_liquids(&(skv_port){.to = w}, &def, skv_world_is_springy(world));
     }
     skv_acting acting = world->acting;
     skv_exchange_acting(&(skv_port){.to = w}, &acting, world->fluid_count, NULL);
@@ -88,6 +90,8 @@ static void put_facts(skv_writer *w, const skv_world *world)
         skv_exchange_holds(&(skv_port){.to = w}, &acting, NULL);
     if (world->bodies)
         skv_bodies_save(w, world->bodies);
+    if (skv_world_is_springy(world))
+        skv_springs_save(w, world->springs);
 }
 
 /* The picture in runs of equal bytes, from the lower left corner on. */
@@ -138,6 +142,8 @@ static void put_particles(skv_writer *w, const skv_world *world)
     unsigned holds = SKV_SAVED | SKV_SAVED_WITH_WARM;
     if (world->fluid_count > 1)
         holds |= SKV_SAVED_WITH_FLUIDS;
+    if (skv_world_is_springy(world))
+        holds |= SKV_SAVED_WITH_SPRINGS;
 #define PUT(type, name, saved)                                                                     \
     for (int i = 0; (holds & (saved)) && i < s->count; i++)                                        \
         put_##type(w, s->name[i]);
@@ -153,7 +159,8 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
         WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
             (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
             (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
-            (world->bodies ? WITH_BODIES : 0u) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
+            (world->bodies ? WITH_BODIES : 0u) | (skv_world_is_springy(world) ? WITH_SPRINGS : 0u) |
+            (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
     put_facts(w, world);
@@ -210,8 +217,12 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_fluids = flags & WITH_FLUIDS;
     s->with_holds = flags & WITH_HOLDS;
     s->with_bodies = flags & WITH_BODIES;
+    s->with_springs = flags & WITH_SPRINGS;
+    if (s->with_springs && !s->with_fluids)
+        return refuse(error, "it is damaged; take another copy");
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
-               (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u);
+               (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u) |
+               (flags & WITH_SPRINGS ? SKV_SAVED_WITH_SPRINGS : 0u);
     return SKV_OK;
 }
 
@@ -288,8 +299,9 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->next_id = (uint32_t)skv_get(r, 4);
     s->watched = skv_get_double(r);
     uint64_t stepped = skv_get(r, 4);
-    bool loads = s->def.substeps >= 1 && read_load(r, s) && read_ramp(r, s) &&
-                 (!s->with_fluids || skv_exchange_liquids(&(skv_port){.from = r}, &s->def));
+    bool loads =
+        s->def.substeps >= 1 && read_load(r, s) && read_ramp(r, s) &&
+        (!s->with_fluids || skv_exchange_liquids(&(skv_port){.from = r}, &s->def, s->with_springs));
     /* More substeps than a frame may have are never owed. */
     if (!skv_within(s->time, 0, 1e12) || steps > INT64_MAX / 2 || !skv_within(s->due, 0, 1000) ||
         !skv_within((double)s->filled, 0, 1e6) || !skv_within(s->watched, 0, 1e3) ||
@@ -306,7 +318,11 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
         result = skv_exchange_holds(&(skv_port){.from = r}, &s->acting, error);
     s->bodies = *r;
     if (result == SKV_OK && s->with_bodies)
-        return skv_bodies_check(r, s->def.fluid.spacing, error);
+        result = skv_bodies_check(r, s->def.fluid.spacing, error);
+    s->springs = *r;
+    if (result == SKV_OK && s->with_springs)
+        result =
+            skv_springs_check(r, s->def.fluid.spacing * s->def.fluid.radius_ratio, &s->ends, error);
     return result;
 }
 
@@ -375,7 +391,8 @@ static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_befo
            isfinite(*one->pressure) && skv_within((double)*one->warm_lambda, 0, MOST_WARM_LAMBDA) &&
            isfinite(*one->anchor_x) && isfinite(*one->anchor_y) && *one->id > id_before &&
            *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS && *one->dye <= SKV_DYES &&
-           *one->fluid <= s->def.liquid_count && (s->def.sleep || *one->unrest != SKV_CALM);
+           *one->fluid <= s->def.liquid_count && *one->bonded <= 1 &&
+           (s->def.sleep || *one->unrest != SKV_CALM);
 }
 
 /* Bytes of a particle, behind which the reference solver once had two arrays of its own. */
@@ -436,7 +453,7 @@ static skv_result read_particles(skv_reader *r, skv_snapshot *s, skv_error *erro
     s->particles = *r;
     if (r->size - r->at != count * particle_size(s, (size_t)arrays))
         return refuse(error, "its length is not that of its particles");
-    if (!check_particles(s))
+    if (!check_particles(s) || s->ends > s->count)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "snapshot: a particle has values that none can have");
     return SKV_OK;

@@ -10,6 +10,7 @@
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
     bool substeps_fixed, with_load, with_names, with_ramp, with_fluids, with_holds, with_bodies;
+    bool with_springs;
     unsigned holds; /* of the particles' attributes: skv_saved */
     skv_load load;
     skv_ramp ramp;
@@ -19,7 +20,7 @@ typedef struct skv_snapshot {
     int stepped;
     uint32_t next_id;
     skv_acting acting;
-    skv_reader bodies; /* where they begin */
+    skv_reader bodies, springs; /* where they begin */
 
     uint64_t terrain_hash;
     bool with_terrain;
@@ -27,6 +28,7 @@ typedef struct skv_snapshot {
     skv_reader picture;
 
     int count; /* particles */
+    int ends;  /* how many of them springs need */
     skv_reader particles;
 } skv_snapshot;
 

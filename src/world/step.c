@@ -7,6 +7,7 @@
 #include "world/flow.h"
 #include "world/fluids.h"
 #include "world/remove.h"
+#include "world/springs.h"
 
 #include <math.h>
 #include <string.h>
@@ -60,12 +61,18 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, skv_
     skv_result result = solver->reserve(world->solver, &step, error);
     if (result != SKV_OK)
         return result;
-    bool bodies = skv_world_has_bodies(world) > 0;
+    bool bodies = skv_world_has_bodies(world) > 0, springs = skv_world_is_springy(world);
+    if (springs)
+        result = skv_springs_prepare(world, error);
+    if (result != SKV_OK)
+        return result;
     if (bodies)
         skv_bodies_move(world, (double)world->constants.dt);
     bool partial, moves = skv_sleep_plan(world, time, &partial) > 0;
     step.particles.part = partial ? world->state.part : NULL;
     step.solid_given = bodies ? world->bodies->given : NULL;
+    if (moves && springs)
+        skv_springs_push(world, world->constants.dt, partial);
     skv_impulse given = moves ? solver->advance(world->solver, &step) : (skv_impulse){0};
     if (bodies)
         skv_bodies_feel(world, (double)world->constants.dt);
@@ -121,7 +128,7 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
     bool open = skv_terrain_open_sides(world->terrain) != 0;
     bool flows = has_flow(&world->acting);
     bool one_by_one = open || flows || world->before_substep || skv_world_has_bodies(world) ||
-                      world->solver->type->most_substeps < count;
+                      skv_world_is_springy(world) || world->solver->type->most_substeps < count;
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
     skv_pool_go(world->pool);

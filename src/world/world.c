@@ -8,6 +8,7 @@
 #include "world/bodies.h"
 #include "world/fluids.h"
 #include "world/parameters.h"
+#include "world/springs.h"
 #include "world/world_internal.h"
 
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)
@@ -61,6 +62,7 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
         s->fluid[i] = (uint8_t)fluid;
         s->mass[i] = skv_mass_of(world, fluid);
         s->drag[i] = skv_drag_of(world, fluid);
+        s->bonded[i] = 0;
     }
     world->sleep.stepped++;
     skv_world_revise(world);
@@ -187,6 +189,7 @@ void skv_world_destroy(skv_world *world)
     skv_sleep_destroy(world);
     skv_load_destroy(world);
     skv_bodies_destroy(world->bodies);
+    skv_springs_destroy(world->springs);
     if (world->solver)
         world->solver->type->destroy(world->solver);
     skv_wall_map_destroy(world->walls);

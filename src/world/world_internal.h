@@ -60,6 +60,7 @@ struct skv_world {
     skv_tile_load *tile_loads; /* load.c */
     skv_solver *solver;
     struct skv_bodies *bodies;     /* world/bodies.h; null: there have been none */
+    struct skv_springs *springs;   /* world/springs.h; null: there have been none */
     skv_wall_impulse wall_impulse; /* of the last step */
     skv_constants constants;
     float constants_dt, constants_stiffness; /* what they were made for */

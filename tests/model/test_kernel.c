@@ -52,6 +52,12 @@ static double viscous(skv_kernel kernel, double x, double y)
     return x * y < 0 ? q_at(x, y) * pow(x * y / hypot(x, y), 2) / 4 : 0;
 }
 
+static double springs(skv_kernel kernel, double x, double y)
+{
+    (void)kernel;
+    return q_at(x, y) * pow(x * y / hypot(x, y), 2) / 4;
+}
+
 /* Over the plane: rings by the middles of their widths, each by rays evenly spread. */
 static double over_plane(skv_kernel kernel, integrand *f)
 {
@@ -85,6 +91,7 @@ static void integrals_are_those_of_the_kernels(void **unused)
         {"spiky F, half a plane", spiky, flat, 1.0 / skv_kernel_flat(spiky)},
         {"smooth F, half a plane", smooth, flat, 1.0 / skv_kernel_flat(smooth)},
         {"viscosity", spiky, viscous, SKV_PI / SKV_VISCOUS},
+        {"springs", spiky, springs, SKV_PI / SKV_SPRINGS},
     };
     for (size_t i = 0; i < sizeof integrals / sizeof *integrals; i++) {
         double found = over_plane(integrals[i].kernel, integrals[i].f);
