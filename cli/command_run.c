@@ -339,7 +339,7 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
     snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
     /* clang-format off */
     skv_flow flow = skv_world_flow(run->world);
-    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so so}",
+    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so si so}",
         "scene", output_text(name_of(run)),
         "particles", stats->particles,
         "substeps", skv_world_substeps_per_frame(run->world),
@@ -358,6 +358,7 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
         "replaced", (json_int_t)flow.replaced,
         "blocked", (json_int_t)flow.blocked,
         "fluids", list_fluids(run->world),
+        "springs", skv_world_spring_count(run->world),
         "bodies", list_bodies(run)), error);
     /* clang-format on */
 }

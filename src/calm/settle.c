@@ -19,6 +19,7 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "calm/regions.h"
+#include "world/springs.h"
 
 #include <math.h>
 #include <string.h>
@@ -134,6 +135,8 @@ static skv_result take_round(const settling *s, bool last, bool again, skv_error
         p->vx[i] = s->kept * p->vx[i] + weighs * (x - slope * y);
         p->vy[i] = s->kept * p->vy[i] + weighs * (y + slope * x);
     }
+    if (skv_world_is_springy(world))
+        skv_springs_hold(world, s->constants.dt);
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
     skv_solver_step step = skv_world_describe_step(world, &s->constants, forces);
     step.gravity_x = step.gravity_y = 0;
@@ -310,6 +313,9 @@ skv_result skv_world_settle_drawn(skv_world *world, skv_inside *inside, void *us
     world->busy = SKV_READ;
     skv_result result = skv_world_find_lies(world, &(skv_drawing){inside, user}, &s.lies, error);
     world->busy = SKV_IDLE;
+    /* What has springs keeps the shape in which it was put down. */
+    if (result == SKV_OK && skv_world_is_springy(world))
+        result = skv_springs_prepare(world, error);
     if (!numbers) {
         result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");
     } else if (result == SKV_OK) {

@@ -106,6 +106,12 @@ static const skv_field fields[FIELDS] = {
                "kinematic viscosity; else the material's")
     OWN_TEXT(SKV_F_FLUIDS + SKV_LIQUID_COLOR, "fluids[].color", 7,
              "as it looks where it is deep, \"#rrggbb\"; else by material and place in the list")
+    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_SHEAR_MODULUS, "fluids[].shear_modulus", "Pa", 0, 20000, "0",
+               "springs hold its shape, as in jelly; 0: a liquid")
+    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_YIELD, "fluids[].yield", "", 0, 1, "0.1",
+               "strain from which on its springs give way for good, if it is plastic")
+    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_PLASTICITY, "fluids[].plasticity", "1/s", 0, 100, "0",
+               "how fast they do; 0: it stays elastic")
     LINE_FIELDS(SKV_F_SOLID, "solid[]")
     OWN_FLAG(SKV_F_SOLID + SKV_SOLID_CARVE, "solid[].carve", "false",
              "cut the shape out of the solid before it in the list")

@@ -64,6 +64,12 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
         liquid->density = (float)value[SKV_LIQUID_DENSITY].number;
     if (value[SKV_LIQUID_VISCOSITY].origin.source != SKV_FROM_DEFAULT)
         liquid->viscosity = (float)value[SKV_LIQUID_VISCOSITY].number;
+    liquid->shear_modulus = (float)value[SKV_LIQUID_SHEAR_MODULUS].number;
+    liquid->yield = (float)value[SKV_LIQUID_YIELD].number;
+    liquid->plasticity = (float)value[SKV_LIQUID_PLASTICITY].number;
+    if (liquid->plasticity > 0 && !(liquid->shear_modulus > 0))
+        return fail(draft, index, SKV_LIQUID_PLASTICITY,
+                    "needs springs that give way; add a shear_modulus, Pa", error);
     if (name == NULL)
         return fail(draft, index, SKV_LIQUID_NAME, "is missing; water and emitters need it", error);
     skv_format(liquid->name, sizeof liquid->name, "%s", name);
@@ -77,6 +83,7 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
     return fail(draft, index,
                 wrong == SKV_LIQUID_WRONG_DENSITY     ? SKV_LIQUID_DENSITY
                 : wrong == SKV_LIQUID_WRONG_VISCOSITY ? SKV_LIQUID_VISCOSITY
+                : wrong == SKV_LIQUID_WRONG_MODULUS   ? SKV_LIQUID_SHEAR_MODULUS
                                                       : SKV_LIQUID_NAME,
                 complaint, error);
 }

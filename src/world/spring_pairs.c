@@ -5,6 +5,7 @@
  * Invariant: what is found follows from the particles and the springs alone, in their order; and
  * nothing has changed until all the room that it takes is there.
  */
+#include "base/memory.h"
 #include "world/springs.h"
 
 #include <math.h>
@@ -148,17 +149,17 @@ static void write_all(const finding *f, int count)
     }
 }
 
-skv_result skv_springs_find(skv_world *world, skv_error *error)
+static skv_result find(skv_world *world, skv_error *error)
 {
     finding f = {.world = world, .springs = world->springs};
-    if (world->steps % NEW_EVERY != 0 || !list_particles(&f))
+    if (!list_particles(&f))
         return SKV_OK;
     skv_result result = list_neighbours(&f, error);
     if (result != SKV_OK)
         return result;
     int due = count_due(&f), count = world->springs->count + due;
     if (due > 0) {
-        result = skv_springs_reserve(world->springs, count, error);
+        result = skv_springs_reserve(world->springs, world->state.count, count, error);
         if (result != SKV_OK)
             return result;
         write_all(&f, count);
@@ -166,4 +167,20 @@ skv_result skv_springs_find(skv_world *world, skv_error *error)
     for (int k = 0; k < f.count; k++)
         world->state.bonded[world->springs->number[k]] = 1;
     return SKV_OK;
+}
+
+skv_result skv_springs_prepare(skv_world *world, skv_error *error)
+{
+    int count = world->state.count;
+    if (!world->springs)
+        world->springs = skv_calloc(1, sizeof *world->springs);
+    skv_springs *s = world->springs;
+    if (!s)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for springs");
+    skv_result result = skv_springs_reserve(s, count, s->count, error);
+    if (result != SKV_OK)
+        return result;
+    for (; s->particles < count; s->particles++)
+        s->first[s->particles + 1] = s->count;
+    return world->steps % NEW_EVERY == 0 ? find(world, error) : SKV_OK;
 }

@@ -200,29 +200,44 @@ static bool is_whole(const skv_world *world, int from, int spring)
     return world->springs->length[spring] > 0;
 }
 
+void skv_springs_tell(const skv_world *world, float dt, const skv_pushed *pushed)
+{
+    pushing p = make_pushing(world, dt, pushed);
+    push_all(&p);
+}
+
+/* Changes the velocities of particles that move by what has been found. */
+static void add_pushes(const skv_world *world, bool partial)
+{
+    const skv_state *state = &world->state;
+    const skv_pushed *pushed = &world->springs->pushed;
+    for (int i = 0; i < state->count; i++) {
+        if (partial && state->part[i] != SKV_MOVES)
+            continue;
+        state->vx[i] += pushed->dvx[i];
+        state->vy[i] += pushed->dvy[i];
+    }
+}
+
 void skv_springs_push(skv_world *world, float dt, bool partial)
 {
     skv_springs *s = world->springs;
-    const skv_state *state = &world->state;
     if (s->count == 0)
         return;
     pushing p = make_pushing(world, dt, &s->pushed);
     p.length = s->length;
     push_all(&p);
-    for (int i = 0; i < state->count; i++) {
-        if (partial && state->part[i] != SKV_MOVES)
-            continue;
-        state->vx[i] += s->pushed.dvx[i];
-        state->vy[i] += s->pushed.dvy[i];
-    }
+    add_pushes(world, partial);
     if (p.broke)
         keep(world, is_whole);
 }
 
-void skv_springs_tell(const skv_world *world, float dt, const skv_pushed *pushed)
+void skv_springs_hold(const skv_world *world, float dt)
 {
-    pushing p = make_pushing(world, dt, pushed);
-    push_all(&p);
+    if (world->springs->count == 0)
+        return;
+    skv_springs_tell(world, dt, &world->springs->pushed);
+    add_pushes(world, false);
 }
 
 /* ---- Who goes -------------------------------------------------------------------------------- */
@@ -288,7 +303,7 @@ static skv_result reserve_particles(skv_springs *s, int count, skv_error *error)
     return SKV_OK;
 }
 
-skv_result skv_springs_reserve(skv_springs *s, int count, skv_error *error)
+static skv_result reserve_springs(skv_springs *s, int count, skv_error *error)
 {
     if (count <= s->room && s->block)
         return SKV_OK;
@@ -304,22 +319,10 @@ skv_result skv_springs_reserve(skv_springs *s, int count, skv_error *error)
     return SKV_OK;
 }
 
-skv_result skv_springs_prepare(skv_world *world, skv_error *error)
+skv_result skv_springs_reserve(skv_springs *s, int particles, int count, skv_error *error)
 {
-    int count = world->state.count;
-    if (!world->springs)
-        world->springs = skv_calloc(1, sizeof *world->springs);
-    skv_springs *s = world->springs;
-    if (!s)
-        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for springs");
-    skv_result result = reserve_particles(s, count, error);
-    if (result == SKV_OK)
-        result = skv_springs_reserve(s, s->count, error);
-    if (result != SKV_OK)
-        return result;
-    for (; s->particles < count; s->particles++)
-        s->first[s->particles + 1] = s->count;
-    return skv_springs_find(world, error);
+    skv_result result = reserve_particles(s, particles, error);
+    return result == SKV_OK ? reserve_springs(s, count, error) : result;
 }
 
 void skv_springs_destroy(skv_springs *s)
@@ -401,9 +404,7 @@ skv_result skv_springs_load(skv_reader r, int particles, skv_springs **springs, 
     skv_springs *s = skv_calloc(1, sizeof *s);
     if (!s)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for springs");
-    skv_result result = reserve_particles(s, particles, error);
-    if (result == SKV_OK)
-        result = skv_springs_reserve(s, count, error);
+    skv_result result = skv_springs_reserve(s, particles, count, error);
     if (result != SKV_OK) {
         skv_springs_destroy(s);
         return result;

@@ -46,13 +46,16 @@ bool skv_world_is_springy(const skv_world *world);
 /* What is wrong with the numbers of a fluid's springs, and which of them; null: nothing. */
 const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong);
 
-/* Before a substep of a springy world: makes the springs that are due, and all the room that it
- * takes. On failure no spring has changed. */
+/* spring_pairs.c. Before a substep of a springy world: makes the springs that are due, and all the
+ * room that it takes. On failure no spring has changed. */
 skv_result skv_springs_prepare(skv_world *world, skv_error *error);
 
 /* Lets the springs change the velocities of particles that move, for a substep of `dt`; those that
  * are longer than they bear break, and plastic ones give way. */
 void skv_springs_push(skv_world *world, float dt, bool partial);
+
+/* The same of all particles, while no spring breaks or gives way: no time passes. */
+void skv_springs_hold(const skv_world *world, float dt);
 
 /* Writes what they would change all particles' velocities by, while nothing changes. */
 void skv_springs_tell(const skv_world *world, float dt, const skv_pushed *pushed);
@@ -62,11 +65,9 @@ void skv_springs_forget(skv_world *world);
 /* Drops springs that walls part since they were changed, or whose ends are of two fluids. */
 void skv_springs_part(skv_world *world);
 
-/* spring_pairs.c: makes springs where they are due. */
-skv_result skv_springs_find(skv_world *world, skv_error *error);
-
-/* Makes room; nothing changes on failure. */
-skv_result skv_springs_reserve(skv_springs *springs, int count, skv_error *error);
+/* Makes room for springs of so many particles, and for so many springs; nothing changes on failure.
+ */
+skv_result skv_springs_reserve(skv_springs *springs, int particles, int count, skv_error *error);
 
 /* Adds what decides their future to a hash. */
 uint64_t skv_springs_hash(uint64_t hash, const skv_springs *springs);

@@ -49,7 +49,7 @@ static void test_contract(void **state)
         "scene",          "particles",    "substeps", "steps",       "sim_seconds",
         "hash",           "escaped",      "nan",      "ms_per_step", "neighbours",
         "kinetic_energy", "volume_ratio", "emitted",  "drained",     "left",
-        "replaced",       "blocked",      "fluids",   "bodies"};
+        "replaced",       "blocked",      "fluids",   "springs",     "bodies"};
     json_t *object = RUN_JSON(*state, "dam-break", "--seconds", "0.5", "--particles", "500");
     assert_int_equal(json_object_size(object), sizeof keys / sizeof keys[0]);
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
@@ -67,6 +67,7 @@ static void test_contract(void **state)
     assert_int_equal((int)number(object, "escaped"), 0);
     assert_int_equal((int)number(object, "emitted"), 0);
     assert_int_equal((int)number(object, "nan"), 0);
+    assert_int_equal((int)number(object, "springs"), 0);
     assert_true(number(object, "kinetic_energy") > 0);
     assert_true(number(object, "volume_ratio") > 0.5 && number(object, "volume_ratio") < 1.5);
     const char *hash = json_string_value(json_object_get(object, "hash"));

@@ -3,6 +3,7 @@
 #include "skvalp/skvalp.h"
 #include "support.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -56,6 +57,34 @@ static void fluids_arrive(void **unused)
     skv_scene_destroy(scene);
 }
 
+/* Jelly begins with the corners that are drawn, where water's tension rounds them. */
+static void jelly_keeps_its_corners(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 2; i++) {
+        skv_scene *scene;
+        skv_world *world;
+        skv_error error = {0};
+        const char *text =
+            i ? "{\"particles\": 400, \"fluids\": [{\"name\": \"jelly\", \"shear_modulus\": 4000}],"
+                "\"water\": [{\"shape\": \"box\", \"x0\": 0.6, \"x1\": 0.8, \"y0\": 0.4,"
+                "\"y1\": 0.6, \"fluid\": \"jelly\"}]}"
+              : "{\"particles\": 400, \"water\": [{\"shape\": \"box\", \"x0\": 0.6, \"x1\": 0.8,"
+                "\"y0\": 0.4, \"y1\": 0.6}]}";
+        if (load_text(text, NULL, &scene, &error) != SKV_OK ||
+            skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+            fail_msg("%s", error.text);
+        skv_particles p = skv_world_particles(world);
+        float farthest = 0;
+        for (int k = 0; k < p.count; k++)
+            farthest = fmaxf(farthest, fabsf(p.x[k] - 0.7f) + fabsf(p.y[k] - 0.5f));
+        /* The outermost particle of a drawn corner is half a spacing inside, both ways. */
+        assert_true((farthest > 0.18f) == (i == 1));
+        skv_world_destroy(world);
+        skv_scene_destroy(scene);
+    }
+}
+
 /* Loads a text with one setting, null for none, and expects to be told that. */
 static void expect_refused(const char *text, const char *path, const char *value,
                            const char *message)
@@ -68,6 +97,9 @@ static void expect_refused(const char *text, const char *path, const char *value
     assert_string_equal(error.text, message);
     assert_null(scene);
 }
+
+/* Which of them is told of the name, not of what was set. */
+enum { MISSING_NAME = 19 };
 
 static void what_is_wrong_is_told(void **unused)
 {
@@ -96,6 +128,14 @@ static void what_is_wrong_is_told(void **unused)
          "0.001 is out of range; allowed is a number from 0.01 to 400000 kg/m^2"},
         {"fluids[0].density", "400001",
          "400001 is out of range; allowed is a number from 0.01 to 400000 kg/m^2"},
+        {"fluids[0].shear_modulus", "20001",
+         "20001 is out of range; allowed is a number from 0 to 20000 Pa"},
+        {"fluids[0].shear_modulus", "stiff",
+         "\"stiff\" is not a number; allowed is a number from 0 to 20000 Pa"},
+        {"fluids[1].yield", "-0.1", "-0.1 is out of range; allowed is a number from 0 to 1"},
+        {"fluids[0].plasticity", "1e9",
+         "1e+09 is out of range; allowed is a number from 0 to 100 1/s"},
+        {"fluids[1].plasticity", "2", "needs springs that give way; add a shear_modulus, Pa"},
         {"fluids[0].density", "9",
          "is 9 kg/m^2; allowed is 0.01 to 20 times that of the first fluid, 10..20000 kg/m^2"},
         {"fluids[2].density", "1000", "is missing; water and emitters need it"},
@@ -103,7 +143,7 @@ static void what_is_wrong_is_told(void **unused)
     };
     for (int i = 0; i < (int)(sizeof wrong / sizeof *wrong); i++) {
         char message[300];
-        const char *path = i == 14 ? "fluids[2].name" : wrong[i].path;
+        const char *path = i == MISSING_NAME ? "fluids[2].name" : wrong[i].path;
         snprintf(message, sizeof message, "--set %s: %s", path, wrong[i].message);
         expect_refused(SCENE("", ""), wrong[i].path, wrong[i].value, message);
     }
@@ -247,9 +287,9 @@ static void yellow_is_painted_oil(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fluids_arrive),         cmocka_unit_test(what_is_wrong_is_told),
-        cmocka_unit_test(eight_are_all),         cmocka_unit_test(materials_are_as_they_are),
-        cmocka_unit_test(yellow_is_painted_oil),
+        cmocka_unit_test(jelly_keeps_its_corners),   cmocka_unit_test(fluids_arrive),
+        cmocka_unit_test(what_is_wrong_is_told),     cmocka_unit_test(eight_are_all),
+        cmocka_unit_test(materials_are_as_they_are), cmocka_unit_test(yellow_is_painted_oil),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,6 +27,11 @@ void skv_springs_push(skv_world *world, float dt, bool partial)
     (void)world, (void)dt, (void)partial;
 }
 
+void skv_springs_hold(const skv_world *world, float dt)
+{
+    (void)world, (void)dt;
+}
+
 void skv_springs_tell(const skv_world *world, float dt, const skv_pushed *pushed)
 {
     (void)world, (void)dt, (void)pushed;
