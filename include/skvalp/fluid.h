@@ -68,7 +68,8 @@ typedef struct skv_liquid {
     float shear_modulus;
     float yield;      /**< strain of a spring from which on it gives way for good, 0..1 */
     float plasticity; /**< share of what is beyond that which it gives way by in a second, 1/s,
-                           0..100; 0: it stays elastic, and what touches later does not join */
+                           0..100, 0 without a shear modulus; 0: it stays elastic, and what
+                           touches later does not join */
 } skv_liquid;
 
 /** A liquid like the default fluid, which still needs a name of its own; and the same for binders

@@ -21,7 +21,7 @@ void skv_force_free(skv_force_meter *m)
     if (m->solver)
         m->solver->type->destroy(m->solver);
     skv_free(m->block);
-    skv_free(m->pushed_block);
+    skv_free(m->pushes.block);
     memset(m, 0, sizeof *m);
 }
 
@@ -76,32 +76,6 @@ static bool is_near(const skv_force_meter *m, float x, float y)
     return x > around->x0 && x < around->x1 && y > around->y0 && y < around->y1;
 }
 
-/* What springs are about to push the world's particles by, and room for that; null without springs.
- */
-static skv_result ask_springs(skv_force_meter *m, const skv_world *world, float dt,
-                              const skv_pushed **pushed, skv_error *error)
-{
-    int count = world->state.count;
-    *pushed = NULL;
-    if (skv_world_spring_count(world) == 0)
-        return SKV_OK;
-    if (count > m->pushed_room) {
-        size_t room = (size_t)count;
-        const skv_array arrays[] = {
-            SKV_ARRAY(m->pushed.x, room, 0),
-            SKV_ARRAY(m->pushed.y, room, 0),
-            SKV_ARRAY(m->pushed.dvx, room, 0),
-            SKV_ARRAY(m->pushed.dvy, room, 0),
-        };
-        if (!skv_arrays_grow(&m->pushed_block, arrays, sizeof arrays / sizeof *arrays))
-            return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a force on walls");
-        m->pushed_room = count;
-    }
-    skv_springs_tell(world, dt, &m->pushed);
-    *pushed = &m->pushed;
-    return SKV_OK;
-}
-
 /* Puts a copy of the particles near the box in the place of the world's. */
 static skv_result copy_fluid(skv_force_meter *m, const skv_pushed *pushed,
                              skv_solver_particles *particles, skv_error *error)
@@ -154,7 +128,7 @@ skv_result skv_force_measure(skv_force_meter *m, const skv_world *world, double 
     skv_result result = prepare_solver(m, world, &reaction, error);
     const skv_pushed *pushed = NULL;
     if (result == SKV_OK)
-        result = ask_springs(m, world, constants.dt, &pushed, error);
+        result = skv_springs_ask(&m->pushes, world, constants.dt, &pushed, error);
     if (result == SKV_OK)
         result = copy_fluid(m, pushed, &step.particles, error);
     step.reaction = &reaction;

@@ -21,10 +21,7 @@ typedef struct skv_force_meter {
     uint32_t *id;
     int capacity;
     void *block;
-    /* What springs push the world's particles by. */
-    skv_pushed pushed;
-    int pushed_room;
-    void *pushed_block;
+    skv_spring_pushes pushes; /* of the world's particles */
 } skv_force_meter;
 
 /* Takes the world's next substep on a copy of the fluid near the box and adds up what the walls in

@@ -19,16 +19,24 @@ enum { FIELDS = SKV_F_BODIES };
 enum { FIELDS = SKV_F_COUNT };
 #endif
 
-/* Rows of the scene's own. */
-#define OWN_TEXT(id, path, most, help) [id] = {path, SKV_FIELD_TEXT, "", 0, most, NULL, "", help},
+/* Rows of the scene's own. Nobody reads in the page's first modules what texts and fields of lists
+ * are for: there they do not say so. */
+#define HELP(text) text
+#ifdef SKV_WITHOUT_BODIES
+#define TEXT_HELP(text) ""
+#else
+#define TEXT_HELP(text) text
+#endif
+#define OWN_TEXT(id, path, most, help)                                                             \
+    [id] = {path, SKV_FIELD_TEXT, "", 0, most, NULL, "", TEXT_HELP(help)},
 #define OWN_NUMBER(id, path, unit, least, most, standard, help)                                    \
-    [id] = {path, SKV_FIELD_NUMBER, unit, least, most, NULL, standard, help},
+    [id] = {path, SKV_FIELD_NUMBER, unit, least, most, NULL, standard, HELP(help)},
 #define OWN_WHOLE(id, path, least, most, standard, help)                                           \
-    [id] = {path, SKV_FIELD_INTEGER, "", least, most, NULL, standard, help},
+    [id] = {path, SKV_FIELD_INTEGER, "", least, most, NULL, standard, HELP(help)},
 #define OWN_FLAG(id, path, standard, help)                                                         \
-    [id] = {path, SKV_FIELD_BOOLEAN, "", 0, 1, NULL, standard, help},
+    [id] = {path, SKV_FIELD_BOOLEAN, "", 0, 1, NULL, standard, HELP(help)},
 #define OWN_CHOICE(id, path, choices, standard, help)                                              \
-    [id] = {path, SKV_FIELD_CHOICE, "", 0, 0, choices, standard, help},
+    [id] = {path, SKV_FIELD_CHOICE, "", 0, 0, choices, standard, HELP(help)},
 
 /* Rows of the world's; the host's parameters are no scene's. */
 #define NUMBER(id, path, member, unit, least, most, standard, live, help)                          \
@@ -96,6 +104,10 @@ static const skv_field fields[FIELDS] = {
     OWN_WHOLE(SKV_F_PARTICLES, "particles", 1, SKV_MAX_PARTICLES, "3000",
               "number of particles; the spacing follows from it")
 #include "world/parameter_rows.h"
+#ifdef SKV_WITHOUT_BODIES
+#undef HELP
+#define HELP(text) ""
+#endif
     OWN_TEXT(SKV_F_FLUIDS + SKV_LIQUID_NAME, "fluids[].name", SKV_FLUID_NAME - 1,
              "by which water and emitters name it; needed; \"water\" is the fluid above")
     OWN_CHOICE(SKV_F_FLUIDS + SKV_LIQUID_MATERIAL, "fluids[].material", "water|oil|honey|mercury",

@@ -67,9 +67,6 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
     liquid->shear_modulus = (float)value[SKV_LIQUID_SHEAR_MODULUS].number;
     liquid->yield = (float)value[SKV_LIQUID_YIELD].number;
     liquid->plasticity = (float)value[SKV_LIQUID_PLASTICITY].number;
-    if (liquid->plasticity > 0 && !(liquid->shear_modulus > 0))
-        return fail(draft, index, SKV_LIQUID_PLASTICITY,
-                    "needs springs that give way; add a shear_modulus, Pa", error);
     if (name == NULL)
         return fail(draft, index, SKV_LIQUID_NAME, "is missing; water and emitters need it", error);
     skv_format(liquid->name, sizeof liquid->name, "%s", name);
@@ -81,10 +78,11 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
     if (wrong == SKV_LIQUID_SANE)
         return SKV_OK;
     return fail(draft, index,
-                wrong == SKV_LIQUID_WRONG_DENSITY     ? SKV_LIQUID_DENSITY
-                : wrong == SKV_LIQUID_WRONG_VISCOSITY ? SKV_LIQUID_VISCOSITY
-                : wrong == SKV_LIQUID_WRONG_MODULUS   ? SKV_LIQUID_SHEAR_MODULUS
-                                                      : SKV_LIQUID_NAME,
+                wrong == SKV_LIQUID_WRONG_DENSITY      ? SKV_LIQUID_DENSITY
+                : wrong == SKV_LIQUID_WRONG_VISCOSITY  ? SKV_LIQUID_VISCOSITY
+                : wrong == SKV_LIQUID_WRONG_MODULUS    ? SKV_LIQUID_SHEAR_MODULUS
+                : wrong == SKV_LIQUID_WRONG_PLASTICITY ? SKV_LIQUID_PLASTICITY
+                                                       : SKV_LIQUID_NAME,
                 complaint, error);
 }
 

@@ -60,32 +60,17 @@ static skv_fluid_def most_viscous(const skv_world *world)
     return fluid_with(world, most);
 }
 
-/* What the stiffest springs of the list need; 0 without springs. */
-static int spring_rule(const skv_world *world)
-{
-    int most = 0;
-    for (int i = 1; i < world->fluid_count; i++) {
-        const skv_liquid *liquid = &world->liquids[i];
-        if (!(liquid->shear_modulus > 0))
-            continue;
-        int needed =
-            skv_spring_rule(&world->fluid, (double)liquid->shear_modulus, (double)liquid->density);
-        most = needed > most ? needed : most;
-    }
-    return most;
-}
-
 int skv_world_substep_rule(const skv_world *world, double load)
 {
     skv_fluid_def fluid = most_viscous(world);
-    int needed = skv_substep_rule(&fluid, load), springs = spring_rule(world);
+    int needed = skv_substep_rule(&fluid, load), springs = skv_springs_rule(world);
     return needed > springs ? needed : springs;
 }
 
 int skv_world_warm_substeps(const skv_world *world, int cold)
 {
     skv_fluid_def fluid = most_viscous(world);
-    int warm = skv_warm_substeps(&fluid, cold), springs = spring_rule(world);
+    int warm = skv_warm_substeps(&fluid, cold), springs = skv_springs_rule(world);
     return warm > springs ? warm : springs < cold ? springs : cold;
 }
 
@@ -137,7 +122,7 @@ skv_result skv_world_set_fluids(skv_world *world, int first, int count, const ui
         world->state.fluid[i] = fluids[k];
         world->state.mass[i] = skv_mass_of(world, fluids[k]);
         world->state.drag[i] = skv_drag_of(world, fluids[k]);
-        world->state.bonded[i] = 0;
+        skv_springs_renew(world, i);
         skv_sleep_wake(world, i);
     }
     skv_springs_part(world);

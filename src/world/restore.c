@@ -80,7 +80,7 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
         result = skv_bodies_load(world, s->bodies, &bodies, error);
     skv_springs *springs = NULL;
     if (result == SKV_OK && s->with_springs)
-        result = skv_springs_load(s->springs, s->count, &springs, error);
+        result = skv_springs_load(s->springs, &springs, error);
     if (result != SKV_OK) {
         skv_bodies_destroy(bodies);
         return result;

@@ -142,8 +142,6 @@ static void put_particles(skv_writer *w, const skv_world *world)
     unsigned holds = SKV_SAVED | SKV_SAVED_WITH_WARM;
     if (world->fluid_count > 1)
         holds |= SKV_SAVED_WITH_FLUIDS;
-    if (skv_world_is_springy(world))
-        holds |= SKV_SAVED_WITH_SPRINGS;
 #define PUT(type, name, saved)                                                                     \
     for (int i = 0; (holds & (saved)) && i < s->count; i++)                                        \
         put_##type(w, s->name[i]);
@@ -221,8 +219,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     if (s->with_springs && !s->with_fluids)
         return refuse(error, "it is damaged; take another copy");
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
-               (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u) |
-               (flags & WITH_SPRINGS ? SKV_SAVED_WITH_SPRINGS : 0u);
+               (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u);
     return SKV_OK;
 }
 
@@ -391,8 +388,7 @@ static bool is_sane(const skv_state *one, const skv_snapshot *s, int64_t id_befo
            isfinite(*one->pressure) && skv_within((double)*one->warm_lambda, 0, MOST_WARM_LAMBDA) &&
            isfinite(*one->anchor_x) && isfinite(*one->anchor_y) && *one->id > id_before &&
            *one->id < s->next_id && *one->unrest <= SKV_NEWLY_RESTLESS && *one->dye <= SKV_DYES &&
-           *one->fluid <= s->def.liquid_count && *one->bonded <= 1 &&
-           (s->def.sleep || *one->unrest != SKV_CALM);
+           *one->fluid <= s->def.liquid_count && (s->def.sleep || *one->unrest != SKV_CALM);
 }
 
 /* Bytes of a particle, behind which the reference solver once had two arrays of its own. */

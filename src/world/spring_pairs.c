@@ -36,7 +36,7 @@ static bool list_particles(finding *f)
         int fluid = p->fluid[i];
         if (!springy[fluid])
             continue;
-        due |= !p->bonded[i] || (touched && world->liquids[fluid].plasticity > 0);
+        due |= !s->bonded[i] || (touched && world->liquids[fluid].plasticity > 0);
         s->number[f->count] = i;
         s->pushed.x[f->count] = p->x[i];
         s->pushed.y[f->count++] = p->y[i];
@@ -71,8 +71,9 @@ static skv_result list_neighbours(const finding *f, skv_error *error)
 static bool is_due(const finding *f, int a, int b)
 {
     const skv_state *p = &f->world->state;
+    const uint8_t *bonded = f->springs->bonded;
     return p->fluid[a] == p->fluid[b] &&
-           (!p->bonded[a] || !p->bonded[b] || f->world->liquids[p->fluid[a]].plasticity > 0);
+           (!bonded[a] || !bonded[b] || f->world->liquids[p->fluid[a]].plasticity > 0);
 }
 
 /* Puts a number among rising ones; if there is no more room, the highest goes. */
@@ -165,7 +166,7 @@ static skv_result find(skv_world *world, skv_error *error)
         write_all(&f, count);
     }
     for (int k = 0; k < f.count; k++)
-        world->state.bonded[world->springs->number[k]] = 1;
+        world->springs->bonded[world->springs->number[k]] = 1;
     return SKV_OK;
 }
 
@@ -180,7 +181,9 @@ skv_result skv_springs_prepare(skv_world *world, skv_error *error)
     skv_result result = skv_springs_reserve(s, count, s->count, error);
     if (result != SKV_OK)
         return result;
-    for (; s->particles < count; s->particles++)
+    for (; s->particles < count; s->particles++) {
         s->first[s->particles + 1] = s->count;
+        s->bonded[s->particles] = 0;
+    }
     return world->steps % NEW_EVERY == 0 ? find(world, error) : SKV_OK;
 }

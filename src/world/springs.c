@@ -57,6 +57,20 @@ bool skv_world_is_springy(const skv_world *world)
     return false;
 }
 
+int skv_springs_rule(const skv_world *world)
+{
+    int most = 0;
+    for (int i = 1; i < world->fluid_count; i++) {
+        const skv_liquid *liquid = &world->liquids[i];
+        if (!skv_liquid_is_springy(liquid))
+            continue;
+        int needed =
+            skv_spring_rule(&world->fluid, (double)liquid->shear_modulus, (double)liquid->density);
+        most = needed > most ? needed : most;
+    }
+    return most;
+}
+
 const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong)
 {
     if (!skv_within((double)liquid->shear_modulus, 0, MOST_MODULUS)) {
@@ -70,6 +84,10 @@ const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wr
     if (!skv_within((double)liquid->plasticity, 0, MOST_PLASTICITY)) {
         *wrong = SKV_LIQUID_WRONG_PLASTICITY;
         return "is out of range; allowed is 0..100 1/s";
+    }
+    if (liquid->plasticity > 0 && !skv_liquid_is_springy(liquid)) {
+        *wrong = SKV_LIQUID_WRONG_PLASTICITY;
+        return "needs springs that give way; add a shear_modulus, Pa";
     }
     return NULL;
 }
@@ -200,10 +218,34 @@ static bool is_whole(const skv_world *world, int from, int spring)
     return world->springs->length[spring] > 0;
 }
 
-void skv_springs_tell(const skv_world *world, float dt, const skv_pushed *pushed)
+static void tell(const skv_world *world, float dt, const skv_pushed *pushed)
 {
     pushing p = make_pushing(world, dt, pushed);
     push_all(&p);
+}
+
+skv_result skv_springs_ask(skv_spring_pushes *pushes, const skv_world *world, float dt,
+                           const skv_pushed **pushed, skv_error *error)
+{
+    int count = world->state.count;
+    *pushed = NULL;
+    if (!world->springs || world->springs->count == 0)
+        return SKV_OK;
+    if (count > pushes->room) {
+        size_t room = (size_t)count;
+        const skv_array arrays[] = {
+            SKV_ARRAY(pushes->pushed.x, room, 0),
+            SKV_ARRAY(pushes->pushed.y, room, 0),
+            SKV_ARRAY(pushes->pushed.dvx, room, 0),
+            SKV_ARRAY(pushes->pushed.dvy, room, 0),
+        };
+        if (!skv_arrays_grow(&pushes->block, arrays, sizeof arrays / sizeof *arrays))
+            return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for what springs push");
+        pushes->room = count;
+    }
+    tell(world, dt, &pushes->pushed);
+    *pushed = &pushes->pushed;
+    return SKV_OK;
 }
 
 /* Changes the velocities of particles that move by what has been found. */
@@ -236,7 +278,7 @@ void skv_springs_hold(const skv_world *world, float dt)
 {
     if (world->springs->count == 0)
         return;
-    skv_springs_tell(world, dt, &world->springs->pushed);
+    tell(world, dt, &world->springs->pushed);
     add_pushes(world, false);
 }
 
@@ -258,6 +300,7 @@ void skv_springs_forget(skv_world *world)
     for (int i = 0; i < s->particles; i++) {
         s->number[i] = left;
         s->first[left] = s->first[i];
+        s->bonded[left] = s->bonded[i];
         left += world->state.unrest[i] != SKV_LEAVING;
     }
     for (int k = 0; k < s->count; k++)
@@ -276,6 +319,12 @@ static bool is_one_piece(const skv_world *world, int from, int spring)
                                    0));
 }
 
+void skv_springs_renew(skv_world *world, int particle)
+{
+    if (world->springs && particle < world->springs->particles)
+        world->springs->bonded[particle] = 0;
+}
+
 void skv_springs_part(skv_world *world)
 {
     if (world->springs)
@@ -291,10 +340,11 @@ static skv_result reserve_particles(skv_springs *s, int count, skv_error *error)
     int more = 2 * s->particle_room, capacity = count > more ? count : more;
     size_t room = (size_t)capacity, had = s->particle_room ? (size_t)s->particles + 1 : 0;
     const skv_array arrays[] = {
-        SKV_ARRAY(s->first, room + 1, had), SKV_ARRAY(s->pushed.x, room, 0),
-        SKV_ARRAY(s->pushed.y, room, 0),    SKV_ARRAY(s->pushed.dvx, room, 0),
-        SKV_ARRAY(s->pushed.dvy, room, 0),  SKV_ARRAY(s->number, room, 0),
-        SKV_ARRAY(s->mark, room, 0),        SKV_ARRAY(s->many, room, 0),
+        SKV_ARRAY(s->first, room + 1, had), SKV_ARRAY(s->bonded, room, had ? had - 1 : 0),
+        SKV_ARRAY(s->pushed.x, room, 0),    SKV_ARRAY(s->pushed.y, room, 0),
+        SKV_ARRAY(s->pushed.dvx, room, 0),  SKV_ARRAY(s->pushed.dvy, room, 0),
+        SKV_ARRAY(s->number, room, 0),      SKV_ARRAY(s->mark, room, 0),
+        SKV_ARRAY(s->many, room, 0),
     };
     if (!skv_arrays_grow(&s->particle_block, arrays, sizeof arrays / sizeof *arrays))
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for springs of %d particles",
@@ -346,7 +396,7 @@ size_t skv_springs_bytes(const skv_springs *s)
 {
     if (!s)
         return 0;
-    size_t by_particle = 4 * sizeof(int) + 4 * sizeof(float),
+    size_t by_particle = 1 + 4 * sizeof(int) + 4 * sizeof(float),
            by_spring = sizeof(int) + sizeof(float);
     return sizeof *s + (size_t)s->particle_room * by_particle + (size_t)s->room * by_spring;
 }
@@ -355,7 +405,10 @@ size_t skv_springs_bytes(const skv_springs *s)
 
 void skv_springs_save(skv_writer *writer, const skv_springs *s)
 {
-    int count = s ? s->count : 0;
+    int count = s ? s->count : 0, particles = s ? s->particles : 0;
+    skv_put(writer, (uint64_t)particles, 4);
+    for (int i = 0; i < particles; i++)
+        skv_put(writer, s->bonded[i], 1);
     skv_put(writer, (uint64_t)count, 4);
     for (int i = 0, k = 0; k < count; i++) {
         for (; k < s->first[i + 1]; k++) {
@@ -380,25 +433,32 @@ static saved_spring read_spring(skv_reader *r)
 
 skv_result skv_springs_check(skv_reader *r, float most_length, int *particles, skv_error *error)
 {
+    uint64_t known = skv_get(r, 4), strange = known > SKV_MAX_PARTICLES;
+    for (uint64_t i = 0; i < known && !strange && !r->failed; i++)
+        strange = skv_get(r, 1) > 1;
     uint64_t count = skv_get(r, 4), of_one = 0;
     saved_spring last = {0};
-    *particles = 0;
+    if (strange || r->failed)
+        return skv_fail(error, SKV_ERROR_VALUE, "snapshot: a spring has values that none can have");
+    *particles = (int)known;
     for (uint64_t k = 0; k < count; k++) {
         saved_spring one = read_spring(r);
         of_one = k > 0 && one.from == last.from ? of_one + 1 : 1;
         bool follows = k == 0 || one.from > last.from || (of_one > 1 && one.to > last.to);
-        if (r->failed || !follows || one.from >= one.to || one.to >= SKV_MAX_PARTICLES ||
+        if (r->failed || !follows || one.from >= one.to || one.to >= known ||
             of_one > SKV_MOST_SPRINGS || !(one.length > 0 && one.length <= most_length))
             return skv_fail(error, SKV_ERROR_VALUE,
                             "snapshot: a spring has values that none can have");
-        *particles = (int)one.to >= *particles ? (int)one.to + 1 : *particles;
         last = one;
     }
     return SKV_OK;
 }
 
-skv_result skv_springs_load(skv_reader r, int particles, skv_springs **springs, skv_error *error)
+skv_result skv_springs_load(skv_reader r, skv_springs **springs, skv_error *error)
 {
+    int particles = (int)skv_get(&r, 4);
+    skv_reader bonded = r;
+    r.at += (size_t)particles;
     int count = (int)skv_get(&r, 4);
     *springs = NULL;
     skv_springs *s = skv_calloc(1, sizeof *s);
@@ -419,6 +479,8 @@ skv_result skv_springs_load(skv_reader r, int particles, skv_springs **springs, 
     }
     for (; from < particles; from++)
         s->first[from + 1] = s->count;
+    for (int i = 0; i < particles; i++)
+        s->bonded[i] = (uint8_t)skv_get(&bonded, 1);
     s->particles = particles;
     *springs = s;
     return SKV_OK;

@@ -20,10 +20,11 @@ typedef struct skv_pushed {
 /* A particle's springs to those with higher numbers follow each other, by rising numbers. */
 typedef struct skv_springs {
     int count;
-    int particles; /* that may have some; those added since have none yet */
-    int *first;    /* one more than these: where each one's springs begin */
-    int *to;       /* of a spring, its end with the higher number */
-    float *length; /* at rest, m */
+    int particles;   /* that may have some; those added since have none yet */
+    int *first;      /* one more than these: where each one's springs begin */
+    uint8_t *bonded; /* whether each one has been given springs to what was around it */
+    int *to;         /* of a spring, its end with the higher number */
+    float *length;   /* at rest, m */
 
     /* Room for work. */
     skv_pushed pushed; /* while pairs are found, where those are among whom they are */
@@ -46,6 +47,9 @@ bool skv_world_is_springy(const skv_world *world);
 /* What is wrong with the numbers of a fluid's springs, and which of them; null: nothing. */
 const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong);
 
+/* How many substeps a frame the stiffest springs of the world's fluids need; 0 without any. */
+int skv_springs_rule(const skv_world *world);
+
 /* spring_pairs.c. Before a substep of a springy world: makes the springs that are due, and all the
  * room that it takes. On failure no spring has changed. */
 skv_result skv_springs_prepare(skv_world *world, skv_error *error);
@@ -57,11 +61,22 @@ void skv_springs_push(skv_world *world, float dt, bool partial);
 /* The same of all particles, while no spring breaks or gives way: no time passes. */
 void skv_springs_hold(const skv_world *world, float dt);
 
-/* Writes what they would change all particles' velocities by, while nothing changes. */
-void skv_springs_tell(const skv_world *world, float dt, const skv_pushed *pushed);
+/* Room for what springs change velocities by; all zero at the start, and `block` to be freed. */
+typedef struct skv_spring_pushes {
+    skv_pushed pushed;
+    int room; /* particles */
+    void *block;
+} skv_spring_pushes;
+
+/* Tells what they would change all particles' velocities by, while nothing changes; null where
+ * there are none. */
+skv_result skv_springs_ask(skv_spring_pushes *pushes, const skv_world *world, float dt,
+                           const skv_pushed **pushed, skv_error *error);
 
 /* Follows the particles: those marked as leaving go, the rest closes ranks. */
 void skv_springs_forget(skv_world *world);
+/* A particle is of another fluid now: it gets springs anew. */
+void skv_springs_renew(skv_world *world, int particle);
 /* Drops springs that walls part since they were changed, or whose ends are of two fluids. */
 void skv_springs_part(skv_world *world);
 
@@ -74,13 +89,12 @@ uint64_t skv_springs_hash(uint64_t hash, const skv_springs *springs);
 void skv_springs_destroy(skv_springs *springs);
 size_t skv_springs_bytes(const skv_springs *springs);
 
-/* In a snapshot (docs/snapshot.md). Reading checks all but whether there are so many `particles`,
- * which it writes; loading makes what has been read, of a world with so many. */
+/* In a snapshot (docs/snapshot.md). Reading checks all of it, and writes how many particles there
+ * have to be; loading makes what has been read. */
 void skv_springs_save(skv_writer *writer, const skv_springs *springs);
 skv_result skv_springs_check(skv_reader *reader, float most_length, int *particles,
                              skv_error *error);
-skv_result skv_springs_load(skv_reader reader, int particles, skv_springs **springs,
-                            skv_error *error);
+skv_result skv_springs_load(skv_reader reader, skv_springs **springs, skv_error *error);
 /* Gives a world others, or none, and frees its own. */
 void skv_springs_take_over(skv_world *world, skv_springs *springs);
 

@@ -14,11 +14,10 @@
 
 /* In which snapshots an attribute is; one that does not hold it is read as 0. */
 typedef enum skv_saved {
-    SKV_SAVED_NOWHERE,         /* found again, from 0 */
-    SKV_SAVED = 1,             /* in all */
-    SKV_SAVED_WITH_WARM = 2,   /* in those with warm starts, docs/snapshot.md */
-    SKV_SAVED_WITH_FLUIDS = 4, /* in those of worlds with several fluids */
-    SKV_SAVED_WITH_SPRINGS = 8 /* in those of worlds with springs */
+    SKV_SAVED_NOWHERE,        /* found again, from 0 */
+    SKV_SAVED = 1,            /* in all */
+    SKV_SAVED_WITH_WARM = 2,  /* in those with warm starts, docs/snapshot.md */
+    SKV_SAVED_WITH_FLUIDS = 4 /* in those of worlds with several fluids */
 } skv_saved;
 
 /* X(type, name, saved): one element per particle, SI units. First those of every world. */
@@ -40,10 +39,9 @@ typedef enum skv_saved {
 
 /* Those of worlds with several fluids; null in others, so that one fluid takes no memory more. */
 #define SKV_FLUID_ARRAYS(X)                                                                        \
-    X(uint8_t, fluid, SKV_SAVED_WITH_FLUIDS)   /* number of its fluid */                           \
-    X(float, mass, SKV_SAVED_NOWHERE)          /* over that of the first fluid's; from the list */ \
-    X(float, drag, SKV_SAVED_NOWHERE)          /* as in solver.h; from the list */                 \
-    X(uint8_t, bonded, SKV_SAVED_WITH_SPRINGS) /* springs to what was around it have been made */
+    X(uint8_t, fluid, SKV_SAVED_WITH_FLUIDS) /* number of its fluid */                             \
+    X(float, mass, SKV_SAVED_NOWHERE)        /* over that of the first fluid's; from the list */   \
+    X(float, drag, SKV_SAVED_NOWHERE)        /* as in solver.h; from the list */
 
 #define SKV_STATE_ARRAYS(X) SKV_COMMON_ARRAYS(X) SKV_FLUID_ARRAYS(X)
 

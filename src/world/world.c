@@ -62,7 +62,6 @@ void skv_world_append(skv_world *world, float x, float y, float vx, float vy, in
         s->fluid[i] = (uint8_t)fluid;
         s->mass[i] = skv_mass_of(world, fluid);
         s->drag[i] = skv_drag_of(world, fluid);
-        s->bonded[i] = 0;
     }
     world->sleep.stepped++;
     skv_world_revise(world);

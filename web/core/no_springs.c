@@ -1,19 +1,32 @@
-/* What stands in the page's module for springs, as no_bodies.c does for bodies. Invariant: no fluid
- * there has a shear modulus, so no world there gets springs, and what one with springs asks is
- * never asked.
+/* What stands for springs in the page's first modules, as no_bodies.c does for bodies and in the
+ * same words: who asks for some gets the modules that have them. Invariant: no fluid here has a
+ * shear modulus, so no world here gets springs, and what one with springs asks is never asked.
  */
+#include "world/bodies.h"
 #include "world/springs.h"
+
+/* no_bodies.c: somebody asks for what the larger modules have. */
+void skv_want_bodies(void);
 
 const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong)
 {
+    if (liquid->shear_modulus == 0)
+        return NULL;
+    skv_want_bodies();
     *wrong = SKV_LIQUID_WRONG_MODULUS;
-    return liquid->shear_modulus == 0 ? NULL : "is none that the page knows; use the program";
+    return "is not known here";
 }
 
 bool skv_world_is_springy(const skv_world *world)
 {
     (void)world;
     return false;
+}
+
+int skv_springs_rule(const skv_world *world)
+{
+    (void)world;
+    return 0;
 }
 
 skv_result skv_springs_prepare(skv_world *world, skv_error *error)
@@ -32,14 +45,22 @@ void skv_springs_hold(const skv_world *world, float dt)
     (void)world, (void)dt;
 }
 
-void skv_springs_tell(const skv_world *world, float dt, const skv_pushed *pushed)
+skv_result skv_springs_ask(skv_spring_pushes *pushes, const skv_world *world, float dt,
+                           const skv_pushed **pushed, skv_error *error)
 {
-    (void)world, (void)dt, (void)pushed;
+    (void)pushes, (void)world, (void)dt, (void)error;
+    *pushed = NULL;
+    return SKV_OK;
 }
 
 void skv_springs_forget(skv_world *world)
 {
     (void)world;
+}
+
+void skv_springs_renew(skv_world *world, int particle)
+{
+    (void)world, (void)particle;
 }
 
 void skv_springs_part(skv_world *world)
@@ -72,13 +93,13 @@ void skv_springs_save(skv_writer *writer, const skv_springs *springs)
 skv_result skv_springs_check(skv_reader *reader, float most_length, int *particles,
                              skv_error *error)
 {
-    (void)reader, (void)most_length, (void)particles;
-    return skv_fail(error, SKV_ERROR_VALUE, "the page knows no springs; use the program");
+    (void)most_length, (void)particles;
+    return skv_bodies_check(reader, 0, error);
 }
 
-skv_result skv_springs_load(skv_reader reader, int particles, skv_springs **springs,
-                            skv_error *error)
+skv_result skv_springs_load(skv_reader reader, skv_springs **springs, skv_error *error)
 {
+    int particles;
     *springs = NULL;
     return skv_springs_check(&reader, 0, &particles, error);
 }
