@@ -12,6 +12,7 @@
     X(u_tube)                                                                                      \
     X(vessels)                                                                                     \
     X(slosh)                                                                                       \
+    SKV_EXPERIMENT_BESIDE(X, wave_train)                                                           \
     X(dam_break)                                                                                   \
     X(orifice)                                                                                     \
     SKV_EXPERIMENT_BESIDE(X, torricelli)                                                           \
