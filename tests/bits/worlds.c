@@ -22,8 +22,9 @@ typedef struct world_kind {
     float fill_x1, fill_y1; /* the fluid's box, from the lower left corner, m */
     int stirred;            /* hands and a changing gravity */
     float gravity_x;
-    bool images; /* walls by images */
-    bool bodies; /* a box and a circle, which hands hold and let go */
+    bool images;  /* walls by images */
+    bool bodies;  /* a box and a circle, which hands hold and let go */
+    bool springs; /* a block of jelly and one of clay, which fall into it */
 } world_kind;
 
 static int limited(int value)
@@ -129,6 +130,12 @@ static const world_kind kinds[] = {
      .fill_x1 = 1,
      .fill_y1 = 0.25f,
      .bodies = true},
+    {.name = "springs/calibrated", .fill_x1 = 1, .fill_y1 = 0.125f, .springs = true},
+    {.name = "springs/clavet",
+     .law = SKV_LAW_CLAVET,
+     .fill_x1 = 1,
+     .fill_y1 = 0.125f,
+     .springs = true},
 };
 
 int bits_count(void)
@@ -173,6 +180,33 @@ static skv_terrain *make_terrain(const world_kind *kind)
     return skv_terrain_create(&def, &terrain, NULL) == SKV_OK ? terrain : NULL;
 }
 
+/* Jelly, and clay that yields. */
+static void list_springy(skv_world_def *def)
+{
+    def->liquid_count = 2;
+    for (int i = 0; i < 2; i++) {
+        skv_liquid *liquid = &def->liquids[i];
+        *liquid = skv_default_liquid();
+        liquid->name[0] = (char)('a' + i);
+        liquid->shear_modulus = i ? 10000 : 4000;
+        liquid->yield = 0.03125f;
+        liquid->plasticity = i ? 50 : 0;
+    }
+}
+
+static void fill_springy(skv_world *world)
+{
+    for (int i = 0; i < 2; i++) {
+        skv_fill_def fill = skv_default_fill_def();
+        fill.x0 = 0.125f + 0.375f * (float)i;
+        fill.x1 = fill.x0 + 0.125f;
+        fill.y0 = 0.1875f;
+        fill.y1 = 0.3125f;
+        fill.fluid = i + 1;
+        skv_world_fill(world, &fill, NULL, NULL);
+    }
+}
+
 static skv_world *make_world(const world_kind *kind, int threads)
 {
     skv_world_def def = skv_default_world_def();
@@ -185,6 +219,8 @@ static skv_world *make_world(const world_kind *kind, int threads)
     def.solver = kind->solver;
     def.threads = threads;
     def.instruction_set = chosen;
+    if (kind->springs)
+        list_springy(&def);
     skv_world *world = NULL;
     if (!def.terrain)
         return NULL;
@@ -196,6 +232,8 @@ static skv_world *make_world(const world_kind *kind, int threads)
     fill.x1 = kind->fill_x1;
     fill.y1 = kind->fill_y1;
     skv_world_fill(world, &fill, NULL, NULL);
+    if (kind->springs)
+        fill_springy(world);
     int added = skv_world_particle_count(world);
     /* A part in motion, and a pair in one place. */
     skv_world_add_velocity(world, added / 2, added / 4, 1.5f, 0.75f, NULL);
