@@ -100,12 +100,16 @@ repeat() {
 
 running() { kill -0 "$app" 2>/dev/null; }
 key() { xdotool key "$@"; }
-# Input goes to the app's window, or to the one that is over it.
+# Input goes to the app's window, or to the one that is over it. A window manager gives it to a new window,
+# too, sooner or later, which would close a menu: it is waited for until it says that it has.
 focus() {
     await 'windows[-1].xid'
-    xdotool windowfocus "$answer"
+    local xid=$answer
+    xdotool windowfocus "$xid"
     await 'windows[-1].focus'
+    [[ -z $manager ]] || repeat is_active "$xid" || fail "the window manager knows no active window"
 }
+is_active() { [[ $(xprop -root _NET_ACTIVE_WINDOW) == *"# $(printf '0x%x' "$1")" ]]; }
 
 # start_app ARGUMENT...: until a picture of its world is drawn, and keys come in.
 start_app() {
