@@ -38,6 +38,7 @@
 #define RESIDUAL_CROWD   2     /* how crowded the residual volume is, to the lattice */
 #define SLIP_FRICTION    0.2   /* of the friction in contact: it acts on all of the layer */
 #define MOST_SPRING      4.05  /* k dt^2 eta^2: at twice as much springs throw the lattice apart */
+#define TURN_REACH       1.6f  /* spacings: the next neighbours in the lattice, and no others */
 #define COHESION_MARGIN  12    /* how much stiffer than the cohesion the pressure must be */
 
 skv_kernel skv_law_kernel(skv_law law)
@@ -288,6 +289,7 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
         .viscosity_quadratic = f->viscosity_quadratic,
         .clavet = f->law == SKV_LAW_CLAVET,
         .iterations = f->iterations,
+        .turn_reach = TURN_REACH / f->radius_ratio,
         .kernel = skv_law_kernel(f->law),
         .softness = (float)share_for((double)f->wall_softness, dt),
         .friction = (float)share_for((double)f->wall_friction, dt),

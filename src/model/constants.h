@@ -63,6 +63,8 @@ typedef struct skv_constants {
     /* Both for fluids of their own viscosity: of those without, and per sigma dt of the others. */
     float bare_slip, wall_stick;
 
+    float turn_reach; /* how far unlike pairs turn, in h: solver/turn.h */
+
     float pressure_scale; /* gauge: Pa m per m^2 of virial (sum of distance times displacement) */
 
     float design_pressure; /* that cold substeps of this length are made for, Pa m */

@@ -179,6 +179,7 @@ static void constants_of_both_laws_are_those_of_the_model(void **unused)
             assert_is(c.pressure_scale, (double)f.density / (4 * step * step));
             assert_is(c.softness, 1 - pow(1 - (double)f.wall_softness, 60 * step));
             assert_is(c.friction, 1 - pow(1 - (double)f.wall_friction, 60 * step));
+            assert_is(c.turn_reach, 1.6 / (double)f.radius_ratio);
             assert_is(c.viscosity_quadratic, (double)f.viscosity_quadratic);
         }
     }

@@ -1,9 +1,11 @@
 /* Fluids of several densities, one over the other: layers begin at rest, each as compressed as what
  * is above it makes it; what is light and lies below stays until time runs, and then rises; and a
- * frame takes the substeps that the lightest needs. */
+ * frame takes the substeps that the lightest needs. Fluid a little lighter than what is above it
+ * rises, too, and what lies right stays. */
 #include "scene/support.h"
 
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -104,6 +106,77 @@ static void light_fluid_waits_below(void **unused)
     skv_world_destroy(world);
 }
 
+/* A tank of 0.15 m of water and as much oil of a density, below it or above. */
+static skv_world *open_oil(double density, bool below, int particles)
+{
+    char text[600];
+    snprintf(text, sizeof text,
+             "{\"particles\": %d, \"world\": {\"width\": 0.6, \"height\": 0.45},"
+             "\"fluids\": [{\"name\": \"oil\", \"density\": %g}],"
+             "\"water\": [{\"shape\": \"box\", \"y0\": %g, \"y1\": %g, \"fluid\": \"oil\"},"
+             "{\"shape\": \"box\", \"y0\": %g, \"y1\": %g}]}",
+             particles, density, below ? 0 : 0.15, below ? 0.15 : 0.3, below ? 0.15 : 0,
+             below ? 0.3 : 0.15);
+    skv_scene *scene;
+    skv_world *world = NULL;
+    assert_int_equal(load_text(text, NULL, &scene, NULL), SKV_OK);
+    assert_int_equal(skv_scene_create_world(scene, 1, &world, NULL), SKV_OK);
+    skv_scene_destroy(scene);
+    return world;
+}
+
+/* The share of the oil that lies more than so many spacings below the level by volume. */
+static double oil_below(const skv_world *world, double spacings)
+{
+    skv_particles p = skv_world_particles(world);
+    double s = (double)skv_world_spacing(world);
+    int oil = 0, below = 0;
+    for (int i = 0; i < p.count; i++)
+        oil += p.fluid[i] == 1;
+    for (int i = 0; i < p.count; i++)
+        below += p.fluid[i] == 1 && (double)p.y[i] < (p.count - oil) * s * s / 0.6 - spacings * s;
+    return (double)below / oil;
+}
+
+/* The lattice alone would bear water over oil for ever. */
+static void oil_rises_from_under_water(void **unused)
+{
+    (void)unused;
+    static const struct {
+        double density;
+        int particles;
+        bool longer;
+    } cases[] = {{0.9, 1000, false}, {0.9, 2000, true}, {0.9, 4000, true},
+                 {0.9, 8000, true},  {0.5, 1000, true}, {0.1, 1000, true}};
+    for (int k = 0; k < 6; k++) {
+        if (cases[k].longer && !long_tests())
+            continue;
+        skv_world *world = open_oil(1000 * cases[k].density, true, cases[k].particles);
+        assert_true(oil_below(world, 0.5) > 0.9);
+        fixture_run(world, 20 * 60);
+        double left = oil_below(world, 0.5), speed = skv_world_stats(world).rms_speed;
+        if (!(left <= 0.02 && speed <= 0.005))
+            fail_msg("%g at %d particles: %.1f %% left, %.4f m/s", cases[k].density,
+                     cases[k].particles, 100 * left, speed);
+        skv_world_destroy(world);
+    }
+}
+
+/* What lies right has nothing to turn about. */
+static void oil_stays_above_water(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 2; k++) {
+        if (k == 1 && !long_tests())
+            continue;
+        skv_world *world = open_oil(900, false, k == 0 ? 1000 : 4000);
+        fixture_run(world, 8 * 60);
+        assert_true(oil_below(world, 2) == 0);
+        assert_near(skv_world_stats(world).rms_speed, 0, 0.003);
+        skv_world_destroy(world);
+    }
+}
+
 /* Heavy fluid over light begins without a jolt: what is below is as compressed as it will be. */
 static void what_is_pressed_is_compressed(void **unused)
 {
@@ -174,6 +247,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(layers_begin_at_rest),
         cmocka_unit_test(light_fluid_waits_below),
+        cmocka_unit_test(oil_rises_from_under_water),
+        cmocka_unit_test(oil_stays_above_water),
         cmocka_unit_test(what_is_pressed_is_compressed),
         cmocka_unit_test(a_tilted_interface_is_no_rest),
         cmocka_unit_test(the_load_knows_densities),

@@ -61,7 +61,9 @@ static void take_substep(skv_reference *f)
             run(f, DISPLACEMENT, skv_pass_tension);
         if (f->first && (skv_is_viscous(c) || f->various))
             run(f, VISCOSITY, skv_pass_viscosity); /* approaching pairs exchange impulses: 3 */
-        run(f, DISPLACEMENT, skv_pass_divide);     /* what is heavy gives way less */
+        if (f->first && f->massive)
+            run(f, DISPLACEMENT, skv_pass_turn); /* what is light from below what is heavy */
+        run(f, DISPLACEMENT, skv_pass_divide);   /* what is heavy gives way less */
         if (f->last && (skv_resists_slip(c) || f->various))
             run(f, DISPLACEMENT, skv_pass_slip); /* what a wall holds of the slip along it */
         run(f, DISPLACEMENT, skv_pass_move);     /* x += dx, stopped at walls */
@@ -94,6 +96,7 @@ static void load(skv_reference *f, const skv_solver_particles *p)
     const double dt = (double)f->constants->dt;
     f->count = p->count;
     f->id = p->id;
+    f->massive = p->mass != NULL;
     f->various = p->mass && p->drag;
     for (int i = 0; i < p->count; i++) {
         f->x[i] = (double)p->x[i];

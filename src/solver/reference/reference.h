@@ -27,6 +27,7 @@ typedef struct skv_reference {
     int force_count;
     bool first, last;         /* which iteration it is */
     bool various;             /* particles have viscosities of their own */
+    bool massive;             /* and masses */
     bool advances;            /* the move under way is the advance, while solids move, too */
     skv_impulse given;        /* by walls, m and m^2 */
     skv_impulse *solid_given; /* null: not wanted */
@@ -89,6 +90,10 @@ skv_pass skv_pass_lag;
  * linear part is the harmonic mean of both, as a shear stress goes through one fluid and then the
  * other; the quadratic one and the bound of both are of the lighter one's mass. In dx, dy. */
 skv_pass skv_pass_viscosity;
+
+/* Unlike pairs of which the heavier particle lies above turn about each other: solver/turn.h. In
+ * dx, dy. */
+skv_pass skv_pass_turn;
 
 /* Algorithm 8: the velocity is the displacement of the substep over its time. */
 skv_pass skv_pass_velocity;

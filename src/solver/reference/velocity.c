@@ -1,8 +1,9 @@
 /* Velocities: external forces, the clamp before the advance, how far pairs lag behind, viscosity,
- * and the velocity at the end. Invariant: viscosity reads displacements that no particle of the
- * pass writes, so a pair's two impulses are opposite and momentum is kept. */
+ * how unlike pairs turn, and the velocity at the end. Invariant: viscosity reads displacements that
+ * no particle of the pass writes, so a pair's two impulses are opposite and momentum is kept. */
 #include "solver/reference/pair.h"
 #include "solver/reference/reference.h"
+#include "solver/turn.h"
 
 #include <math.h>
 
@@ -77,6 +78,30 @@ void skv_pass_viscosity(skv_reference *f)
             share = pair.q * skv_min(share, most * lighter);
             f->dx[i] -= share * approach / 2 * pair.ux;
             f->dy[i] -= share * approach / 2 * pair.uy;
+        }
+    }
+}
+
+void skv_pass_turn(skv_reference *f)
+{
+    const double dt = (double)f->constants->dt, most = dt * dt * (double)SKV_TURN;
+    const double reach = (double)f->constants->turn_reach, all = (double)SKV_TURN_CONTRAST;
+    for (int i = 0; i < f->count; i++) {
+        for (int k = skv_first_partner(f, i); k < skv_end_of_partners(f, i); k++) {
+            int j = skv_partner(f, k);
+            skv_pair pair;
+            if (f->mass[i] == f->mass[j] || !skv_pair_of(f, i, j, &pair) || 1 - pair.q > reach)
+                continue;
+            /* Above 0 where i is the heavier one, then where the lighter one lies below. */
+            double heavier = skv_max(f->mass[i], f->mass[j]);
+            double contrast = all * (f->mass[i] - f->mass[j]) / heavier;
+            contrast = skv_min(skv_max(contrast, -1), 1);
+            double below = contrast * (pair.ux * f->gravity_x + pair.uy * f->gravity_y);
+            double turn = most * skv_max(below, 0) * (1 - (1 - pair.q) / reach);
+            turn *=
+                skv_min(f->mass[i], f->mass[j]) * (double)skv_turn_sense((uint32_t)i, (uint32_t)j);
+            f->dx[i] += turn * pair.uy;
+            f->dy[i] -= turn * pair.ux;
         }
     }
 }

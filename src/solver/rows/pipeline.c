@@ -131,6 +131,8 @@ void skv_row_displacement(const skv_row_worker *w, int row)
         await(w, w->upper, FIRST_PRESSED);
     shared->kernels->displacement(shared->rows, row, w->iteration > 0, shared->constants,
                                   shared->boundary, kept_of(w, row));
+    if (w->iteration == 0 && shared->rows->massive)
+        skv_rows_turn_unlike(shared->rows, row, shared->constants, shared->boundary);
     if (row == w->last)
         reach(w, LAST_DISPLACED);
 }

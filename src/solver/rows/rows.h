@@ -26,6 +26,7 @@
 /* What acts on the fluid from outside, in h and substeps. */
 typedef struct skv_row_acting {
     float gravity_x, gravity_y;
+    float turn_sense; /* -1 where the axes are mirrored, which makes right of left */
     const skv_external_force *forces;
     int force_count;
     float wall_margin; /* how close a move may come to a wall */

@@ -42,6 +42,10 @@ extern const skv_row_kernels skv_row_kernels_avx512;
 void skv_rows_book_reaction(const skv_rows *rows, const skv_boundary *boundary, float x, float y,
                             float dx, float dy, skv_row_given *walls);
 
+/* turn.c: adds how unlike pairs of a row, and of it and the next, turn to their displacements. */
+void skv_rows_turn_unlike(const skv_rows *rows, int row, const skv_constants *constants,
+                          const skv_boundary *boundary);
+
 /* memory.c: who borrows which buffer, now that the other set's particles are not needed any more;
  * after each sort. */
 void skv_rows_lend_buffers(skv_rows *rows);

@@ -49,6 +49,7 @@ static skv_row_acting acting_on(const skv_solver_step *step, const skv_boundary 
     };
     if (boundary->swapped)
         skv_swap(&acting.gravity_x, &acting.gravity_y);
+    acting.turn_sense = boundary->swapped ? -1.0f : 1.0f;
     return acting;
 }
 
