@@ -6,8 +6,8 @@ set -euo pipefail
 build=$(realpath "${1:?usage: test_app_play.sh BUILD SOURCE}")
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
-start_display 800x700
-window_size 640 640 # all tools show
+start_display 800x760
+window_size 640 700 # all tools show
 start_app pool
 
 # 1. The tool of key 3 pours water in the air; undo takes it back; so does going back in time.
