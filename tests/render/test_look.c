@@ -14,7 +14,6 @@
 
 #include "render/picture.h"
 #include "render/renderer.h"
-#include "support/long.h"
 #include <skvalp/query.h>
 
 static const char *palette_name(int palette)
@@ -259,19 +258,18 @@ static int compare_numbers(const void *a, const void *b)
 }
 
 /* How much a pool's pictures differ from frame to frame: the mean difference of their bytes, and
- * the number of those that differ by more than eight. Of water in the worst frame of a second, in
- * the short form of a third of one; of the pressure in its median, for once in a while a particle
- * finds a better place, and the lines about it ring for half a second. */
+ * the number of those that differ by more than eight. Of water in the worst frame of a second; of
+ * the pressure in its median, for once in a while a particle finds a better place, and the lines
+ * about it ring for half a second. */
 static void measure_flicker(int particles, double unrest[2], double changed[2])
 {
     enum { FRAMES = 60 };
-    const int frames = long_tests() ? FRAMES : FRAMES / 3;
     skv_world *world = make_world("pool", particles, 180);
     const skv_view views[] = {SKV_VIEW_WATER, SKV_VIEW_PRESSURE};
     picture before[2];
     double difference[2][FRAMES] = {{0}}, number[2][FRAMES] = {{0}};
     skv_render_style style = skv_default_render_style();
-    for (int f = 0; f <= frames; f++) {
+    for (int f = 0; f <= FRAMES; f++) {
         for (int v = 0; v < 2; v++) {
             style.view = views[v];
             picture now = shoot(world, &style, 640, 360);
@@ -287,9 +285,9 @@ static void measure_flicker(int particles, double unrest[2], double changed[2])
         assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_OK);
     }
     for (int v = 0; v < 2; v++) {
-        int last = v == 0 ? frames - 1 : frames / 2;
-        qsort(difference[v], (size_t)frames, sizeof **difference, compare_numbers);
-        qsort(number[v], (size_t)frames, sizeof **number, compare_numbers);
+        int last = v == 0 ? FRAMES - 1 : FRAMES / 2;
+        qsort(difference[v], FRAMES, sizeof **difference, compare_numbers);
+        qsort(number[v], FRAMES, sizeof **number, compare_numbers);
         unrest[v] = difference[v][last];
         changed[v] = number[v][last];
         free(before[v].rgb);
