@@ -32,8 +32,8 @@ SKV_API skv_stats skv_world_stats(const skv_world *world);
 /** The same of one fluid's particles, by its number (skv_world_liquid); zeros past the last. */
 SKV_API skv_stats skv_world_fluid_stats(const skv_world *world, int fluid);
 
-/** Springs between particles of fluids that have a shear modulus (skv_liquid). They are made in steps:
- * a new world has none. */
+/** Springs between particles of fluids that have a shear modulus (skv_liquid). They are made in
+ * steps: a new world has none. */
 SKV_API int skv_world_spring_count(const skv_world *world);
 
 /** How the particles of a world are packed. */

@@ -94,7 +94,7 @@ static void test_contract(void **state)
 {
     json_t *array =
         measure(*state, (const char *const[]){"skvalp", "bench", "--quick", "--json", "--particles",
-                                              "300", "--threads", "3", NULL});
+                                              "1000", "--threads", "3", NULL});
     for (int threads = 1; threads <= 3; threads += 2) {
         assert_int_equal(count_rows(array, "pool", "calibrated", threads), 1);
         assert_int_equal(count_rows(array, "pool", "clavet", threads), 1);
@@ -103,7 +103,7 @@ static void test_contract(void **state)
     }
     assert_int_equal(json_array_size(array), 8);
     for (size_t i = 0; i < 8; i++)
-        assert_in_range((int)number(json_array_get(array, i), "particles"), 270, 330);
+        assert_in_range((int)number(json_array_get(array, i), "particles"), 900, 1100);
     json_decref(array);
 }
 
@@ -191,7 +191,7 @@ static void test_files(void **state)
     free(svg);
 
     result =
-        SKVALP(*state, "bench", "--quick", "--particles", "300", "--threads", "1", "--csv", "-");
+        SKVALP(*state, "bench", "--quick", "--particles", "1000", "--threads", "1", "--csv", "-");
     assert_int_equal(result.status, 0);
     assert_memory_equal(result.out, "cpu,", 4);
     program_free(&result);
