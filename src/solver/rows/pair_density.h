@@ -360,7 +360,7 @@ static void density(const skv_rows *s, int row, bool later, const skv_constants 
     unsigned with = (c->clavet ? 0u : calibrated) | (s->massive ? WITH_MASSES : 0u);
     if (with == calibrated)
         density_row(s, row, calibrated, true, c->images, !later, c, b, keep);
-    else if (FULL_VARIANTS && with == 0)
+    else if (with == 0)
         density_row(s, row, 0, true, false, false, c, b, keep);
     else
         density_row(s, row, with, false, c->images, !c->clavet && !later, c, b, keep);
