@@ -19,6 +19,18 @@ skv_result load_text(const char *text, const char *const *settings, skv_scene **
     return skv_scene_load_memory(text, strlen(text), "json", "a.json", &options, scene, error);
 }
 
+skv_world *open_text(const char *text)
+{
+    skv_scene *scene;
+    skv_world *world = NULL;
+    skv_error error;
+    if (load_text(text, NULL, &scene, &error) != SKV_OK ||
+        skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_scene_destroy(scene);
+    return world;
+}
+
 /* ---- Files ----------------------------------------------------------------------------------- */
 
 static void append(buffer *b, const void *data, size_t size)

@@ -15,6 +15,9 @@
 skv_result load_text(const char *text, const char *const *settings, skv_scene **scene,
                      skv_error *error);
 
+/* The world of a JSON text, on one thread; fails the test on any error. */
+skv_world *open_text(const char *text);
+
 /* A file in memory. */
 typedef struct buffer {
     uint8_t *data;

@@ -26,14 +26,7 @@ static skv_world *open_layers(const int *densities, int count)
         strcat(water, one);
     }
     strcat(strcat(strcat(text, "], "), water), "]}");
-    skv_scene *scene;
-    skv_world *world = NULL;
-    skv_error error;
-    if (load_text(text, NULL, &scene, &error) != SKV_OK ||
-        skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
-        fail_msg("%s", error.text);
-    skv_scene_destroy(scene);
-    return world;
+    return open_text(text);
 }
 
 static double height_of(const skv_world *world, int fluid)
@@ -117,12 +110,7 @@ static skv_world *open_oil(double density, bool below, int particles)
              "{\"shape\": \"box\", \"y0\": %g, \"y1\": %g}]}",
              particles, density, below ? 0 : 0.15, below ? 0.15 : 0.3, below ? 0.15 : 0,
              below ? 0.3 : 0.15);
-    skv_scene *scene;
-    skv_world *world = NULL;
-    assert_int_equal(load_text(text, NULL, &scene, NULL), SKV_OK);
-    assert_int_equal(skv_scene_create_world(scene, 1, &world, NULL), SKV_OK);
-    skv_scene_destroy(scene);
-    return world;
+    return open_text(text);
 }
 
 /* The share of the oil that lies more than so many spacings below the level by volume. */
@@ -201,16 +189,12 @@ static void a_tilted_interface_is_no_rest(void **unused)
     const char *text = "{\"particles\": 900, \"fluids\": [{\"name\": \"oil\", \"density\": 500}],"
                        "\"water\": [{\"shape\": \"box\", \"y1\": 0.3, \"fluid\": \"oil\"},"
                        "{\"shape\": \"polygon\", \"points\": [[0, 0], [1.6, 0], [0, 0.3]]}]}";
-    skv_scene *scene;
-    skv_world *world = NULL;
-    assert_int_equal(load_text(text, NULL, &scene, NULL), SKV_OK);
-    assert_int_equal(skv_scene_create_world(scene, 1, &world, NULL), SKV_OK);
+    skv_world *world = open_text(text);
     double side = skv_world_fluid_stats(world, 0).centre_x;
     assert_near(side, 1.6 / 3, 0.02);
     fixture_run(world, 60);
     assert_true(skv_world_fluid_stats(world, 0).centre_x > side + 0.1);
     skv_world_destroy(world);
-    skv_scene_destroy(scene);
 }
 
 /* Substeps go by pressure over the own density: the rule expects the heaviest fluid on the

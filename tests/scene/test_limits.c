@@ -10,18 +10,6 @@
 
 #include "support/fixture.h"
 
-static skv_world *open(const char *text)
-{
-    skv_scene *scene;
-    skv_world *world = NULL;
-    skv_error error;
-    if (load_text(text, NULL, &scene, &error) != SKV_OK ||
-        skv_scene_create_world(scene, 1, &world, &error) != SKV_OK)
-        fail_msg("%s", error.text);
-    skv_scene_destroy(scene);
-    return world;
-}
-
 /* Particles in a box. */
 static int count_in(const skv_world *world, float x0, float y0, float x1, float y1)
 {
@@ -38,7 +26,7 @@ static int count_in(const skv_world *world, float x0, float y0, float x1, float 
 static void an_upturned_cup_floods(void **unused)
 {
     (void)unused;
-    skv_world *world = open(
+    skv_world *world = open_text(
         "{\"particles\":1000,\"world\":{\"width\":1,\"height\":0.9},\"solid\":[{\"shape\":\"line\","
         "\"thickness\":0.03,\"points\":[[0.35,0.15],[0.35,0.5],[0.65,0.5],[0.65,0.15]]}],"
         "\"water\":[{\"shape\":\"box\",\"x1\":0.335,\"y1\":0.7},"
@@ -61,13 +49,13 @@ static void a_primed_siphon_breaks(void **unused)
 {
     (void)unused;
     skv_world *world =
-        open("{\"particles\":1500,\"world\":{\"width\":1.6,\"height\":1.2},\"solid\":["
-             "{\"shape\":\"box\",\"x0\":0.62,\"x1\":0.66,\"y1\":0.8},{\"shape\":\"line\","
-             "\"thickness\":0.2,\"points\":[[0.4,0.2],[0.4,0.95],[0.95,0.95],[0.95,0.15]]},"
-             "{\"shape\":\"line\",\"carve\":true,\"thickness\":0.12,"
-             "\"points\":[[0.4,0.1],[0.4,0.95],[0.95,0.95],[0.95,0.05]]}],"
-             "\"water\":[{\"shape\":\"box\",\"x1\":0.62,\"y1\":0.65},{\"shape\":\"line\","
-             "\"thickness\":0.12,\"points\":[[0.4,0.3],[0.4,0.95],[0.95,0.95],[0.95,0.2]]}]}");
+        open_text("{\"particles\":1500,\"world\":{\"width\":1.6,\"height\":1.2},\"solid\":["
+                  "{\"shape\":\"box\",\"x0\":0.62,\"x1\":0.66,\"y1\":0.8},{\"shape\":\"line\","
+                  "\"thickness\":0.2,\"points\":[[0.4,0.2],[0.4,0.95],[0.95,0.95],[0.95,0.15]]},"
+                  "{\"shape\":\"line\",\"carve\":true,\"thickness\":0.12,"
+                  "\"points\":[[0.4,0.1],[0.4,0.95],[0.95,0.95],[0.95,0.05]]}],"
+                  "\"water\":[{\"shape\":\"box\",\"x1\":0.62,\"y1\":0.65},{\"shape\":\"line\","
+                  "\"thickness\":0.12,\"points\":[[0.4,0.3],[0.4,0.95],[0.95,0.95],[0.95,0.2]]}]}");
     int primed = count_in(world, 0.66f, 0, 1.6f, 1.2f), basin = count_in(world, 0, 0, 0.66f, 1.2f);
     double s = (double)skv_world_spacing(world);
     fixture_run(world, 300);
@@ -118,7 +106,7 @@ static void a_film_rests_in_terraces_of_one_row(void **unused)
                  "{\"particles\":%d,\"world\":{\"width\":1.6,\"height\":0.3},\"water\":"
                  "[{\"shape\":\"box\",\"x0\":0.6,\"x1\":1,\"y1\":0.06}]}",
                  numbers[n]);
-        skv_world *world = open(text);
+        skv_world *world = open_text(text);
         fixture_run(world, 1200);
         double s = (double)skv_world_spacing(world), wide = 1.6 / PARTS, least = 1e9, most = 0;
         for (int i = 0; i < PARTS; i++) {

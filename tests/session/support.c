@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "support/fixture.h"
+#include "support/kept.h"
 
 double stage_still(void)
 {
@@ -177,6 +178,25 @@ void stage_touch(skv_stage *stage, skv_phase phase, skv_device device, uint64_t 
                                            .py = py,
                                            .time = time});
     skv_stage_wait(stage);
+}
+
+skv_stage *stage_open_shared(skv_stage *stage)
+{
+    skv_outcome outcome;
+    kept shared = {0};
+    skv_stage_share(stage);
+    skv_stage_wait(stage);
+    while (skv_stage_next_outcome(stage, &outcome))
+        assert_string_equal(outcome.error.text, "");
+    assert_true(skv_stage_read_shared(stage, kept_add, &shared));
+    skv_stage *other = stage_make(false, stage_still);
+    skv_stage_open_memory(other, shared.bytes, shared.size, "skvr", "link", NULL);
+    skv_stage_wait(other);
+    kept_clear(&shared);
+    skv_stage_seek(other, stage_moment(stage));
+    assert_true(stage_hash(other, 0) == stage_hash(stage, 0));
+    assert_false(stage_look(other, 0)->mismatch);
+    return other;
 }
 
 int stage_report(skv_stage *stage, skv_outcome *report)

@@ -43,6 +43,10 @@ void stage_copy(skv_stage *stage, skv_picture *picture); /* all but what it poin
 void stage_touch(skv_stage *stage, skv_phase phase, skv_device device, uint64_t pointer, double px,
                  double py, double time);
 
+/* Another stage, on which the link to what this one has played is open, at the same moment. Fails
+ * the test unless its worlds are as here. */
+skv_stage *stage_open_shared(skv_stage *stage);
+
 /* The next report's result; -1 if there is none. */
 int stage_report(skv_stage *stage, skv_outcome *report);
 

@@ -10,7 +10,6 @@
 
 #include "session/support.h"
 #include "support/fixture.h"
-#include "support/kept.h"
 
 /* 1000 pixels of the view are a metre. */
 static const char crates[] =
@@ -118,19 +117,9 @@ static void replays_and_links_carry_it_too(void **state)
         assert_true(stage_hash(stage, 0) == hash);
         assert_true(body_of(stage, 0, 0).x == body.x);
     }
-    skv_stage_share(stage);
-    skv_stage_wait(stage);
-    kept shared = {0};
-    assert_true(skv_stage_read_shared(stage, kept_add, &shared));
-    skv_stage *other = stage_make(false, stage_still);
-    skv_stage_open_memory(other, shared.bytes, shared.size, "skvr", "link", NULL);
-    skv_stage_wait(other);
-    skv_stage_seek(other, moment);
-    assert_true(stage_hash(other, 0) == hash);
+    skv_stage *other = stage_open_shared(stage);
     assert_true(body_of(other, 0, 0).x == body.x);
-    assert_false(stage_look(other, 0)->mismatch);
     skv_stage_destroy(other);
-    kept_clear(&shared);
 }
 
 /* Hands are for both worlds: each picks up its own. */

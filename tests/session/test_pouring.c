@@ -9,7 +9,6 @@
 
 #include "session/support.h"
 #include "skvalp/controls.h"
-#include "support/kept.h"
 
 static const char layers[] =
     "{\"particles\": 400, \"world\": {\"width\": 1.6, \"height\": 0.9}, \"fluids\": [{\"name\": "
@@ -110,20 +109,7 @@ static void replays_and_links_keep_it(void **state)
     skv_stage_seek(stage, moment);
     assert_true(stage_hash(stage, 0) == hash);
 
-    skv_outcome outcome;
-    skv_stage_share(stage);
-    skv_stage_wait(stage);
-    while (skv_stage_next_outcome(stage, &outcome))
-        assert_string_equal(outcome.error.text, "");
-    kept shared = {0};
-    assert_true(skv_stage_read_shared(stage, kept_add, &shared));
-    skv_stage *other = stage_make(false, stage_still);
-    skv_stage_open_memory(other, shared.bytes, shared.size, "skvr", "link", NULL);
-    skv_stage_wait(other);
-    skv_stage_seek(other, moment);
-    assert_true(stage_hash(other, 0) == hash);
-    skv_stage_destroy(other);
-    kept_clear(&shared);
+    skv_stage_destroy(stage_open_shared(stage));
 }
 
 /* A second world pours it, too; another scene what it has. */

@@ -1,6 +1,7 @@
 /* Worlds that several tests use. Invariant: they depend on their arguments alone. */
 #include "support/fixture.h"
 
+#include "base/bytes.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -8,6 +9,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -241,4 +243,29 @@ skv_instrument fixture_instrument(skv_lab *lab, skv_instrument_kind kind, double
     skv_instrument id;
     assert_int_equal(skv_lab_add(lab, &def, &id, NULL), SKV_OK);
     return id;
+}
+
+fixture_saved fixture_save(const skv_world *world, bool with_terrain)
+{
+    fixture_saved saved = {.size = skv_world_snapshot_size(world, with_terrain)};
+    saved.bytes = malloc(saved.size);
+    assert_int_equal(skv_world_save(world, with_terrain, saved.bytes, saved.size, NULL), SKV_OK);
+    return saved;
+}
+
+void fixture_seal(fixture_saved saved)
+{
+    enum { CHECKSUM_AT = 24 };
+    uint64_t sum = skv_hash_bytes(SKV_HASH_BEGIN, saved.bytes, CHECKSUM_AT);
+    sum = skv_hash_bytes(sum, saved.bytes + CHECKSUM_AT + 8, saved.size - CHECKSUM_AT - 8);
+    skv_put(&(skv_writer){saved.bytes, CHECKSUM_AT}, sum, 8);
+}
+
+void fixture_expect_same_bits(uint64_t (*run)(int threads, skv_instruction_set set))
+{
+    uint64_t hash = run(1, SKV_ISA_BEST);
+    assert_true(run(2, SKV_ISA_BEST) == hash);
+    assert_true(run(5, SKV_ISA_BEST) == hash);
+    assert_true(run(1, SKV_ISA_SCALAR) == hash);
+    assert_true(run(3, SKV_ISA_SCALAR) == hash);
 }

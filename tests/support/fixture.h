@@ -70,6 +70,19 @@ skv_instrument fixture_instrument(skv_lab *lab, skv_instrument_kind kind, double
 
 skv_packing fixture_packing(const skv_world *world);
 
+/* A snapshot, whose bytes are the caller's to free; fails the test on any error. */
+typedef struct fixture_saved {
+    uint8_t *bytes;
+    size_t size;
+} fixture_saved;
+fixture_saved fixture_save(const skv_world *world, bool with_terrain);
+
+/* Makes its checksum right again, so that a mutation gets past it. */
+void fixture_seal(fixture_saved saved);
+
+/* Fails the test unless a run gives the same hash on any threads and instruction set. */
+void fixture_expect_same_bits(uint64_t (*run)(int threads, skv_instruction_set set));
+
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);
 

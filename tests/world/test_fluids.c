@@ -125,19 +125,6 @@ static void what_is_no_list_is_refused(void **unused)
                     "fluid 1: its color is out of range; allowed is 0..0xffffff, and -1 for none");
 }
 
-typedef struct blob {
-    size_t size;
-    uint8_t *bytes;
-} blob;
-
-static blob save(const skv_world *world)
-{
-    blob b = {.size = skv_world_snapshot_size(world, false)};
-    b.bytes = malloc(b.size);
-    assert_int_equal(skv_world_save(world, false, b.bytes, b.size, NULL), SKV_OK);
-    return b;
-}
-
 /* Densities lie in a range about that of the first fluid, which moves with it. */
 static void densities_have_a_range(void **unused)
 {
@@ -217,7 +204,7 @@ static void reach_by_all_ways(skv_world *worlds[4], const skv_world_def *def,
     skv_particles p = skv_world_particles(worlds[0]);
     assert_int_equal(skv_world_set_fluids(worlds[1], 0, p.count, p.fluid, NULL), SKV_OK);
     assert_int_equal(skv_world_set(worlds[2], path, value, NULL), SKV_OK);
-    blob b = save(worlds[0]);
+    fixture_saved b = fixture_save(worlds[0], false);
     skv_world_destroy(worlds[3]);
     skv_world_def plain = make_def(def->solver, 0);
     worlds[3] = make(&plain);
@@ -452,7 +439,7 @@ static void a_change_wakes(void **unused)
 
 static void expect_refused(const skv_world *from, skv_world *into, const char *message)
 {
-    blob b = save(from);
+    fixture_saved b = fixture_save(from, false);
     skv_error error;
     uint64_t before = skv_world_hash(into);
     assert_int_equal(skv_world_restore(into, b.bytes, b.size, &error), SKV_ERROR_VALUE);
@@ -495,7 +482,7 @@ static void fluids_that_no_world_has_are_refused(void **unused)
         *liquid = good;
     }
     /* With them comes what they are, to a world that had none, and goes with one that has none. */
-    blob three = save(world), one = save(other);
+    fixture_saved three = fixture_save(world, false), one = fixture_save(other, false);
     assert_null(skv_world_particles(other).fluid);
     assert_int_equal(skv_world_restore(other, three.bytes, three.size, NULL), SKV_OK);
     assert_true(skv_world_hash(other) == skv_world_hash(world));
@@ -506,7 +493,7 @@ static void fluids_that_no_world_has_are_refused(void **unused)
     assert_int_equal(skv_world_restore(other, one.bytes, one.size, NULL), SKV_OK);
     assert_null(skv_world_liquid(other, 1));
     assert_int_equal(skv_world_fluid_stats(other, 0).particles, skv_world_particle_count(other));
-    blob again = save(other);
+    fixture_saved again = fixture_save(other, false);
     assert_int_equal(again.size, one.size);
     assert_memory_equal(again.bytes, one.bytes, one.size);
     free(again.bytes);

@@ -19,28 +19,6 @@
 
 enum { CHECKSUM_AT = 24 };
 
-typedef struct blob {
-    uint8_t *bytes;
-    size_t size;
-} blob;
-
-static blob save(const skv_world *world, bool with_terrain)
-{
-    blob b = {.size = skv_world_snapshot_size(world, with_terrain)};
-    b.bytes = malloc(b.size);
-    assert_int_equal(skv_world_save(world, with_terrain, b.bytes, b.size, NULL), SKV_OK);
-    return b;
-}
-
-/* Makes the checksum right again, so that a mutation gets past it. */
-static void sign(blob b)
-{
-    uint64_t hash = skv_hash_bytes(SKV_HASH_BEGIN, b.bytes, CHECKSUM_AT);
-    hash = skv_hash_bytes(hash, b.bytes + CHECKSUM_AT + 8, b.size - CHECKSUM_AT - 8);
-    skv_writer w = {b.bytes, CHECKSUM_AT};
-    skv_put(&w, hash, 8);
-}
-
 /* The kinds of world that go on in different ways. */
 typedef struct kind {
     const char *name;
@@ -165,9 +143,9 @@ static void going_on_gives_the_same_bits(void **unused)
             asleep += skv_world_awake_count(world) < skv_world_particle_count(world);
             if (step % (k->calm ? 9 : 5) != 2)
                 continue;
-            blob b = save(world, false);
+            fixture_saved b = fixture_save(world, false);
             skv_world *loaded;
-            blob whole = save(world, true);
+            fixture_saved whole = fixture_save(world, true);
             assert_int_equal(
                 skv_world_load(whole.bytes, whole.size, fixture_host(2), &loaded, NULL), SKV_OK);
             assert_int_equal(skv_world_restore(other, b.bytes, b.size, NULL), SKV_OK);
@@ -239,7 +217,7 @@ static void loading_and_copying_take_what_creating_takes(void **unused)
     (void)unused;
     skv_world *world = make_filled(&kinds[0]), *made[4];
     live(world, &kinds[0], 3);
-    blob whole = save(world, true);
+    fixture_saved whole = fixture_save(world, true);
     lent l = {0};
     skv_pool *pool;
     assert_int_equal(skv_pool_create(3, &pool, NULL), SKV_OK);
@@ -309,7 +287,7 @@ static skv_world *make_small(skv_solver_kind solver)
 }
 
 /* Gives bytes to the loader: it refuses them, or the world steps on. */
-static void try_to_load(blob b)
+static void try_to_load(fixture_saved b)
 {
     skv_world *loaded = NULL;
     if (skv_world_load(b.bytes, b.size, fixture_host(1), &loaded, NULL) == SKV_OK)
@@ -321,7 +299,7 @@ static void try_to_load(blob b)
 
 /* Gives them to a world: it refuses with a message and nothing changes, or steps on. Returns
  * whether they were refused. */
-static bool try_bytes(skv_world *world, blob b, blob good)
+static bool try_bytes(skv_world *world, fixture_saved b, fixture_saved good)
 {
     skv_error error = {0};
     uint64_t before = skv_world_hash(world);
@@ -344,7 +322,7 @@ static void every_byte_may_be_wrong(void **unused)
     (void)unused;
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
         skv_world *world = make_small_of((skv_solver_kind)solver, solver);
-        blob good = save(world, true), bad = {malloc(good.size), good.size};
+        fixture_saved good = fixture_save(world, true), bad = {malloc(good.size), good.size};
         static const uint8_t flips[] = {0x01, 0x80, 0xff};
         int refused = 0;
         /* All that stands before the particles, and of these one byte in seven. */
@@ -353,7 +331,7 @@ static void every_byte_may_be_wrong(void **unused)
             memcpy(bad.bytes, good.bytes, good.size);
             bad.bytes[at] ^= flips[at / sparse % 3];
             assert_true(try_bytes(world, bad, good));
-            sign(bad);
+            fixture_seal(bad);
             refused += try_bytes(world, bad, good);
             /* The particles, which begin behind the terrain, are the same to both. */
             if (at < good.size / 2 || at % 16 == 0)
@@ -371,19 +349,19 @@ static void a_part_of_a_snapshot_is_refused(void **unused)
 {
     (void)unused;
     skv_world *world = make_small_of(SKV_SOLVER_FAST, 1);
-    blob good = save(world, true), bad = {malloc(good.size + 8), 0};
+    fixture_saved good = fixture_save(world, true), bad = {malloc(good.size + 8), 0};
     for (; bad.size < good.size; bad.size++) {
         /* Of its own memory: a reader that goes too far is seen. */
         uint8_t *exact = malloc(bad.size + !bad.size);
         memcpy(exact, good.bytes, bad.size);
-        assert_true(try_bytes(world, (blob){exact, bad.size}, good));
+        assert_true(try_bytes(world, (fixture_saved){exact, bad.size}, good));
         /* The same with a size and a checksum that fit. */
         if (bad.size > CHECKSUM_AT + 8) {
             skv_writer w = {exact, 16};
             skv_put(&w, bad.size, 8);
-            sign((blob){exact, bad.size});
-            assert_true(try_bytes(world, (blob){exact, bad.size}, good));
-            try_to_load((blob){exact, bad.size});
+            fixture_seal((fixture_saved){exact, bad.size});
+            assert_true(try_bytes(world, (fixture_saved){exact, bad.size}, good));
+            try_to_load((fixture_saved){exact, bad.size});
         }
         free(exact);
     }
@@ -403,14 +381,14 @@ static void arrays_of_an_old_reference_are_passed_over(void **unused)
     for (int solver = SKV_SOLVER_FAST; solver <= SKV_SOLVER_REFERENCE; solver++) {
         skv_world *world = make_small((skv_solver_kind)solver);
         size_t count = (size_t)skv_world_particle_count(world);
-        blob now = save(world, true), old = {calloc(now.size + 12 * count, 1), 0};
+        fixture_saved now = fixture_save(world, true), old = {calloc(now.size + 12 * count, 1), 0};
         for (unsigned arrays = 0; arrays < 4; arrays++) {
             old.size = now.size + arrays * count * 4;
             memcpy(old.bytes, now.bytes, now.size);
             old.bytes[now.size - 38 * count - 4] = (uint8_t)arrays;
             skv_writer w = {old.bytes, 16};
             skv_put(&w, old.size, 8);
-            sign(old);
+            fixture_seal(old);
             bool refused = try_bytes(world, old, now);
             assert_int_equal(refused, arrays != 0 && (arrays != 2 || solver == SKV_SOLVER_FAST));
         }
@@ -422,7 +400,7 @@ static void arrays_of_an_old_reference_are_passed_over(void **unused)
 
 static void expect_refused(const skv_world *from, skv_world *into, const char *named)
 {
-    blob b = save(from, false);
+    fixture_saved b = fixture_save(from, false);
     skv_error error = {0};
     assert_int_equal(skv_world_restore(into, b.bytes, b.size, &error), SKV_ERROR_VALUE);
     if (!strstr(error.text, named))
@@ -447,7 +425,7 @@ static void another_kind_of_world_is_refused(void **unused)
     /* What can change while a world runs need not be the same. */
     skv_world *thick = make_world(&kinds[0], 1);
     assert_int_equal(skv_world_set(thick, "fluid.viscosity", "0.01", NULL), SKV_OK);
-    blob b = save(world, false);
+    fixture_saved b = fixture_save(world, false);
     assert_int_equal(skv_world_restore(thick, b.bytes, b.size, NULL), SKV_OK);
     live(world, &kinds[0], 1);
     live(thick, &kinds[0], 1);
@@ -486,7 +464,7 @@ static void emitters_and_drains_that_no_world_has_are_refused(void **unused)
         }
         *numbers[i] = before;
     }
-    blob good = save(world, false);
+    fixture_saved good = fixture_save(world, false);
     assert_int_equal(skv_world_restore(other, good.bytes, good.size, NULL), SKV_OK);
     free(good.bytes);
     skv_world_destroy(world);
@@ -512,7 +490,7 @@ static void ways_that_no_world_goes_are_refused(void **unused)
         expect_refused(world, other, "values that no world has");
     }
     world->ramp = good;
-    blob b = save(world, false);
+    fixture_saved b = fixture_save(world, false);
     assert_int_equal(skv_world_restore(other, b.bytes, b.size, NULL), SKV_OK);
     free(b.bytes);
     skv_world_destroy(world);
@@ -529,7 +507,7 @@ static void speeds_have_an_end(void **unused)
         assert_int_equal(skv_world_add_velocity(world, 0, count, 1000, -1000, NULL), SKV_OK);
     skv_particles p = skv_world_particles(world);
     assert_true(p.vx[0] == 1e6f && p.vy[0] == -1e6f);
-    blob b = save(world, false);
+    fixture_saved b = fixture_save(world, false);
     assert_int_equal(skv_world_restore(other, b.bytes, b.size, NULL), SKV_OK);
     free(b.bytes);
     world->state.vx[count / 2] = 1e30f;
@@ -546,7 +524,7 @@ static void running_out_of_memory_changes_nothing(void **unused)
         skv_world *world = make_filled(&k);
         k.liquids = 0; /* of those that take it up */
         live(world, &k, 0);
-        blob b = save(world, true);
+        fixture_saved b = fixture_save(world, true);
         skv_result result = SKV_ERROR_MEMORY;
         for (int fail_at = 0; result != SKV_OK; fail_at++) {
             skv_world *small = make_world(&k, 1), *made;

@@ -12,25 +12,12 @@
 
 #include <cmocka.h>
 
-typedef struct blob {
-    size_t size;
-    uint8_t *bytes;
-} blob;
-
-static blob save(const skv_world *world)
-{
-    blob b = {.size = skv_world_snapshot_size(world, false)};
-    b.bytes = malloc(b.size);
-    assert_int_equal(skv_world_save(world, false, b.bytes, b.size, NULL), SKV_OK);
-    return b;
-}
-
 static void snapshots_keep_springs(void **unused)
 {
     (void)unused;
     skv_world *world = jelly_medley(SKV_SOLVER_FAST, 1, SKV_ISA_BEST), *copy;
     fixture_run(world, 31);
-    blob b = save(world);
+    fixture_saved b = fixture_save(world, false);
     assert_int_equal(skv_world_copy(world, fixture_host(2), &copy, NULL), SKV_OK);
     assert_true(skv_world_hash(copy) == skv_world_hash(world));
     fixture_run(world, 30);
@@ -46,14 +33,6 @@ static void snapshots_keep_springs(void **unused)
     skv_world_destroy(copy);
 }
 
-/* The seal anew, of bytes that have been changed. */
-static void seal(blob b)
-{
-    uint64_t sum = skv_hash_bytes(SKV_HASH_BEGIN, b.bytes, 24);
-    sum = skv_hash_bytes(sum, b.bytes + 32, b.size - 32);
-    skv_put(&(skv_writer){b.bytes, 24}, sum, 8);
-}
-
 /* A snapshot whose springs have been changed is refused, or is of springs that can be. */
 static void springs_that_cannot_be_are_refused(void **unused)
 {
@@ -61,7 +40,7 @@ static void springs_that_cannot_be_are_refused(void **unused)
     skv_world_def def = jelly_def(jelly_numbers, SKV_SOLVER_FAST, JELLY_SPACING);
     skv_world *world = jelly_block(&def, 0.3f);
     fixture_run(world, 2);
-    blob b = save(world), bad = {b.size, malloc(b.size)};
+    fixture_saved b = fixture_save(world, false), bad = {malloc(b.size), b.size};
     uint8_t first[8];
     skv_writer w = {first, 0};
     skv_put(&w, (uint64_t)skv_world_spring_count(world), 4);
@@ -87,7 +66,7 @@ static void springs_that_cannot_be_are_refused(void **unused)
         memcpy(bad.bytes, b.bytes, b.size);
         size_t place = at + 12 * (size_t)sins[i].spring + (size_t)sins[i].offset;
         skv_put(&(skv_writer){bad.bytes, place}, sins[i].value, 4);
-        seal(bad);
+        fixture_seal(bad);
         uint64_t hash = skv_world_hash(world);
         assert_int_equal(skv_world_restore(world, bad.bytes, bad.size, NULL), SKV_ERROR_VALUE);
         assert_true(skv_world_hash(world) == hash);
@@ -96,7 +75,7 @@ static void springs_that_cannot_be_are_refused(void **unused)
         assert_int_not_equal(skv_world_restore(world, b.bytes, size, NULL), SKV_OK);
     memcpy(bad.bytes, b.bytes, b.size);
     skv_put(&(skv_writer){bad.bytes, at - 4}, 0xffffffff, 4);
-    seal(bad);
+    fixture_seal(bad);
     assert_int_not_equal(skv_world_restore(world, bad.bytes, bad.size, NULL), SKV_OK);
     assert_int_equal(skv_world_restore(world, b.bytes, b.size, NULL), SKV_OK);
     free(b.bytes);
