@@ -22,7 +22,9 @@ export function beginAmounts(asked: number): void {
     const { particles, measured } = preferences.value;
     const wanted = asked || particles || measured;
     simulation.setParticles(wanted);
-    effect(() => write(chosen.value));
+    const tell = () => write(chosen.value);
+    effect(tell);
+    window.addEventListener('popstate', tell); // an earlier entry has the number of its time
     if (!wanted)
         effect(() => {
             if (chosen.value !== null && !preferences.peek().measured && !preferences.peek().particles)
