@@ -13,7 +13,7 @@
 /* Without bodies there are no fields of theirs, which are the last. Who asks for one tells the
  * host, which brings more: web/core/no_bodies.c. */
 #ifdef SKV_WITHOUT_BODIES
-skv_result skv_want_bodies(skv_error *error);
+skv_result skv_want_more(skv_error *error);
 enum { FIELDS = SKV_F_BODIES };
 #else
 enum { FIELDS = SKV_F_COUNT };
@@ -220,7 +220,7 @@ void skv_scene_suggest(const char *pattern, char *text, size_t size)
 {
 #ifdef SKV_WITHOUT_BODIES
     if (strncmp(pattern, "bodies", 6) == 0)
-        skv_want_bodies(NULL);
+        skv_want_more(NULL);
 #endif
     skv_field_suggest(fields, FIELDS, pattern, text, size);
 }

@@ -11,18 +11,18 @@
 
 static bool wanted;
 
-/* Somebody asks for bodies, as src/scene/fields.c does; refuses. */
-skv_result skv_want_bodies(skv_error *error);
-/* Whether anybody has since this was last called. Modules that have bodies do not export it. */
-__attribute__((export_name("skv_wasm_wants_bodies"))) bool skv_wasm_wants_bodies(void);
+/* Somebody asks for what these modules lack, as src/scene/fields.c does; refuses. */
+skv_result skv_want_more(skv_error *error);
+/* Whether anybody has since this was last called. Modules that lack nothing do not export it. */
+__attribute__((export_name("skv_wasm_wants_more"))) bool skv_wasm_wants_more(void);
 
-skv_result skv_want_bodies(skv_error *error)
+skv_result skv_want_more(skv_error *error)
 {
     wanted = true;
-    return skv_fail(error, SKV_ERROR_VALUE, "bodies are yet to come; try again");
+    return skv_fail(error, SKV_ERROR_VALUE, "the part for it is yet to come; try again");
 }
 
-bool skv_wasm_wants_bodies(void)
+bool skv_wasm_wants_more(void)
 {
     bool was = wanted;
     wanted = false;
@@ -62,7 +62,7 @@ float skv_placed_body_distance(const skv_placed_body *placed, float x, float y)
 skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
 {
     (void)reader, (void)spacing;
-    return skv_want_bodies(error);
+    return skv_want_more(error);
 }
 
 skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
@@ -87,7 +87,7 @@ bool skv_hands_hold_bodies(const skv_acting *acting)
 void skv_exchange_held(skv_port *port, skv_hand *hand)
 {
     (void)port, (void)hand;
-    skv_want_bodies(NULL);
+    skv_want_more(NULL);
 }
 
 skv_result skv_exchange_holds(skv_port *port, skv_acting *acting, skv_error *error)

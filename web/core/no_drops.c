@@ -2,12 +2,12 @@
  * comes, and the host is told that somebody wants it. */
 #include "session/command.h"
 
-skv_result skv_want_bodies(skv_error *error);
+skv_result skv_want_more(skv_error *error);
 
 skv_result skv_drop_apply(const skv_drop *drop, skv_world *world, skv_error *error)
 {
     (void)drop, (void)world;
-    return skv_want_bodies(error);
+    return skv_want_more(error);
 }
 
 void skv_drop_take(const skv_dab *dab, skv_world *world)
@@ -24,5 +24,5 @@ const char *skv_drop_shape(int i)
 bool skv_drop_code(skv_command *command, const skv_command last[2], skv_coder *coder)
 {
     (void)command, (void)last, (void)coder;
-    return skv_want_bodies(NULL) == SKV_OK;
+    return skv_want_more(NULL) == SKV_OK;
 }

@@ -6,13 +6,13 @@
 #include "world/springs.h"
 
 /* no_bodies.c: somebody asks for what the larger modules have. */
-skv_result skv_want_bodies(skv_error *error);
+skv_result skv_want_more(skv_error *error);
 
 const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong)
 {
     if (liquid->shear_modulus == 0)
         return NULL;
-    skv_want_bodies(NULL);
+    skv_want_more(NULL);
     *wrong = SKV_LIQUID_WRONG_MODULUS;
     return "is not known here";
 }

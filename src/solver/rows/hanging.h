@@ -47,7 +47,7 @@ static void find_hanging(const skv_rows *s, int row, const skv_constants *c)
         v8 size = v8_sqrt(v8_max(v8_add(v8_mul(x, x), v8_mul(y, y)), tiny));
         v8 down =
             v8_add(v8_mul(v8_load(s->gradient_x + i), x), v8_mul(v8_load(s->gradient_y + i), y));
-        if (s->massive) /* gradients are of the mean mass */
+        if (skv_is_massive(s)) /* gradients are of the mean mass */
             down = v8_mul(down, v8_load(s->mean_lightness + i));
         v8 up = v8_div(v8_sub(zero, down), v8_mul(size, bulk));
         v8_store(s->hanging + i, v8_min(v8_max(up, zero), one));

@@ -142,7 +142,7 @@ V8_INLINE void add_to_sums(const skv_rows *s, int i, const skv_constants *c, flo
         c->clavet ? density
                   : (SKV_SMOOTH_CUBES * near_density - density) * (1.0f / SKV_SMOOTH_QUARTICS);
     s->own.near_density[i] += near_density;
-    if (s->massive) /* it is of the particle's own kind */
+    if (skv_is_massive(s)) /* it is of the particle's own kind */
         s->own.lightness[i] += near_density * s->set[s->current].lightness[i];
 }
 
@@ -179,7 +179,7 @@ static void pressure(const skv_rows *s, int row, bool later, const skv_constants
 {
     bool graded = !c->clavet && !later;
     for_walls(s, row, c, boundary, samples, add_solid, graded ? &graded : NULL);
-    if (s->massive)
+    if (skv_is_massive(s))
         find_mean_masses(s, row);
     if (graded) /* while the push of the last substep is known */
         keep_gradient(s, row, c);

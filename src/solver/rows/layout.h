@@ -235,9 +235,20 @@ static inline float lag_of_one(const skv_row_particles *p, int i, float pair_lag
     return pair_lag * (square < 1 ? square : 1);
 }
 
+/* Whether particles have masses in this call. */
+static inline bool skv_is_massive(const skv_rows *rows)
+{
+#ifdef SKV_WITHOUT_FLUIDS
+    (void)rows;
+    return false;
+#else
+    return rows->massive;
+#endif
+}
+
 static inline float skv_row_mass(const skv_rows *rows, int i)
 {
-    return rows->massive ? 1 / rows->set[rows->current].lightness[i] : 1;
+    return skv_is_massive(rows) ? 1 / rows->set[rows->current].lightness[i] : 1;
 }
 
 #endif

@@ -183,7 +183,7 @@ static void zero_sums(const skv_rows *s, const skv_row_sums *sums, int row, bool
 {
     zero_row(s, sums->density, row);
     zero_row(s, sums->near_density, row);
-    if (s->massive)
+    if (skv_is_massive(s))
         zero_row(s, sums->lightness, row);
     if (graded) {
         zero_row(s, sums->gradient_x, row);
@@ -357,7 +357,7 @@ static void density(const skv_rows *s, int row, bool later, const skv_constants 
     kept->used = blocks <= kept->room ? blocks : -1;
     float *keep = kept->used >= 0 ? kept->pairs : NULL;
     const unsigned calibrated = SMOOTH | WITH_GRADIENT;
-    unsigned with = (c->clavet ? 0u : calibrated) | (s->massive ? WITH_MASSES : 0u);
+    unsigned with = (c->clavet ? 0u : calibrated) | (skv_is_massive(s) ? WITH_MASSES : 0u);
     if (with == calibrated)
         density_row(s, row, calibrated, true, c->images, !later, c, b, keep);
     else if (with == 0)

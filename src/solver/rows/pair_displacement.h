@@ -287,7 +287,8 @@ static void displacement(const skv_rows *s, int row, bool later, const skv_const
     const unsigned calibrated = SMOOTH | WITH_GRADIENT;
     const float *keep = kept->used >= 0 ? kept->pairs : NULL;
     unsigned with = (c->clavet ? 0u : calibrated) | (viscous ? WITH_VISCOSITY : 0u) |
-                    (s->gauged ? WITH_GAUGE : 0u) | (viscous && s->massive ? WITH_MASSES : 0u);
+                    (s->gauged ? WITH_GAUGE : 0u) |
+                    (viscous && skv_is_massive(s) ? WITH_MASSES : 0u);
     /* What most substeps are made of has loops of its own. */
     if (with == calibrated)
         displacement_row(s, row, calibrated, true, c->images, !later, c, b, keep);

@@ -48,7 +48,7 @@ static void clear_lowest(skv_rows *rows)
     const skv_row_sums *next = &rows->next;
     float *sums[ROW_SUMS] = {next->density, next->near_density, next->gradient_x, next->gradient_y,
                              next->lightness};
-    for (int a = 0; a < (rows->massive ? ROW_SUMS : ROW_SUMS - 1); a++)
+    for (int a = 0; a < (skv_is_massive(rows) ? ROW_SUMS : ROW_SUMS - 1); a++)
         memset(sums[a] + begin, 0, bytes);
 }
 
@@ -131,7 +131,7 @@ void skv_row_displacement(const skv_row_worker *w, int row)
         await(w, w->upper, FIRST_PRESSED);
     shared->kernels->displacement(shared->rows, row, w->iteration > 0, shared->constants,
                                   shared->boundary, kept_of(w, row));
-    if (w->iteration == 0 && shared->rows->massive)
+    if (w->iteration == 0 && skv_is_massive(shared->rows))
         skv_rows_turn_unlike(shared->rows, row, shared->constants, shared->boundary);
     if (row == w->last)
         reach(w, LAST_DISPLACED);

@@ -37,13 +37,13 @@ V8_INLINE void note_graded(const skv_rows *s, int row, int eight, bool graded)
 /* With masses a quantity of eight particles at i that goes with their mass, per mass. */
 V8_INLINE v8 per_mass(const skv_rows *s, int i, v8 a)
 {
-    return s->massive ? v8_mul(a, v8_load(s->set[s->current].lightness + i)) : a;
+    return skv_is_massive(s) ? v8_mul(a, v8_load(s->set[s->current].lightness + i)) : a;
 }
 
 /* And what is per mass, of theirs. */
 V8_INLINE v8 of_mass(const skv_rows *s, int i, v8 a)
 {
-    return s->massive ? v8_div(a, v8_load(s->set[s->current].lightness + i)) : a;
+    return skv_is_massive(s) ? v8_div(a, v8_load(s->set[s->current].lightness + i)) : a;
 }
 
 /* Finds the mean mass of a row's particles and what is around each from the sums of lightness,
@@ -62,7 +62,7 @@ static void find_mean_masses(const skv_rows *s, int row)
 /* What is per mass, of the mean mass. */
 V8_INLINE v8 of_mean_mass(const skv_rows *s, int i, v8 a)
 {
-    return s->massive ? v8_div(a, v8_load(s->mean_lightness + i)) : a;
+    return skv_is_massive(s) ? v8_div(a, v8_load(s->mean_lightness + i)) : a;
 }
 
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
@@ -164,7 +164,7 @@ static v8 relative_density(const skv_rows *s, int i, const skv_constants *c)
     const v8 rest = v8_set(c->rest_density / (c->rest_density + 1));
     v8 lambda = v8_mul(v8_set(SKV_NEAR_WEIGHT * c->near_share), v8_load(s->near_lambda + i));
     lambda = v8_mul(scale, v8_add(lambda, v8_load(s->lambda + i)));
-    if (s->massive)
+    if (skv_is_massive(s))
         lambda = v8_mul(lambda, v8_load(s->mean_lightness + i));
     v8 excess =
         v8_min(v8_max(lambda, v8_set(0)), v8_set(1 - 1 / SKV_DENSEST)); /* (rho - rho0)/rho */

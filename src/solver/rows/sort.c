@@ -155,7 +155,7 @@ static void place_cells(skv_rows *rows, int row)
 static void move_particles(skv_rows *rows, skv_row_thread *own)
 {
     const skv_row_particles *from = &rows->set[rows->current], *to = &rows->set[!rows->current];
-    const bool massive = rows->massive, dragged = rows->dragged;
+    const bool massive = skv_is_massive(rows), dragged = rows->dragged;
     for (int row = own->old_first; row < own->old_end; row++) {
         for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
             int place = own->histogram[rows->key[i]]++;
@@ -184,7 +184,7 @@ static void put_dummies(skv_rows *rows, int row)
         p->x[i] = p->y[i] = p->clearance[i] = ROW_FAR;
         p->u[i] = p->v[i] = 0;
         p->warm_lambda[i] = ROW_FAR; /* nobody looks for a gradient because of them */
-        if (rows->massive)
+        if (skv_is_massive(rows))
             p->lightness[i] = 1;
         if (rows->dragged)
             p->drag[i] = 0;

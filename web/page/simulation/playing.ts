@@ -157,7 +157,7 @@ export class Playing {
         }
         if (number === this.#library.constants.SKV_OUTCOME_OPEN) {
             const { grow } = this.#surroundings;
-            if (error && grow && this.#library.instance.exports.skv_wasm_wants_bodies?.()) {
+            if (error && grow && this.#library.instance.exports.skv_wasm_wants_more?.()) {
                 grow(false);
                 return;
             }

@@ -338,7 +338,7 @@ export class Simulator implements Simulation {
     chooseTool(tool: number) {
         const { c, instance } = this.#library;
         this.#ask(c.skv_control_tool, tool);
-        if (instance.exports.skv_wasm_wants_bodies && this.#library.view('skv_tool', c.skv_tool_info(tool)).drops) {
+        if (instance.exports.skv_wasm_wants_more && this.#library.view('skv_tool', c.skv_tool_info(tool)).drops) {
             this.#surroundings.grow?.(true);
         }
     }

@@ -1,0 +1,71 @@
+/* What stands for several fluids in the page's first modules, as no_bodies.c does for bodies: who
+ * asks for a second one gets the modules that have them. Invariant: no world here has more fluids
+ * than one, so no particle has a mass of its own.
+ */
+#include "scene/fluids.h"
+#include "solver/rows/rows_internal.h"
+#include "world/liquids.h"
+
+#include <string.h>
+
+/* no_bodies.c: somebody asks for what the larger modules have. */
+skv_result skv_want_more(skv_error *error);
+
+const uint32_t skv_liquid_cookie = 1;
+
+static skv_result check_count(int64_t fluids, skv_error *error)
+{
+    return fluids == 0 ? SKV_OK : skv_want_more(error);
+}
+
+skv_result skv_check_liquids(const skv_world_def *def, skv_error *error)
+{
+    return check_count(def->liquid_count, error);
+}
+
+skv_result skv_check_fluid(int fluid, int fluids, skv_error *error)
+{
+    (void)fluids;
+    return check_count(fluid, error);
+}
+
+void skv_exchange_contents(skv_port *port, int *dye, int *fluid)
+{
+    uint64_t byte = (uint64_t)*dye;
+    skv_exchange(port, &byte, 1);
+    *dye = (int)(byte & 15);
+    *fluid = (int)(byte >> 4);
+}
+
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, bool springs)
+{
+    (void)port, (void)def, (void)springs;
+    return skv_want_more(NULL) == SKV_OK;
+}
+
+skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_error *error)
+{
+    (void)scene;
+    return check_count(draft->values.list[SKV_LIST_FLUIDS].count, error);
+}
+
+skv_result skv_scene_paint_oil(skv_scene *scene, const char *label, skv_error *error)
+{
+    (void)label;
+    return check_count(scene->marked[SKV_PAINT_OIL], error);
+}
+
+/* "water" is the first of them, as it is elsewhere. */
+skv_result skv_scene_find_fluid(const skv_draft *draft, const skv_value *value, const char *path,
+                                int *number, skv_error *error)
+{
+    (void)draft, (void)path;
+    *number = 0;
+    return check_count(value->text && strcmp(value->text, SKV_FIRST_FLUID) != 0, error);
+}
+
+void skv_rows_turn_unlike(const skv_rows *rows, int row, const skv_constants *constants,
+                          const skv_boundary *boundary)
+{
+    (void)rows, (void)row, (void)constants, (void)boundary;
+}
