@@ -196,6 +196,6 @@ const experiment skv_exp_torricelli = {
                    {"range, low hole", "m", 0.1, AS_WRITTEN, 0},
                    {"range, middle hole", "m", 0.1, AS_WRITTEN, 0},
                    {"range, high hole", "m", 0.1, AS_WRITTEN, 0}},
-    .measure = measure,
-    .expect = expect,
+    .measure = SKV_BESIDE(measure),
+    .expect = SKV_BESIDE(expect),
 };

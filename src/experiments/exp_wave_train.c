@@ -169,6 +169,6 @@ const experiment skv_exp_wave_train = {
                    {"frequency, short waves", "1/s", 0.03, AS_WRITTEN, 0},
                    {"own viscosity, long waves", "spacings^2/s", 8, AS_WRITTEN, 0},
                    {"own viscosity, short waves", "spacings^2/s", 8, AS_WRITTEN, 0}},
-    .measure = measure,
-    .expect = expect,
+    .measure = SKV_BESIDE(measure),
+    .expect = SKV_BESIDE(expect),
 };

@@ -11,11 +11,31 @@
 
 #include <math.h>
 
+#ifdef SKV_WITHOUT_EXPERIMENTS_BESIDE
+/* web/core/no_bodies.c: somebody asks for what the page's first modules lack. */
+skv_result skv_want_more(skv_error *error);
+#endif
+
 struct skv_report {
     const experiment *experiment;
     findings found;
     skv_lab_row rows[MAX_QUANTITIES];
 };
+
+/* The experiment of a number, to be run; null if there is none, or it comes with more. */
+static const experiment *find(int number, skv_error *error)
+{
+    const experiment *e = skv_experiment_at(number);
+    if (!e)
+        skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);
+#ifdef SKV_WITHOUT_EXPERIMENTS_BESIDE
+    else if (!e->measure) {
+        skv_want_more(error);
+        return NULL;
+    }
+#endif
+    return e;
+}
 
 /* ---- The set-up ------------------------------------------------------------------------------ */
 
@@ -56,7 +76,7 @@ int skv_experiment_particles(int number, int chosen)
 {
     const experiment *e = skv_experiment_at(number);
     double share;
-    if (!e)
+    if (!e || !e->measure)
         return 0;
     double setting = setting_for(e, NULL, chosen, &share);
     return (int)floor(setting * share);
@@ -65,9 +85,9 @@ int skv_experiment_particles(int number, int chosen)
 skv_result skv_experiment_scene(int number, skv_write *write, void *user, skv_error *error)
 {
     SKV_ASSERT_OR(write, SKV_ERROR_VALUE);
-    const experiment *e = skv_experiment_at(number);
+    const experiment *e = find(number, error);
     if (!e)
-        return skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);
+        return SKV_ERROR_VALUE;
     rig_plan plan;
     rig set_up;
     sketch(&set_up, e, NULL, false, &plan, error);
@@ -152,9 +172,9 @@ skv_result skv_experiment_run(int number, const skv_lab_options *options, skv_re
     *out = NULL;
     skv_lab_options own;
     SKV_ASSERT_INITIALISED(options, skv_open_lab_options(options, &own), SKV_ERROR_VALUE);
-    const experiment *e = skv_experiment_at(number);
+    const experiment *e = find(number, error);
     if (!e)
-        return skv_fail(error, SKV_ERROR_VALUE, "lab: there is no experiment %d", number);
+        return SKV_ERROR_VALUE;
     skv_report *report = skv_calloc(1, sizeof *report);
     if (!report)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a report");

@@ -57,6 +57,14 @@ struct experiment {
     void (*expect)(const double *condition, expectation *expected, skv_plot *plot);
 };
 
+/* What an experiment beside does. A first visit to the page has room for its card, and no more:
+ * there this is null, and who wants it run gets the larger module (web/CMakeLists.txt). */
+#ifdef SKV_WITHOUT_EXPERIMENTS_BESIDE
+#define SKV_BESIDE(function) (0 ? (function) : NULL)
+#else
+#define SKV_BESIDE(function) (function)
+#endif
+
 #define DECLARE(name) extern const experiment skv_exp_##name;
 SKV_EXPERIMENTS(DECLARE)
 #undef DECLARE

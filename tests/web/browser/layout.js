@@ -241,6 +241,22 @@ const trials = {
         assert.ok(title.bottom > body.top, `the title ends at ${title.bottom}, above ${body.top}`);
     },
 
+    async 'an experiment that comes with the larger module is measured and played with'(browser) {
+        const page = await begin(browser, desk, '?scene=pool&particles=500');
+        const list = async () => {
+            await button(page, 'Scenes and experiments').click();
+            await page.locator('.panel .list button').filter({ hasText: 'Three holes' }).click();
+        };
+        await list();
+        await page.locator('.measurement').getByRole('button', { name: 'Measure' }).click();
+        await page.locator('.plot').waitFor();
+        await button(page, 'Stop').click();
+        await until(page, () => !window.skvalp.state.value.paused, 'the pool goes on');
+        await button(page, 'Play with the set-up').click();
+        await until(page, () => window.skvalp.state.value.worlds[0].particles >= 5000, 'the set-up comes');
+        await until(page, () => window.skvalp.state.value.moment > 0 && !window.skvalp.state.value.paused, 'it plays');
+    },
+
     async 'a set-up whose gravity is tilted says so'(browser) {
         const page = await begin(browser, desk, '?scene=pool&paused=1');
         const index = await page.evaluate(async () =>

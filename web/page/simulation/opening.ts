@@ -7,9 +7,10 @@ import { made, withBytes, withOptions } from '../../src/memory.js';
 
 import type { FileFormat, Settings } from './protocol';
 
-/** What can be opened: by name, or as the bytes of a file. */
+/** What can be opened: by name, as the set-up of an experiment, or as the bytes of a file. */
 type Source =
     | { name: string }
+    | { experiment: number }
     | { bytes: Uint8Array; format: FileFormat; label: string; cautious: boolean };
 interface Wanted {
     source: Source;
@@ -50,9 +51,10 @@ export class Opening {
         this.bytes(bytes, 'skvr', 'link');
     }
 
-    /** Throws if there is no such experiment. */
+    /** Throws if there is no such experiment, or if it comes with the larger module. */
     experiment(index: number) {
         const { c } = this.#library;
+        this.next = { source: { experiment: index }, settings: {} };
         const text = made(this.#library,
             (write, user, error) => c.skv_experiment_scene(index, write, user, error));
         const { name } = this.#library.view('skv_experiment', c.skv_experiment_info(index));
@@ -69,6 +71,10 @@ export class Opening {
 
     open(wanted: Wanted) {
         const { c } = this.#library, { source, settings } = wanted;
+        if ('experiment' in source) {
+            this.experiment(source.experiment);
+            return;
+        }
         this.next = wanted;
         withOptions(this.#library, settings, (options) => {
             if ('name' in source) {

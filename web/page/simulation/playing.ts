@@ -104,14 +104,26 @@ export class Playing {
         this.#tellState();
     }
 
-    /** Does what may throw; that is reported. */
+    /** Does what may throw; that is reported, unless a larger module does it. */
     attempt(kind: Report['kind'], call: () => void) {
         try {
             call();
         } catch (error) {
-            this.#report(kind, error instanceof Error ? error.message : String(error));
+            if (!this.#grows()) {
+                this.#report(kind, error instanceof Error ? error.message : String(error));
+            }
         }
         this.asked();
+    }
+
+    /** Whether what failed is wanted of a larger module, which goes on with what is to be opened. */
+    #grows() {
+        const { library, grow } = this.#surroundings;
+        const grows = grow && library.instance.exports.skv_wasm_wants_more?.();
+        if (grows) {
+            grow(false);
+        }
+        return grows;
     }
 
     /** Asks for what is reported later; when it is. */
@@ -156,9 +168,7 @@ export class Playing {
             return;
         }
         if (number === this.#library.constants.SKV_OUTCOME_OPEN) {
-            const { grow } = this.#surroundings;
-            if (error && grow && this.#library.instance.exports.skv_wasm_wants_more?.()) {
-                grow(false);
+            if (error && this.#grows()) {
                 return;
             }
             this.opening.done(!error);
