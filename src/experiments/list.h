@@ -2,6 +2,7 @@
  * file exp_NAME.c defines: whoever adds one writes that file and a line here. */
 #define SKV_EXPERIMENTS(X)                                                                         \
     X(hydrostatics)                                                                                \
+    X(layers)                                                                                      \
     X(rest)                                                                                        \
     X(u_tube)                                                                                      \
     X(vessels)                                                                                     \

@@ -78,18 +78,52 @@ static void __attribute__((format(printf, 2, 3))) say(text *t, const char *forma
     t->length += strlen(t->bytes + t->length);
 }
 
-static void say_shapes(text *t, const char *list, const shape *shapes, int count)
+/* All of a shape but what opens it. */
+static void say_shape(text *t, const shape *s)
+{
+    say(t, "\"shape\": \"polygon\", ");
+    if (s->vx != 0 || s->vy != 0)
+        say(t, "\"vx\": %.9g, \"vy\": %.9g, ", s->vx, s->vy);
+    say(t, "\"points\": [");
+    for (int k = 0; k < s->corners; k++)
+        say(t, "%s[%.9g, %.9g]", k ? ", " : "", s->x[k], s->y[k]);
+    say(t, "]}");
+}
+
+/* Experiments beside alone have these (experiment.h). */
+#ifdef SKV_WITHOUT_EXPERIMENTS_BESIDE
+#define say_fluid(t, plan, water) ((void)(plan))
+#define say_beside(t, plan)       ((void)(plan))
+#else
+static void say_fluid(text *t, const rig_plan *plan, int water)
+{
+    if (plan && plan->fluid_of[water] > 0)
+        say(t, "\"fluid\": \"%s\", ", plan->fluid[plan->fluid_of[water] - 1].name);
+}
+
+static void say_beside(text *t, const rig_plan *plan)
+{
+    say(t, ", \"fluids\": [");
+    for (int i = 0; i < plan->fluids; i++)
+        say(t, "%s{\"name\": \"%s\", \"density\": %.9g, \"shear_modulus\": %.9g}", i ? ", " : "",
+            plan->fluid[i].name, plan->fluid[i].density, plan->fluid[i].shear_modulus);
+    say(t, "], \"bodies\": [");
+    for (int i = 0; i < plan->bodies; i++) {
+        say(t, "%s{\"density\": %.9g, ", i ? ", " : "", plan->body[i].density);
+        say_shape(t, &plan->body[i].outline);
+    }
+    say(t, "]");
+}
+#endif
+
+static void say_shapes(text *t, const char *list, const shape *shapes, int count,
+                       const rig_plan *fluids)
 {
     say(t, ", \"%s\": [", list);
     for (int i = 0; i < count; i++) {
-        const shape *s = &shapes[i];
-        say(t, "%s{\"shape\": \"polygon\", ", i ? ", " : "");
-        if (s->vx != 0 || s->vy != 0)
-            say(t, "\"vx\": %.9g, \"vy\": %.9g, ", s->vx, s->vy);
-        say(t, "\"points\": [");
-        for (int k = 0; k < s->corners; k++)
-            say(t, "%s[%.9g, %.9g]", k ? ", " : "", s->x[k], s->y[k]);
-        say(t, "]}");
+        say(t, i ? ", {" : "{");
+        say_fluid(t, fluids, i);
+        say_shape(t, &shapes[i]);
     }
     say(t, "]");
 }
@@ -102,8 +136,9 @@ static void say_scene(text *t, const rig_plan *plan, double pixel)
     say(t, "\"open\": {\"right\": %s, \"bottom\": %s}}, ", plan->open_right ? "true" : "false",
         plan->open_bottom ? "true" : "false");
     say(t, "\"gravity\": {\"x\": %.9g, \"y\": %.9g}", plan->gravity_x, plan->gravity_y);
-    say_shapes(t, "solid", plan->solid, plan->solids);
-    say_shapes(t, "water", plan->water, plan->waters);
+    say_shapes(t, "solid", plan->solid, plan->solids, NULL);
+    say_shapes(t, "water", plan->water, plan->waters, plan);
+    say_beside(t, plan);
     say(t, "}\n");
 }
 

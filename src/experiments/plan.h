@@ -1,10 +1,10 @@
-/* The plan of a set-up: solids and water as polygons, and the scene that they make. */
+/* The plan of a set-up: solids, water and bodies as polygons, and the scene that they make. */
 #ifndef SKV_EXPERIMENTS_PLAN_H
 #define SKV_EXPERIMENTS_PLAN_H
 
 #include "skvalp/experiments.h"
 
-enum { MAX_CORNERS = 64, MAX_SHAPES = 8 };
+enum { MAX_CORNERS = 64, MAX_SHAPES = 8, MAX_PLAN_FLUIDS = 2, MAX_PLAN_BODIES = 3 };
 
 /* A polygon in metres, and the speed at which water in it starts. */
 typedef struct shape {
@@ -17,6 +17,18 @@ shape skv_shape_box(double x0, double y0, double x1, double y1);
 /* A polygon of 64 corners with the area of the ellipse with half axes a and b. */
 shape skv_shape_ellipse(double x, double y, double a, double b);
 
+/* A fluid beside the first: kg/m^2, and Pa, 0 without springs. */
+typedef struct plan_fluid {
+    const char *name;
+    double density, shear_modulus;
+} plan_fluid;
+
+/* A rigid body, kg/m^2. */
+typedef struct plan_body {
+    shape outline;
+    double density;
+} plan_body;
+
 /* What a rig is to look like. */
 typedef struct rig_plan {
     double width, height; /* of the closed world, m */
@@ -26,6 +38,11 @@ typedef struct rig_plan {
     double depth; /* deepest water to expect, m */
     double gravity_x, gravity_y;
     double share; /* of the wanted number of particles; 0: 1 */
+    /* Of experiments beside alone (experiment.h). */
+    int fluids, bodies;
+    plan_fluid fluid[MAX_PLAN_FLUIDS];
+    int fluid_of[MAX_SHAPES]; /* of the waters: 0 is the first fluid, 1 that of fluid[0] */
+    plan_body body[MAX_PLAN_BODIES];
 } rig_plan;
 
 /* Loads the plan as a scene called `name`. The settings say what the fluid is, and `particles` or

@@ -10,6 +10,13 @@ double skv_theory_pressure(double density, double gravity, double depth)
     return density * gravity * depth;
 }
 
+double skv_theory_layered_pressure(double upper, double lower, double gravity, double interface,
+                                   double depth)
+{
+    double above = skv_min(depth, interface);
+    return upper * gravity * above + lower * gravity * (depth - above);
+}
+
 double skv_theory_u_tube_period(double gravity, double length)
 {
     return 2 * SKV_PI * sqrt(length / (2 * gravity));

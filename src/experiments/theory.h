@@ -5,6 +5,10 @@
 /* Pressure at a depth in water at rest, Pa m: rho g z (Stevin, Pascal). */
 double skv_theory_pressure(double density, double gravity, double depth);
 
+/* The same where another liquid begins below `interface`, a depth: the weights of both add up. */
+double skv_theory_layered_pressure(double upper, double lower, double gravity, double interface,
+                                   double depth);
+
 /* Period of a liquid column of inertial length L between two equal arms: 2 pi sqrt(L / 2g) (Newton,
  * Principia II, prop. 44; L instead of the centre line's length for arms of finite width). */
 double skv_theory_u_tube_period(double gravity, double length);

@@ -32,7 +32,7 @@ typedef struct line {
     double miss, tolerance;
 } line;
 
-enum { MAX_LINES = 64 };
+enum { MAX_LINES = 96 };
 
 static void name_line(line *l, const skv_lab_row *row)
 {

@@ -18,6 +18,9 @@ static void pressure_is_the_weight_above(void **unused)
     (void)unused;
     /* 0.3 m of water: a column of 300 kg on a square metre. */
     assert_near(skv_theory_pressure(1000, 9.81, 0.3), 300 * 9.81, 1e-9);
+    /* 0.2 m of oil, and then 0.1 m of water below it. */
+    assert_near(skv_theory_layered_pressure(900, 1000, 9.81, 0.2, 0.1), 90 * 9.81, 1e-9);
+    assert_near(skv_theory_layered_pressure(900, 1000, 9.81, 0.2, 0.3), 280 * 9.81, 1e-9);
 }
 
 /* x'' = -(2g/L) x, integrated by small steps from x = 1 to the first zero: a quarter period. */
