@@ -38,7 +38,7 @@ for scale in "${scales[@]}"; do
             >"$work/json" || (($? == 1)) || die "the lab failed at scale $scale with $count particles"
         sed -nE 's/.*"experiment": "([^"]*)", "quantity": "([^"]*)".*"measured": ([^,]*),.*"ratio": ([^,]*), "tolerance": ([^,]*), "pass": ([a-z]*)(.*"measured_deviation": ([^,]*), "ratio_deviation": ([^}]*))?}.*/\1|\2|\3|\4|\5|\6|\8|\9/p' \
             "$work/json" | awk -F'|' '{
-                bound = $4 == "null" ? sprintf("up to %.3g", $5) : "±" 100 * $5 " %"
+                bound = $4 == "null" ? sprintf("up to %.3g", $5) : sprintf("±%.3g %%", 100 * $5)
                 value = $4 == "null" ? sprintf("%.2g", $3) : sprintf("%.3f", $4)
                 spread = $4 == "null" ? sprintf("%.1g", $7) : sprintf("%.3f", $8)
                 value = $7 + 0 == 0 ? value : value " ± " spread

@@ -159,6 +159,8 @@ void skv_experiment_judge(const experiment *e, const findings *found, const expe
         if (row->theory != 0) {
             row->ratio = row->measured / row->theory;
             miss = row->ratio - 1;
+            if (q->allowance == IN_SPACINGS)
+                row->tolerance /= row->theory;
         }
         /* A NaN does not pass. */
         row->pass = fabs(miss) <= row->tolerance;

@@ -16,7 +16,7 @@ enum { MAX_QUANTITIES = 8, MAX_CONDITIONS = 16, MAX_POINTS = 16 };
 /* What a tolerance is multiplied with. */
 typedef enum allowance {
     AS_WRITTEN,
-    IN_SPACINGS, /* of the particles, m */
+    IN_SPACINGS, /* of the particles, m, also where the theory is a length */
     BY_PACE,     /* a time at scale 1 under 9.81 m/s^2; see skv_rig_pace */
     BY_SPEED,    /* a speed there; see skv_rig_speed */
 } allowance;

@@ -13,6 +13,7 @@
     X(torricelli)                                                                                  \
     X(channel)                                                                                     \
     X(archimedes)                                                                                  \
+    X(float)                                                                                       \
     X(momentum)                                                                                    \
     X(droplet)                                                                                     \
     X(ringing)                                                                                     \

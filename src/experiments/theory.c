@@ -119,3 +119,8 @@ double skv_theory_buoyancy(double density, double gravity, double area)
 {
     return density * gravity * area;
 }
+
+double skv_theory_draught(double density, double body, double height)
+{
+    return height * body / density;
+}

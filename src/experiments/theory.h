@@ -74,4 +74,7 @@ double skv_theory_contraction(void);
 /* Buoyancy of a submerged body, N: rho g V (Archimedes). */
 double skv_theory_buoyancy(double density, double gravity, double area);
 
+/* How deep a block floats: what it displaces weighs as much as it does (Archimedes). */
+double skv_theory_draught(double density, double body, double height);
+
 #endif

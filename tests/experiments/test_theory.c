@@ -21,6 +21,7 @@ static void pressure_is_the_weight_above(void **unused)
     /* 0.2 m of oil, and then 0.1 m of water below it. */
     assert_near(skv_theory_layered_pressure(900, 1000, 9.81, 0.2, 0.1), 90 * 9.81, 1e-9);
     assert_near(skv_theory_layered_pressure(900, 1000, 9.81, 0.2, 0.3), 280 * 9.81, 1e-9);
+    assert_near(skv_theory_draught(1000, 900, 0.1), 0.09, 1e-12);
 }
 
 /* x'' = -(2g/L) x, integrated by small steps from x = 1 to the first zero: a quarter period. */
