@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "render/body_look.h"
+
 /* View pixels from line to line, in thin lines, and half the width of each: they overlap. */
 #define APART 1.0
 #define HALF  0.75
@@ -118,10 +120,12 @@ skv_result skv_bodies_draw(skv_strokes *strokes, const skv_overlay_scene *scene,
     double line = skv_look_line(scene->camera);
     skv_result result = SKV_OK;
     for (int i = 0; i < scene->frame->body_count && result == SKV_OK; i++) {
-        skv_placed_body p = show(scene->camera, &scene->frame->bodies[i]);
-        result = fill(strokes, &p, line, scene->colors->body, error);
+        const skv_body *body = &scene->frame->bodies[i];
+        const skv_body_look *look = skv_look_body(scene->palette, body->density);
+        skv_placed_body p = show(scene->camera, body);
+        result = fill(strokes, &p, line, look->inside, error);
         if (result == SKV_OK)
-            result = outline(strokes, &p, line, scene->colors->body_edge, error);
+            result = outline(strokes, &p, line, look->edge, error);
     }
     return result;
 }

@@ -12,6 +12,7 @@ typedef struct skv_overlay_scene {
     const skv_camera *camera;
     const skv_vertices *vertices; /* of the frame */
     const skv_colors *colors;
+    skv_palette palette; /* that they are of */
     skv_view view;
     const skv_legend *legend;
     bool comma; /* in figures */

@@ -143,11 +143,24 @@ static void set_scale(const skv_compose *compose, GLuint program, const skv_comp
                      legend->colors);
 }
 
+/* A first fluid that is no water has its own colour in the light of each depth, as the shader's
+ * light_at has it for the others. */
+static void set_first(GLuint program, const skv_colors *colors, const float color[3])
+{
+    static const char *const names[] = {"u_murk", "u_deep", "u_shallow"};
+    const float light[] = {0, 1 - 0.16f * colors->relief, 1 + 0.1f * colors->relief};
+    for (int i = 0; i < 3; i++)
+        glUniform3f(glGetUniformLocation(program, names[i]), i ? light[i] * color[0] : 1,
+                    i ? light[i] * color[1] : 1, i ? light[i] * color[2] : 1);
+}
+
 static void set_fluids(GLuint program, const skv_splats *splats, const skv_composition *picture)
 {
     float fluids[SKV_MAX_FLUIDS][3];
-    for (int i = 0; i < SKV_MAX_FLUIDS; i++)
+    for (int i = 1; i < SKV_MAX_FLUIDS; i++)
         skv_look_fluid(picture->colors, picture->frame, i, fluids[i]);
+    if (skv_look_fluid(picture->colors, picture->frame, 0, fluids[0]))
+        set_first(program, picture->colors, fluids[0]);
     glUniform3fv(glGetUniformLocation(program, "u_fluids"), SKV_MAX_FLUIDS, fluids[0]);
     glUniform1i(glGetUniformLocation(program, "u_last"), splats->last_fluid);
 }

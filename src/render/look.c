@@ -36,8 +36,6 @@ static const skv_colors palettes[] =
                 .dyes = {RGB(0xf2487c), RGB(0xe0a92e), RGB(0xb8f05a), RGB(0xb674b0)},
                 .fluids = {RGB(0xf9da0e), RGB(0xf05b30), RGB(0xc4fea0), RGB(0xccb0fa),
                            RGB(0xf09c66), RGB(0x8b9184), RGB(0x43fae4)},
-                .body = RGBA(0xb98a55, 1),
-                .body_edge = RGBA(0x3a2612, 1),
                 .bubble = RGBA(0xffffff, 0.6f),
                 .ink = RGBA(0xffffff, 0.92f),
                 .faint = RGBA(0xc8d6e8, 0.16f),
@@ -66,8 +64,6 @@ static const skv_colors palettes[] =
                 .dyes = {RGB(0xb81b56), RGB(0xac6608), RGB(0x14521a), RGB(0x521a66)},
                 .fluids = {RGB(0x9a6501), RGB(0x96220d), RGB(0x24572f), RGB(0xb512cf),
                            RGB(0x7e674f), RGB(0x595663), RGB(0x1c7d81)},
-                .body = RGBA(0xd9b98c, 1),
-                .body_edge = RGBA(0x3d2a14, 1),
                 .bubble = RGBA(0xffffff, 0.6f),
                 .ink = RGBA(0xffffff, 0.92f),
                 .faint = RGBA(0x1b2434, 0.14f),
@@ -94,10 +90,9 @@ static const skv_colors palettes[] =
                 .foam = 0,
                 .murk = {1, 1, 1},
                 .dyes = {RGB(0xd23f73), RGB(0xc3880d), RGB(0x206b14), RGB(0x932c99)},
-                .fluids = {RGB(0xb0882e), RGB(0xad2b26), RGB(0x678660), RGB(0x8858a9),
-                           RGB(0xae630f), RGB(0x919291), RGB(0x0e7465)},
-                .body = RGBA(0xffe08a, 1),
-                .body_edge = RGBA(0x000000, 1),
+                .fluids =
+                    {RGB(0xb0882e), RGB(0xad2b26), RGB(0x678660), RGB(0x8858a9), RGB(0xae630f),
+                     RGB(0x919291), RGB(0x0e7465)},
                 .ink = RGBA(0xffffff, 1),
                 .faint = RGBA(0xffffff, 0.4f),
                 .figures = RGBA(0xffffff, 1),
@@ -155,12 +150,13 @@ static int place_of_material(const skv_liquid *liquid)
 }
 
 /* A fluid's place in a palette's list: what suits its material, if it is the first that it suits;
- * else the first from its own number on that suits no other and was not given to one before it. */
+ * else the first from its own number on that suits no other and was not given to one before it. The
+ * first fluid has only what suits its material, or -1. */
 static int place_of(const skv_frame *frame, int number)
 {
-    int given[SKV_MAX_FLUIDS];
+    int given[SKV_MAX_FLUIDS] = {-1};
     bool taken[SKV_MAX_FLUIDS - 1] = {false};
-    for (int i = 1; i < frame->fluid_count; i++) {
+    for (int i = 0; i < frame->fluid_count; i++) {
         given[i] = place_of_material(&frame->fluids[i]);
         if (given[i] >= 0 && taken[given[i]])
             given[i] = -1;
@@ -178,14 +174,15 @@ static int place_of(const skv_frame *frame, int number)
     return number < frame->fluid_count ? given[number] : number - 1;
 }
 
-void skv_look_fluid(const skv_colors *colors, const skv_frame *frame, int number, float color[3])
+bool skv_look_fluid(const skv_colors *colors, const skv_frame *frame, int number, float color[3])
 {
     int own = number < frame->fluid_count ? frame->fluids[number].color : -1;
-    int place = number > 0 && own < 0 ? place_of(frame, number) : 0;
+    int place = own < 0 ? place_of(frame, number) : 0;
     for (int k = 0; k < 3; k++)
         color[k] = own >= 0     ? (float)(own >> (16 - 8 * k) & 255) / 255
-                   : number > 0 ? colors->fluids[place][k]
+                   : place >= 0 ? colors->fluids[place][k]
                                 : sqrtf(colors->shallow[k] * colors->deep[k]);
+    return place >= 0;
 }
 
 double skv_look_line(const skv_camera *camera)

@@ -24,8 +24,7 @@ typedef struct skv_colors {
     float relief, foam;          /* how much light models water and walls; how much foam covers */
     float murk[3];               /* how fast red, green and blue light fade with depth */
     float dyes[SKV_DYES][3];     /* water full of a dye, halfway down */
-    float fluids[SKV_MAX_FLUIDS - 1][3]; /* fluids beside the first, likewise */
-    float body[4], body_edge[4];         /* rigid bodies; with alpha, as what follows */
+    float fluids[SKV_MAX_FLUIDS - 1][3]; /* fluids beside water, likewise */
     float bubble[4];                     /* in foam; with alpha, as what follows */
     float ink[4], faint[4];              /* overlays on water: tracers, arrows; grid; with alpha */
     float figures[4], plate[4];          /* ruler and legend, and what lies under them */
@@ -37,8 +36,8 @@ typedef struct skv_colors {
 const skv_colors *skv_look_colors(skv_palette palette);
 
 /* What a frame's fluid looks like halfway down: its own colour, or what suits its material, or that
- * of its number. */
-void skv_look_fluid(const skv_colors *colors, const skv_frame *frame, int number, float color[3]);
+ * of its number. False if it looks like water. */
+bool skv_look_fluid(const skv_colors *colors, const skv_frame *frame, int number, float color[3]);
 
 /* The colour of a view's scale at a place from 0 to 1, RGB 0..1. */
 void skv_look_scale(skv_view view, double place, float color[3]);

@@ -177,6 +177,7 @@ skv_result skv_renderer_draw(skv_renderer *renderer, const skv_frame *frame,
                                .camera = camera,
                                .vertices = vertices,
                                .colors = picture.colors,
+                               .palette = style->palette,
                                .view = style->view,
                                .legend = &legend,
                                .comma = style->comma};

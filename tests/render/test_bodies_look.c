@@ -12,6 +12,8 @@
 
 #include <cmocka.h>
 
+#include "render/body_look.h"
+#include "render/eyes.h"
 #include "render/look.h"
 #include "render/picture.h"
 #include "skvalp/bodies.h"
@@ -44,24 +46,51 @@ static void bodies_are_seen_where_they_are(void **state)
     def.y = 0.3f;
     assert_int_equal(skv_world_add_body(world, &def, NULL, NULL, NULL), SKV_OK);
     for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
-        const skv_colors *colors = skv_look_colors((skv_palette)palette);
+        const skv_body_look *look = skv_look_body((skv_palette)palette, def.density);
         skv_render_style style = style_of((skv_palette)palette, SKV_VIEW_WATER, SKV_DETAIL_FULL);
         picture p = shoot(world, &style, WIDTH, HEIGHT);
-        assert_true(is_color(at_place(&p, 0.42, 0.7), colors->body));
-        assert_true(is_color(at_place(&p, 0.58, 0.7), colors->body));
-        assert_true(is_color(at_place(&p, 0.5, 0.62), colors->body));
-        assert_false(is_color(at_place(&p, 0.5, 0.72), colors->body));
-        assert_false(is_color(at_place(&p, 0.38, 0.7), colors->body));
-        assert_true(is_color(at_place(&p, 1.2, 0.3), colors->body));
-        assert_true(is_color(at_place(&p, 1.27, 0.36), colors->body));
-        assert_false(is_color(at_place(&p, 1.28, 0.38), colors->body));
+        assert_true(is_color(at_place(&p, 0.42, 0.7), look->inside));
+        assert_true(is_color(at_place(&p, 0.58, 0.7), look->inside));
+        assert_true(is_color(at_place(&p, 0.5, 0.62), look->inside));
+        assert_false(is_color(at_place(&p, 0.5, 0.72), look->inside));
+        assert_false(is_color(at_place(&p, 0.38, 0.7), look->inside));
+        assert_true(is_color(at_place(&p, 1.2, 0.3), look->inside));
+        assert_true(is_color(at_place(&p, 1.27, 0.36), look->inside));
+        assert_false(is_color(at_place(&p, 1.28, 0.38), look->inside));
         bool edged = false;
         for (int mm = 1080; mm < 1120; mm++)
-            edged |= is_color(at_place(&p, mm / 1000.0, 0.3), colors->body_edge);
+            edged |= is_color(at_place(&p, mm / 1000.0, 0.3), look->edge);
         assert_true(edged);
         free(p.rgb);
     }
     skv_world_destroy(world);
+}
+
+/* Cork, wood, ice, brick and steel, and what is about as heavy. In every palette every eye tells
+ * them apart, and all but their edges from water; the edges part them from it. */
+static void materials_have_their_colours(void **state)
+{
+    (void)state;
+    const float densities[] = {240, 500, 917, 1900, 7850}, alike[] = {100, 700, 917, 2400, 11340};
+    for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+        const skv_colors *colors = skv_look_colors((skv_palette)palette);
+        const skv_body_look *looks[5];
+        for (int i = 0; i < 5; i++) {
+            looks[i] = skv_look_body((skv_palette)palette, densities[i]);
+            assert_ptr_equal(looks[i], skv_look_body((skv_palette)palette, alike[i]));
+            for (int eye = 0; eye < EYES; eye++) {
+                for (int j = 0; j < i; j++)
+                    if (colors_apart(eye, looks[i]->inside, looks[j]->inside) < 0.08)
+                        fail_msg("palette %d, eye %d: %d and %d are %g apart", palette, eye, i, j,
+                                 colors_apart(eye, looks[i]->inside, looks[j]->inside));
+                if (colors_apart(eye, looks[i]->inside, colors->shallow) < 0.1 ||
+                    colors_apart(eye, looks[i]->inside, colors->deep) < 0.1 ||
+                    colors_apart(eye, looks[i]->edge, looks[i]->inside) < 0.2)
+                    fail_msg("palette %d, eye %d: %d is like water, or its edge is like it",
+                             palette, eye, i);
+            }
+        }
+    }
 }
 
 /* The greatest difference of what lies about a box on the floor from how it looks without the box.
@@ -102,6 +131,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_are_seen_where_they_are),
+        cmocka_unit_test(materials_have_their_colours),
         cmocka_unit_test(bodies_are_no_air_to_the_fluid_beside_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

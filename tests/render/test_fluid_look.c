@@ -85,6 +85,64 @@ static void materials_have_their_colours(void **state)
     }
 }
 
+/* So it is with the first fluid, and what is like it has another colour; in water's place water
+ * stays.
+ */
+static void the_first_fluid_has_its_materials_colour(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"oil", "honey", "mercury"};
+    for (int i = 0; i < 3; i++) {
+        skv_liquid fluids[3] = {made_of(names[i]), made_of("water"), made_of(names[i])};
+        skv_liquid beside[2] = {made_of("water"), made_of(names[i])};
+        skv_frame frame = {.fluids = fluids, .fluid_count = 3};
+        skv_frame of_water = {.fluids = beside, .fluid_count = 2}, nothing = {.fluid_count = 0};
+        for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+            int color = skv_render_fluid_color(&frame, (skv_palette)palette, 0);
+            int water = skv_render_fluid_color(&of_water, (skv_palette)palette, 0);
+            assert_int_equal(color, skv_render_fluid_color(&of_water, (skv_palette)palette, 1));
+            assert_int_equal(water, skv_render_fluid_color(&nothing, (skv_palette)palette, 0));
+            for (int other = 1; other < 3; other++)
+                assert_int_not_equal(color,
+                                     skv_render_fluid_color(&frame, (skv_palette)palette, other));
+        }
+    }
+}
+
+/* It is drawn as well: halfway down in its colour, darker below and lighter above. */
+static void a_first_fluid_shows_its_colour(void **state)
+{
+    (void)state;
+    static const char text[] = "{\"particles\": 1500, \"fluid\": {\"material\": \"honey\"}, "
+                               "\"water\": [{\"shape\": \"box\", \"y1\": 0.6}]}";
+    skv_scene *scene;
+    skv_world *world = NULL;
+    skv_error error;
+    if (skv_scene_load_memory(text, strlen(text), "json", "honey", NULL, &scene, &error) ||
+        skv_scene_create_world(scene, 1, &world, &error))
+        fail_msg("%s", error.text);
+    skv_scene_destroy(scene);
+    skv_frame frame = skv_world_frame(world);
+    for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
+        const skv_colors *colors = skv_look_colors((skv_palette)palette);
+        skv_detail detail = palette == SKV_PALETTE_LIGHT ? SKV_DETAIL_PLAIN : SKV_DETAIL_FULL;
+        skv_render_style style = style_of((skv_palette)palette, SKV_VIEW_WATER, detail);
+        picture p = shoot(world, &style, WIDTH, HEIGHT);
+        float honey[3], drawn[3];
+        skv_look_fluid(colors, &frame, 0, honey);
+        for (double y = 0.04; y < 0.56; y += 0.04) {
+            to_float(at_place(&p, 0.7, y), drawn);
+            for (int k = 0; k < 3; k++)
+                assert_true(fabsf(drawn[k] - honey[k]) <=
+                            0.16f * colors->relief * honey[k] + 0.02f);
+        }
+        double low = luminance(at_place(&p, 0.7, 0.04)), high = luminance(at_place(&p, 0.7, 0.54));
+        assert_true(colors->relief > 0 ? high > 1.1 * low : high == low);
+        free(p.rgb);
+    }
+    skv_world_destroy(world);
+}
+
 /* Walls around 0.4 m of one of seven fluids, and a drop of water dyed rose. */
 static skv_world *make_basin(int fluid, const char *color)
 {
@@ -222,6 +280,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_eye_tells_fluids_apart),
         cmocka_unit_test(materials_have_their_colours),
+        cmocka_unit_test(the_first_fluid_has_its_materials_colour),
+        cmocka_unit_test(a_first_fluid_shows_its_colour),
         cmocka_unit_test(fluids_show_and_stand_out),
         cmocka_unit_test(fluids_part_in_a_clean_line),
         cmocka_unit_test(a_scene_names_a_colour),
