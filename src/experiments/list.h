@@ -17,4 +17,5 @@
     X(momentum)                                                                                    \
     X(droplet)                                                                                     \
     X(ringing)                                                                                     \
-    X(viscosity)
+    X(viscosity)                                                                                   \
+    X(sag)

@@ -124,3 +124,8 @@ double skv_theory_draught(double density, double body, double height)
 {
     return height * body / density;
 }
+
+double skv_theory_sag(double density, double gravity, double height, double modulus)
+{
+    return density * gravity * height * height / (8 * modulus);
+}

@@ -77,4 +77,8 @@ double skv_theory_buoyancy(double density, double gravity, double area);
 /* How deep a block floats: what it displaces weighs as much as it does (Archimedes). */
 double skv_theory_draught(double density, double body, double height);
 
+/* How much a block loses of its height by its own weight, if it can spread: rho g H^2/8G, for what
+ * is squeezed in a sheet and keeps its area has the plane modulus 4 G. */
+double skv_theory_sag(double density, double gravity, double height, double modulus);
+
 #endif

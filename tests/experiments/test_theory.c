@@ -24,6 +24,16 @@ static void pressure_is_the_weight_above(void **unused)
     assert_near(skv_theory_draught(1000, 900, 0.1), 0.09, 1e-12);
 }
 
+/* The strain of each of a thousand slices, by what lies above it. */
+static void a_block_sags_slice_by_slice(void **unused)
+{
+    (void)unused;
+    double sag = 0;
+    for (int i = 0; i < 1000; i++)
+        sag += 0.2 / 1000 * 1000 * 9.81 * 0.2 * (i + 0.5) / 1000 / (4 * 4000.0);
+    assert_near(skv_theory_sag(1000, 9.81, 0.2, 4000), sag, 1e-9);
+}
+
 /* x'' = -(2g/L) x, integrated by small steps from x = 1 to the first zero: a quarter period. */
 static double quarter_period(double gravity, double length)
 {
@@ -143,6 +153,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pressure_is_the_weight_above),
+        cmocka_unit_test(a_block_sags_slice_by_slice),
         cmocka_unit_test(a_column_swings_as_its_equation_says),
         cmocka_unit_test(inertial_length_of_slim_and_wide_tubes),
         cmocka_unit_test(sloshing_in_shallow_and_deep_water),
