@@ -15,6 +15,7 @@
 #include "output_table.h"
 #include "output_video.h"
 #include "progress.h"
+#include "skvalp/air.h"
 #include "skvalp/bodies.h"
 #include "skvalp/measure.h"
 #include "skvalp/render.h"
@@ -331,6 +332,26 @@ static json_t *list_bodies(const cli_run *run)
     return list;
 }
 
+/* What is told of each pocket of air, from the highest on. */
+static json_t *list_pockets(const skv_world *world)
+{
+    json_t *list = json_array();
+    int count = skv_world_pockets(world, NULL, 0);
+    skv_pocket *pockets = calloc((size_t)count + 1, sizeof *pockets);
+    if (!pockets)
+        count = 0;
+    skv_world_pockets(world, pockets, count);
+    for (int i = 0; i < count; i++) {
+        const skv_pocket *p = &pockets[i];
+        json_array_append_new(list, json_pack("{so so so so}", "x", output_number((double)p->x),
+                                              "y", output_number((double)p->y), "volume",
+                                              output_number((double)p->volume), "pressure",
+                                              output_number((double)p->pressure)));
+    }
+    free(pockets);
+    return list;
+}
+
 static skv_result print_json(const cli_run *run, const skv_stats *stats, const skv_packing *packing,
                              skv_error *error)
 {
@@ -339,7 +360,7 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
     snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
     /* clang-format off */
     skv_flow flow = skv_world_flow(run->world);
-    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so si so}",
+    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so si so so}",
         "scene", output_text(name_of(run)),
         "particles", stats->particles,
         "substeps", skv_world_substeps_per_frame(run->world),
@@ -359,7 +380,8 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
         "blocked", (json_int_t)flow.blocked,
         "fluids", list_fluids(run->world),
         "springs", skv_world_spring_count(run->world),
-        "bodies", list_bodies(run)), error);
+        "bodies", list_bodies(run),
+        "pockets", list_pockets(run->world)), error);
     /* clang-format on */
 }
 

@@ -8,6 +8,7 @@
 #define SKVALP_SKVALP_H
 
 #include "skvalp/acting.h"
+#include "skvalp/air.h"
 #include "skvalp/base.h"
 #include "skvalp/bodies.h"
 #include "skvalp/camera.h"

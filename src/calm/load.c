@@ -15,6 +15,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/air.h"
 #include "world/fluids.h"
 #include "world/world_internal.h"
 
@@ -113,6 +114,8 @@ static float measure(const skv_world *world)
     for (int t = 0; t < count; t++)
         if (tiles[t].count > 0)
             most = skv_maxf(most, tiles[t].load / skv_maxf((float)tiles[t].count, few));
+    if (world->air)
+        most += volume * (float)world->air->lift;
     return most < MOST_LOAD ? most : MOST_LOAD; /* also of what is no number */
 }
 

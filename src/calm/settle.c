@@ -19,6 +19,7 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "calm/regions.h"
+#include "world/air.h"
 #include "world/springs.h"
 
 #include <math.h>
@@ -137,6 +138,8 @@ static skv_result take_round(const settling *s, bool last, bool again, skv_error
     }
     if (skv_world_is_springy(world))
         skv_springs_hold(world, s->constants.dt);
+    if (world->air)
+        skv_air_hold(world, s->constants.dt);
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
     skv_solver_step step = skv_world_describe_step(world, &s->constants, forces);
     step.gravity_x = step.gravity_y = 0;

@@ -23,6 +23,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/air.h"
 #include "world/bodies.h"
 #include "world/emitters.h"
 #include "world/world_internal.h"
@@ -212,6 +213,9 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
         wake_for_acting(world);
     for (int i = 0; s->calm && world->bodies && i < world->state.count; i++)
         if (skv_bodies_stir(world, i))
+            skv_sleep_wake(world, i);
+    for (int i = 0; s->calm && world->air && i < world->state.count; i++)
+        if (skv_air_stirs(world, i))
             skv_sleep_wake(world, i);
     if (s->calm == 0)
         return s->stepped = world->state.count;

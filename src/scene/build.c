@@ -568,6 +568,7 @@ static skv_result build(builder *c, skv_image *picture)
     if (result == SKV_OK)
         result = skv_scene_build_bodies(c->draft, c->scene, c->error);
     c->scene->settle = c->value[SKV_F_SETTLE].number != 0.0;
+    c->scene->air = (float)(1000 * c->draft->values.air_pressure.number);
     if (result == SKV_OK)
         result = build_taps(c);
     if (result == SKV_OK)

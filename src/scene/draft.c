@@ -336,6 +336,8 @@ static skv_result accept(skv_draft *draft, const char *text, const skv_entry *en
     int id = skv_scene_find_field(path.pattern);
     if (id < 0)
         return accept_group(draft, &path, text, entry, origin, error);
+    if (id == SKV_F_AIR_PRESSURE)
+        return store(draft, id, text, entry, origin, &draft->values.air_pressure, error);
     if (id >= SKV_F_SINGLE)
         return accept_shape(draft, &path, id, text, entry, origin, error);
     return store(draft, id, text, entry, origin, &draft->values.value[id], error);

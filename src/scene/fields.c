@@ -10,8 +10,8 @@
 #include "skvalp/acting.h"
 #include "world/dye.h"
 
-/* Without bodies there are no fields of theirs, which are the last. Who asks for one tells the
- * host, which brings more: web/core/no_bodies.c. */
+/* Without bodies there are no fields of theirs and of air, which are the last. Who asks for one
+ * tells the host, which brings more: web/core/no_bodies.c. */
 #ifdef SKV_WITHOUT_BODIES
 skv_result skv_want_more(skv_error *error);
 enum { FIELDS = SKV_F_BODIES };
@@ -178,6 +178,8 @@ static const skv_field fields[FIELDS] = {
                "share of its speed with which it bounces")
     OWN_FLAG(SKV_F_BODIES + SKV_BODY_FIXED, "bodies[].fixed", "false",
              "nothing moves it but its own speed, which stays")
+    OWN_NUMBER(SKV_F_AIR_PRESSURE, "air.pressure", "kPa m", 0, 100, "0",
+               "closed pockets of air push, from this pressure on; 10 lifts water by a metre; 0: none do")
 #endif
 };
 /* clang-format on */
@@ -219,7 +221,7 @@ int skv_scene_find_field(const char *pattern)
 void skv_scene_suggest(const char *pattern, char *text, size_t size)
 {
 #ifdef SKV_WITHOUT_BODIES
-    if (strncmp(pattern, "bodies", 6) == 0)
+    if (strncmp(pattern, "bodies", 6) == 0 || strncmp(pattern, "air", 3) == 0)
         skv_want_more(NULL);
 #endif
     skv_field_suggest(fields, FIELDS, pattern, text, size);

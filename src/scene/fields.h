@@ -100,7 +100,8 @@ typedef enum skv_field_id {
     SKV_F_EMITTERS = SKV_F_FORCES + SKV_FORCE_FIELDS,
     SKV_F_DRAINS = SKV_F_EMITTERS + SKV_EMITTER_FIELDS,
     SKV_F_BODIES = SKV_F_DRAINS + SKV_DRAIN_FIELDS,
-    SKV_F_COUNT = SKV_F_BODIES + SKV_BODY_FIELDS
+    SKV_F_AIR_PRESSURE = SKV_F_BODIES + SKV_BODY_FIELDS, /* by itself, yet not among the single */
+    SKV_F_COUNT
 } skv_field_id;
 
 /* A list of a scene: "water" has elements "water[]" with fields "water[].shape" and so on. */

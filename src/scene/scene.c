@@ -7,6 +7,7 @@
 #include "scene/bodies.h"
 #include "scene/lay.h"
 #include "scene/scene_data.h"
+#include "skvalp/air.h"
 #include "skvalp/particles.h"
 
 void skv_scene_destroy(skv_scene *scene)
@@ -109,6 +110,8 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
         result = skv_scene_add_bodies(scene, world, error);
     if (result == SKV_OK)
         result = skv_scene_set_acting(scene, world, error);
+    if (result == SKV_OK)
+        result = skv_world_set_air(world, scene->air, error);
     if (result == SKV_OK && scene->settle)
         result = skv_world_settle_drawn(world, skv_water_inside, &water, error);
     return result;

@@ -37,6 +37,7 @@ struct skv_scene {
     int drain_count;
     skv_scene_body *bodies;
     int body_count;
+    float air;                  /* pressure, Pa m; 0: none */
     double *points;             /* of all shapes */
     skv_world_def def;          /* of its worlds, but for terrain, threads and capacity */
     int particles;              /* at the start */

@@ -45,6 +45,7 @@ typedef struct skv_shape_list {
 typedef struct skv_values {
     skv_value value[SKV_F_SINGLE];
     skv_shape_list list[SKV_LISTS];
+    skv_value air_pressure;
 } skv_values;
 
 #endif

@@ -4,6 +4,7 @@
  */
 #include "base/assert.h"
 #include "base/fields.h"
+#include "world/air.h"
 #include "world/emitters.h"
 #include "world/fluids.h"
 #include "world/forces.h"
@@ -23,15 +24,17 @@ float skv_extent_along_gravity(const skv_world *world)
     return (fabsf(gx) * skv_terrain_width(world->terrain) + fabsf(gy) * (highest - lowest)) / size;
 }
 
-/* The heaviest fluid may press on the lightest. */
+/* The heaviest fluid may press on the lightest, and air on all of it. */
 double skv_expected_load(const skv_world *world)
 {
     float gx = world->gravity_x, gy = world->gravity_y;
+    float head = skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
+                                 skv_terrain_height(world->terrain));
+    double pressed = world->air ? (double)(world->air->pressure / world->fluid.density) : 0;
     return skv_world_contrast(world) *
-           skv_load_of_depth(sqrtf(gx * gx + gy * gy),
-                             world->filled * skv_extent_along_gravity(world),
-                             skv_acting_head(&world->acting, skv_terrain_width(world->terrain),
-                                             skv_terrain_height(world->terrain)));
+           (skv_load_of_depth(sqrtf(gx * gx + gy * gy),
+                              world->filled * skv_extent_along_gravity(world), head) +
+            pressed);
 }
 
 int skv_substeps_needed(const skv_world *world)

@@ -3,6 +3,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "solver/rows/rows.h"
+#include "world/air.h"
 #include "world/bodies.h"
 #include "world/springs.h"
 
@@ -111,6 +112,8 @@ uint64_t skv_world_hash(const skv_world *world)
         if (skv_fluid_of(s, i))
             hash = hash_byte(hash, 16u * (unsigned)skv_fluid_of(s, i));
     }
+    if (world->air)
+        hash = skv_air_hash(hash, world->air);
     if (world->springs)
         hash = skv_springs_hash(hash, world->springs);
     return world->bodies ? skv_bodies_hash(hash, world->bodies) : hash;

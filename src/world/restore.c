@@ -4,6 +4,7 @@
 #include "base/defs.h"
 #include "base/memory.h"
 #include "terrain/terrain.h"
+#include "world/air.h"
 #include "world/bodies.h"
 #include "world/fluids.h"
 #include "world/parameters.h"
@@ -81,12 +82,17 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
     skv_springs *springs = NULL;
     if (result == SKV_OK && s->with_springs)
         result = skv_springs_load(s->springs, &springs, error);
+    skv_air *air = NULL;
+    if (result == SKV_OK && s->with_air)
+        result = skv_air_load(world, s->air, &air, error);
     if (result != SKV_OK) {
+        skv_springs_destroy(springs);
         skv_bodies_destroy(bodies);
         return result;
     }
     skv_bodies_take_over(world, bodies);
     skv_springs_take_over(world, springs);
+    skv_air_take_over(world, air);
     skv_snapshot_particles(s, &world->state);
     take_facts(world, s);
     take_sleep(world, s);

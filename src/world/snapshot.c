@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/envelope.h"
 #include "terrain/terrain.h"
+#include "world/air.h"
 #include "world/bodies.h"
 #include "world/hands.h"
 #include "world/liquids.h"
@@ -24,17 +25,18 @@ enum {
     WITH_LOAD = 4,
     WITH_WARM = 8,
     WITH_NAMES = 16,
-    WITH_RAMP = 32,    /* of a world on its way, so that others are read by older libraries */
-    WITH_FLUIDS = 64,  /* of a world with several fluids, likewise */
-    WITH_BODIES = 128, /* of a world that has had bodies, likewise */
-    WITH_HOLDS = 256,  /* of one whose hands hold some, likewise */
-    WITH_SPRINGS = 512 /* of one with a fluid that has some, likewise */
+    WITH_RAMP = 32,     /* of a world on its way, so that others are read by older libraries */
+    WITH_FLUIDS = 64,   /* of a world with several fluids, likewise */
+    WITH_BODIES = 128,  /* of a world that has had bodies, likewise */
+    WITH_HOLDS = 256,   /* of one whose hands hold some, likewise */
+    WITH_SPRINGS = 512, /* of one with a fluid that has some, likewise */
+    WITH_AIR = 1024     /* of one whose air pushes, likewise */
 };
 
 static const skv_envelope kind = {"snapshot", 'V', 1, 1,
                                   WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
                                       WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES |
-                                      WITH_HOLDS | WITH_SPRINGS};
+                                      WITH_HOLDS | WITH_SPRINGS | WITH_AIR};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -92,6 +94,8 @@ static void put_facts(skv_writer *w, const skv_world *world)
         skv_bodies_save(w, world->bodies);
     if (skv_world_is_springy(world))
         skv_springs_save(w, world->springs);
+    if (world->air)
+        skv_air_save(w, world->air);
 }
 
 /* The picture in runs of equal bytes, from the lower left corner on. */
@@ -152,13 +156,14 @@ static void put_particles(skv_writer *w, const skv_world *world)
 static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *bytes)
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
-    skv_envelope_put(
-        w, &kind,
-        WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
-            (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
-            (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
-            (world->bodies ? WITH_BODIES : 0u) | (skv_world_is_springy(world) ? WITH_SPRINGS : 0u) |
-            (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
+    skv_envelope_put(w, &kind,
+                     WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
+                         (world->ramp.left > 0 ? WITH_RAMP : 0u) |
+                         (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
+                         (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
+                         (world->bodies ? WITH_BODIES : 0u) | (world->air ? WITH_AIR : 0u) |
+                         (skv_world_is_springy(world) ? WITH_SPRINGS : 0u) |
+                         (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
     put_facts(w, world);
@@ -216,6 +221,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_holds = flags & WITH_HOLDS;
     s->with_bodies = flags & WITH_BODIES;
     s->with_springs = flags & WITH_SPRINGS;
+    s->with_air = flags & WITH_AIR;
     if (s->with_springs && !s->with_fluids)
         return refuse(error, "it is damaged; take another copy");
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
@@ -320,6 +326,9 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     if (result == SKV_OK && s->with_springs)
         result =
             skv_springs_check(r, s->def.fluid.spacing * s->def.fluid.radius_ratio, &s->ends, error);
+    s->air = *r;
+    if (result == SKV_OK && s->with_air)
+        result = skv_air_check(r, error);
     return result;
 }
 

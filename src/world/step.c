@@ -2,6 +2,7 @@
  * How a substep moves the fluid is in src/solver/reference/reference.c. */
 #include "base/assert.h"
 #include "base/fields.h"
+#include "world/air.h"
 #include "world/bodies.h"
 #include "world/emitters.h"
 #include "world/flow.h"
@@ -73,7 +74,11 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, skv_
     step.solid_given = bodies ? world->bodies->given : NULL;
     if (moves && springs)
         skv_springs_push(world, world->constants.dt, partial);
+    if (moves && world->air)
+        skv_air_push(world, world->constants.dt, partial);
     skv_impulse given = moves ? solver->advance(world->solver, &step) : (skv_impulse){0};
+    if (moves && world->air)
+        skv_air_gauge(world, partial);
     if (bodies)
         skv_bodies_feel(world, (double)world->constants.dt);
     if (!moves)
@@ -128,7 +133,8 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
     bool open = skv_terrain_open_sides(world->terrain) != 0;
     bool flows = has_flow(&world->acting);
     bool one_by_one = open || flows || world->before_substep || skv_world_has_bodies(world) ||
-                      skv_world_is_springy(world) || world->solver->type->most_substeps < count;
+                      skv_world_is_springy(world) || world->air ||
+                      world->solver->type->most_substeps < count;
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
     skv_pool_go(world->pool);

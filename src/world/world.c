@@ -5,6 +5,7 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "skvalp/frame.h"
+#include "world/air.h"
 #include "world/bodies.h"
 #include "world/fluids.h"
 #include "world/parameters.h"
@@ -189,6 +190,7 @@ void skv_world_destroy(skv_world *world)
     skv_load_destroy(world);
     skv_bodies_destroy(world->bodies);
     skv_springs_destroy(world->springs);
+    skv_air_destroy(world->air);
     if (world->solver)
         world->solver->type->destroy(world->solver);
     skv_wall_map_destroy(world->walls);

@@ -65,7 +65,7 @@ layer_of() {
     case $name in
     skvalp/fields.h) of=base ;;
     skvalp/fluid.h) of=model ;;
-    skvalp/acting.h | skvalp/area.h | skvalp/bodies.h | skvalp/frame.h | skvalp/parameters.h) of=world ;;
+    skvalp/acting.h | skvalp/air.h | skvalp/area.h | skvalp/bodies.h | skvalp/frame.h | skvalp/parameters.h) of=world ;;
     skvalp/particles.h | skvalp/query.h | skvalp/snapshot.h) of=world ;;
     skvalp/mark.h) of=camera ;;
     skvalp/player.h | skvalp/stage.h) of=session ;;

@@ -50,7 +50,7 @@ static const mistake mistakes[] = {
     {"{\"zebra\": 1}", SKV_ERROR_VALUE,
      "a.json:1: zebra: unknown field; allowed are name, title, description, seconds, world, "
      "settle, particles, substeps, sleep, depth, gravity, emission, fluid, fluids, solid, water, "
-     "forces, emitters, drains, bodies"},
+     "forces, emitters, drains, bodies, air"},
     {"{\"fluid.law\": \"clavet\"}", SKV_ERROR_VALUE,
      "a.json:1: \"fluid.law\": unknown field; a key is one word, a group is { ... }"},
     {"{\"water[0]\": {}}", SKV_ERROR_VALUE,
@@ -85,7 +85,7 @@ static const mistake mistakes[] = {
     {"{\"\\u202e\": 1}", SKV_ERROR_VALUE,
      "a.json:1: ?: unknown field; allowed are name, title, description, seconds, world, "
      "settle, particles, substeps, sleep, depth, gravity, emission, fluid, fluids, solid, water, "
-     "forces, emitters, drains, bodies"},
+     "forces, emitters, drains, bodies, air"},
     {"{\"seconds\": \"\"}", SKV_ERROR_VALUE,
      "a.json:1: seconds: it is empty; allowed is a number from 0.1 to 3600 s"},
     {"{\"world\": {\"open\": {\"left\": 1}}}", SKV_ERROR_VALUE,
@@ -100,6 +100,10 @@ static const mistake mistakes[] = {
     /* Out of range. */
     {"{\"fluid\": {\n\n\"spacing\": 0.5}}", SKV_ERROR_VALUE,
      "a.json:3: fluid.spacing: 0.5 is out of range; allowed is a number from 0.0005 to 0.1 m"},
+    {"{\"air\": {\"pressure\": 101}}", SKV_ERROR_VALUE,
+     "a.json:1: air.pressure: 101 is out of range; allowed is a number from 0 to 100 kPa m"},
+    {"{\"air\": 10}", SKV_ERROR_VALUE,
+     "a.json:1: air: 10 is not an object; allowed is { \"name\": value, ... }"},
     {"{\"gravity\": {\"y\": -1000.5}}", SKV_ERROR_VALUE,
      "a.json:1: gravity.y: -1000.5 is out of range; allowed is a number from -1000 to 1000 m/s^2"},
     {"{\"particles\": 2000001}", SKV_ERROR_LIMIT,
