@@ -12,7 +12,8 @@
 
 #define WIDTH       480
 #define MOST_CURVES 8
-#define PERIOD      (G_USEC_PER_SEC / 12) /* between two messages */
+#define PERIOD      (G_USEC_PER_SEC / 12) /* between two messages, unless so much of it has passed: */
+#define STRETCH     (1.0 / 32)            /* what is over in a moment is seen, too, up to its end */
 
 typedef struct run {
     gint uses; /* by the thread and by messages on their way */
@@ -24,6 +25,7 @@ typedef struct run {
     skv_offscreen *offscreen; /* null: none, or not yet */
     int height;
     gint64 last;
+    double share; /* how far it was at the last message */
 } run;
 
 typedef struct message {
@@ -111,8 +113,9 @@ static bool observe(const skv_lab_moment *moment, void *user)
     gint64 now = g_get_monotonic_time();
     if (g_cancellable_is_cancelled(r->stop))
         return false;
-    if (now - r->last < PERIOD)
+    if (now - r->last < PERIOD && moment->share - r->share < STRETCH)
         return true;
+    r->share = moment->share;
     message *m = begin(r, moment->share);
     m->news.picture = draw(r, moment->frame);
     for (int i = 0; i < moment->curve_count; i++)

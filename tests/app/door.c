@@ -270,6 +270,8 @@ static const char *text_of(GtkWidget *widget)
 {
     if (GTK_IS_LABEL(widget))
         return gtk_label_get_text(GTK_LABEL(widget));
+    if (GTK_IS_PICTURE(widget))
+        return gtk_picture_get_alternative_text(GTK_PICTURE(widget));
     return GTK_IS_EDITABLE(widget) ? gtk_editable_get_text(GTK_EDITABLE(widget)) : NULL;
 }
 

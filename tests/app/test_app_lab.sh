@@ -31,6 +31,15 @@ press Measure Button
 await 'shows("Stop", "Button") or says(", theory ")'
 await 'says(", theory ") and shows("4. Compare") and shows("Measure", "Button")' 600 # it takes a while
 await 'says("Measured with 1")'
+# However soon it was over, the last picture is of its end, with water where the floor was dry.
+scroll_to 'The experiment as it runs'
+await "still(middle('The experiment as it runs', x=0.5, y=0.97))"
+read -r xid x y <<<"$answer"
+blue() {
+    import -silent -window "$xid" -crop "9x3+$((x - 4))+$((y - 2))" +repage "$work/floor.ppm"
+    [[ $(convert "$work/floor.ppm" -format '%[fx:mean.b > 2 * mean.r]' info:) == 1 ]]
+}
+repeat blue || fail "the picture is not of the end: $(convert "$work/floor.ppm" -scale 1x1 txt:)"
 scroll_to 'See Two Worlds Side by Side'
 press 'See Two Worlds Side by Side'
 await 'menus() == 1'
