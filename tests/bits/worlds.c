@@ -24,6 +24,7 @@ typedef struct world_kind {
     float gravity_x;
     bool images;  /* walls by images */
     bool bodies;  /* a box and a circle, which hands hold and let go */
+    bool air;     /* that is caught below walls and bodies */
     bool springs; /* a block of jelly and one of clay, which fall into it */
 } world_kind;
 
@@ -136,6 +137,13 @@ static const world_kind kinds[] = {
      .fill_x1 = 1,
      .fill_y1 = 0.125f,
      .springs = true},
+    {.name = "air/bodies",
+     .paint = paint_shelves,
+     .fill_x1 = 0.5f,
+     .fill_y1 = 1,
+     .images = true,
+     .bodies = true,
+     .air = true},
 };
 
 int bits_count(void)
@@ -239,6 +247,8 @@ static skv_world *make_world(const world_kind *kind, int threads)
     skv_world_add_velocity(world, added / 2, added / 4, 1.5f, 0.75f, NULL);
     skv_world_add_particle(world, 0.125f, 0.3125f, 0, 0, NULL);
     skv_world_add_particle(world, 0.125f, 0.3125f, 0, 0, NULL);
+    if (kind->air)
+        skv_world_set_air(world, 8192, NULL);
     return world;
 }
 
