@@ -173,13 +173,15 @@ const trials = {
         await until(other, () => window.skvalp.state.value.asRecorded, 'it goes as it was recorded');
     },
 
-    async 'jelly comes with the larger module and falls'(browser) {
-        const page = await begin(browser, desk);
-        const scene = readFileSync(new URL('../../../examples/jelly.json', import.meta.url), 'utf8');
-        await page.evaluate((text) => window.skvalp.simulation.openBytes(
-            new TextEncoder().encode(text), 'json', 'jelly.json', { particles: '800' }), scene);
-        await until(page, () => window.skvalp.state.value.worlds[0].title === 'Jelly, clay and goo', 'the jelly is there');
-        await until(page, () => window.skvalp.state.value.moment > 20, 'time passes');
+    async 'jelly and air come with the larger module and move'(browser) {
+        for (const [name, title] of [['jelly', 'Jelly, clay and goo'], ['air', 'A glass, a bottle and their air']]) {
+            const page = await begin(browser, desk);
+            const scene = readFileSync(new URL(`../../../examples/${name}.json`, import.meta.url), 'utf8');
+            await page.evaluate(([text, name]) => window.skvalp.simulation.openBytes(
+                new TextEncoder().encode(text), 'json', `${name}.json`, { particles: '800' }), [scene, name]);
+            await until(page, (title) => window.skvalp.state.value.worlds[0].title === title, `the ${name} is there`, title);
+            await until(page, () => window.skvalp.state.value.moment > 20, 'time passes');
+        }
     },
 
     async 'a wall is drawn and undone'(browser) {
