@@ -18,4 +18,5 @@
     X(droplet)                                                                                     \
     X(ringing)                                                                                     \
     X(viscosity)                                                                                   \
-    X(sag)
+    X(sag)                                                                                         \
+    X(rayleigh_taylor)

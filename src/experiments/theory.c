@@ -129,3 +129,13 @@ double skv_theory_sag(double density, double gravity, double height, double modu
 {
     return density * gravity * height * height / (8 * modulus);
 }
+
+double skv_theory_atwood(double heavy, double light)
+{
+    return (heavy - light) / (heavy + light);
+}
+
+double skv_theory_growth(double atwood, double gravity, double length, double depth)
+{
+    return sqrt(atwood) * 2 * SKV_PI / skv_theory_slosh_period(gravity, length / 2, depth);
+}

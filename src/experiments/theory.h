@@ -81,4 +81,10 @@ double skv_theory_draught(double density, double body, double height);
  * is squeezed in a sheet and keeps its area has the plane modulus 4 G. */
 double skv_theory_sag(double density, double gravity, double height, double modulus);
 
+/* Atwood's number of two densities, and the rate at which a small wave grows between the heavier
+ * one above and the other below, each so deep: n^2 = A g k tanh(k d), k = 2 pi / length (Rayleigh,
+ * Taylor). */
+double skv_theory_atwood(double heavy, double light);
+double skv_theory_growth(double atwood, double gravity, double length, double depth);
+
 #endif

@@ -34,6 +34,14 @@ static void a_block_sags_slice_by_slice(void **unused)
     assert_near(skv_theory_sag(1000, 9.81, 0.2, 4000), sag, 1e-9);
 }
 
+static void heavy_on_light_grows_as_rayleigh_says(void **unused)
+{
+    (void)unused;
+    double k = 2 * PI / 0.4, square = 9.81 * k * tanh(k * 0.1) / 3;
+    assert_near(skv_theory_growth(skv_theory_atwood(1000, 500), 9.81, 0.4, 0.1), sqrt(square),
+                1e-9);
+}
+
 /* x'' = -(2g/L) x, integrated by small steps from x = 1 to the first zero: a quarter period. */
 static double quarter_period(double gravity, double length)
 {
@@ -154,6 +162,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pressure_is_the_weight_above),
         cmocka_unit_test(a_block_sags_slice_by_slice),
+        cmocka_unit_test(heavy_on_light_grows_as_rayleigh_says),
         cmocka_unit_test(a_column_swings_as_its_equation_says),
         cmocka_unit_test(inertial_length_of_slim_and_wide_tubes),
         cmocka_unit_test(sloshing_in_shallow_and_deep_water),
