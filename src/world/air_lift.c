@@ -41,11 +41,16 @@ static bool is_fluid(const skv_air *air, int cell)
     return !(air->walls[cell] & SKV_CELL_SOLID) && air->label[cell] == SKV_NO_AIR;
 }
 
+static bool touches_roof(const skv_air *air, int cell, const upwards *up)
+{
+    return !skv_air_is_linked(air, cell, up->side) && air->share[cell] < FULL;
+}
+
 static void look_around(const skv_air *air, int cell, const upwards *up, stretch *reach)
 {
     double height = up->x * (double)skv_air_middle(air, cell % air->columns) +
                     up->y * (double)skv_air_middle(air, cell / air->columns);
-    if (!skv_air_is_linked(air, cell, up->side) && air->share[cell] < FULL)
+    if (touches_roof(air, cell, up))
         reach->roof = skv_max(reach->roof, height);
     for (int side = 0; side < 4; side++) {
         if (!skv_air_is_linked(air, cell, side))
@@ -83,7 +88,7 @@ static double find_height(skv_air *air, const upwards *up)
 {
     double most = 0;
     for (int c = 0; c < air->cells; c++) {
-        if (!is_fluid(air, c) || !(air->share[c] < FULL))
+        if (!is_fluid(air, c) || !touches_roof(air, c, up))
             continue;
         stretch found = flood(air, c, up);
         most = skv_max(most, found.roof - found.surface);
