@@ -1,6 +1,7 @@
 # Writes OUTPUT, a C file that holds the scenes of SCENES (a list of JSON files separated by '|', in
-# order of presentation) as the table of builtin.h, without indentation, and the pictures they name.
-#   cmake -DSCENES=a.json|b.json -DOUTPUT=builtin_table.c -P builtin.cmake
+# order of presentation) as the table of builtin.h, without indentation, and the pictures they name. If
+# ALONE is on, those with bodies, several fluids or a picture have a text that asks for bodies instead.
+#   cmake -DSCENES=a.json|b.json -DOUTPUT=builtin_table.c [-DALONE=ON] -P builtin.cmake
 
 # Appends an array of bytes, which are hexadecimal digits here.
 function(append_bytes name hex)
@@ -20,14 +21,18 @@ foreach(scene IN LISTS scenes)
     string(JSON picture ERROR_VARIABLE none GET "${json}" world picture)
     set(painted false)
     set(pictured "NULL, 0")
-    if(none STREQUAL "NOTFOUND")
+    string(JSON bodies ERROR_VARIABLE no_bodies LENGTH "${json}" bodies)
+    string(JSON fluids ERROR_VARIABLE no_fluids LENGTH "${json}" fluids)
+    string(REGEX REPLACE "\n +" "\n" text "${json}")
+    if(ALONE AND "${none};${no_bodies};${no_fluids}" MATCHES "NOTFOUND")
+        set(text "{\"bodies\":[{}]}")
+    elseif(none STREQUAL "NOTFOUND")
         get_filename_component(folder "${scene}" DIRECTORY)
         file(READ "${folder}/${picture}" hex HEX)
         append_bytes(picture${number} "${hex}")
         set(painted true)
         set(pictured "picture${number}, sizeof picture${number}")
     endif()
-    string(REGEX REPLACE "\n +" "\n" text "${json}")
     string(HEX "${text}" hex)
     append_bytes(text${number} "${hex}")
     string(APPEND table "    {{")

@@ -9,8 +9,9 @@
 #include <string.h>
 
 static const char *const names[] = {
-    "pool",  "dam-break", "waves", "breaking-wave", "u-tube", "communicating", "splash",
-    "pipes", "fountain",  "ink",   "oil",           "funnel", "tank"};
+    "pool",     "dam-break", "waves",   "breaking-wave", "u-tube", "communicating", "splash",
+    "pipes",    "fountain",  "duck",    "ink",           "oil",    "three-liquids", "mercury",
+    "floating", "boat",      "tsunami", "jelly",         "goo",    "funnel",        "tank"};
 enum { SCENES = sizeof names / sizeof *names };
 
 static bool is_painted(const char *name)
@@ -99,6 +100,7 @@ static void test_numbers_of_particles(void **state)
                   is_empty(names[i])                  ? 0
                   : numbers[k] > 0                    ? numbers[k]
                   : strcmp(names[i], "fountain") == 0 ? 1500
+                  : strcmp(names[i], "duck") == 0     ? 2500
                   : strcmp(names[i], "ink") == 0      ? 4000
                                                       : 3000);
     }
@@ -136,7 +138,8 @@ static void test_unknown_names(void **state)
         snprintf(message, sizeof message,
                  "%s: is no scene; allowed are a file that ends in .json or .png, or one of pool, "
                  "dam-break, waves, breaking-wave, u-tube, communicating, splash, pipes, fountain, "
-                 "ink, oil, funnel, tank",
+                 "duck, ink, oil, three-liquids, mercury, floating, boat, tsunami, jelly, goo, "
+                 "funnel, tank",
                  bad[i]);
         assert_string_equal(error.text, message);
         assert_null(scene);

@@ -139,6 +139,26 @@ const trials = {
         await until(page, () => window.skvalp.state.value.worlds[0].name === 'pool', 'the pool is there');
     },
 
+    async 'scenes with bodies or jelly come by an address, from the gallery and by a link'(browser) {
+        const page = await begin(browser, desk, '?scene=duck&particles=600');
+        await until(page, () => window.skvalp.state.value.worlds[0].name === 'duck', 'the duck is there');
+        assert.deepEqual([await page.getByRole('alert').count(), (await stateOf(page)).worlds[0].opened], [0, 1], 'it comes at once');
+        await until(page, () => window.skvalp.state.value.moment > 20, 'time passes');
+        const { particles } = (await stateOf(page)).worlds[0]; // five sixths of them, and what has flowed
+        assert.ok(particles >= 480 && particles < 700, `${particles} particles`);
+        const other = await begin(browser, desk, '?scene=pool&particles=600');
+        await button(other, 'Scenes and experiments').click();
+        await other.locator('.card', { hasText: 'Jelly on a slide' }).click();
+        await until(other, () => window.skvalp.state.value.worlds[0].name === 'jelly', 'the jelly is there');
+        const { worlds: [jelly] } = await stateOf(other);
+        assert.deepEqual([jelly.particles, jelly.fluids.length], [600, 4]);
+        const link = await other.evaluate(() => window.skvalp.simulation.share());
+        const third = await begin(browser, desk, '?paused=1');
+        await third.evaluate((link) => window.skvalp.simulation.openLink(link), link.replace(/.*#/, ''));
+        await until(third, () => window.skvalp.state.value.worlds[0].name === 'jelly', 'the link opens');
+        assert.equal((await stateOf(third)).worlds[0].particles, 600);
+    },
+
     async 'the tool that drops bodies brings what they take, and links have them'(browser) {
         const page = await begin(browser, desk, '?scene=pool&particles=500');
         await until(page, () => window.skvalp.state.value.moment > 20, 'time passes');

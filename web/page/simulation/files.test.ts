@@ -10,7 +10,7 @@ import { afterAll, expect, test, vi } from 'vitest';
 import { readOwn } from '../../src/entries.js';
 import { parseJson } from '../../src/json.js';
 import { paintedPicture, threshold } from './photo';
-import { makeTrial, native } from './testing';
+import { loadLarger, makeTrial, native } from './testing';
 
 const folder = mkdtempSync(`${tmpdir()}/replays-`);
 execFileSync(`${native}/write_replays`, [folder]);
@@ -177,7 +177,7 @@ test('built-in scenes read the same before the strict reader has come', () => {
 });
 
 test('a painted scene opens though the reader of pictures comes only then', async () => {
-    const trial = makeTrial({ lean: true });
+    const trial = makeTrial({ lean: true, of: await loadLarger() });
     trial.simulation.open('dam-break');
     trial.simulation.open('funnel');
     expect(trial.state.worlds[0].name).toBe('dam-break');

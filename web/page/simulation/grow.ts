@@ -66,7 +66,12 @@ export async function grow<Loaded extends From>(from: Simulator, { library, file
         now.setSpeed(last.speed);
         now.setPaused(last.paused);
         quiet = false;
-        now.playing.opening.open(opening.next);
+        const { source, settings } = opening.next;
+        if ('name' in source) { // how many particles it has here nobody knew without its text
+            now.playing.opening.scene(source.name, settings);
+        } else {
+            now.playing.opening.open(opening.next);
+        }
         now.playing.asked();
         void library.end();
     } catch (error) {

@@ -18,6 +18,9 @@ const load = async (folder: string) => ({
 });
 const { module, description } = await load(`${folder}/page`);
 
+/** The page's larger module. */
+export const loadLarger = () => WebAssembly.compile(readFileSync(`${folder}/page/bodies.wasm`));
+
 /** A library with every public function, not those alone that the page calls. */
 export async function loadWhole() {
     const { module, description } = await load(folder);
@@ -27,10 +30,11 @@ export async function loadWhole() {
 /**
  * A library, and what it has saved. Its sessions look at the clock before and after each step.
  * @param lean the codecs come once they are wanted
+ * @param of the page's first module, or its larger one
  */
-export function loadLibrary(clock?: () => number, lean = false) {
+export function loadLibrary(clock?: () => number, lean = false, of = module) {
     const files = new Map<string, Uint8Array>();
-    const instance = new Instance(module, {
+    const instance = new Instance(of, {
         readFile: (path: string) => files.get(path),
         writeFile: (path: string, bytes: Uint8Array) => !!files.set(path, bytes),
         clock,
@@ -43,14 +47,14 @@ export function loadLibrary(clock?: () => number, lean = false) {
  * @param tick s that pass whenever the simulation looks at the clock
  * @param cost s that a frame's step takes here for each particle
  */
-export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0, lean = false } = {}) {
+export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0, lean = false, of = module } = {}) {
     const states: State[] = [], reports: Report[] = [], frames: ((ms: number) => void)[] = [];
     let now = 0, waited = 0, steps = false;
     const { library, files } = loadLibrary(() => {
         steps = !steps;
         now += steps ? 0 : cost * states.at(-1)!.worlds[0].particles;
         return now;
-    }, lean);
+    }, lean, of);
     const { c } = library, step = c.skv_world_step;
     // How a world that has no session is stepped: the one that is measured by.
     c.skv_world_step = (world, ...given) => {
