@@ -290,16 +290,7 @@ static void push_body(const skv_air *air, skv_rigid *r, double dt)
         if (!air->label[c])
             continue;
         double push = dt * air->piece[air->label[c]].push * (double)skv_air_part(air->share[c]);
-        double jx = -push * along_y, jy = push * along_x;
-        double moment = (x - r->x) * jy - (y - r->y) * jx;
-        r->felt.x += jx;
-        r->felt.y += jy;
-        r->felt.moment += moment;
-        if (r->fixed)
-            continue;
-        r->vx += jx / r->mass;
-        r->vy += jy / r->mass;
-        r->spin += moment / r->inertia;
+        skv_rigid_press(r, -push * along_y, push * along_x, x, y);
     }
 }
 

@@ -82,6 +82,20 @@ static inline void skv_rigid_rim(const skv_rigid *body, int point, double *x, do
     *y = body->y + body->sin * rx + body->cos * ry;
 }
 
+/* Fluid or air gives a body an impulse (N s/m) at a point of its rim. */
+static inline void skv_rigid_press(skv_rigid *body, double jx, double jy, double x, double y)
+{
+    double moment = (x - body->x) * jy - (y - body->y) * jx;
+    body->felt.x += jx;
+    body->felt.y += jy;
+    body->felt.moment += moment;
+    if (body->fixed)
+        return;
+    body->vx += jx / body->mass;
+    body->vy += jy / body->mass;
+    body->spin += moment / body->inertia;
+}
+
 /* Whether a particle is kept awake by a body that moves or may. */
 bool skv_bodies_stir(const skv_world *world, int particle);
 

@@ -128,16 +128,8 @@ static void press(const skv_world *world, skv_rigid *r, const rim *all, double d
         for (int side = 0; side < 2; side++)
             sum += ways[1 - side] * handed_on(world, all, ends[side], pressures[side], k);
         double pressure = skv_max(sum / (ways[0] + ways[1]), 0) * all->film[k];
-        double jx = -pressure * dt * all->along_y[k], jy = pressure * dt * all->along_x[k];
-        double moment = (all->x[k] - r->x) * jy - (all->y[k] - r->y) * jx;
-        r->felt.x += jx;
-        r->felt.y += jy;
-        r->felt.moment += moment;
-        if (r->fixed)
-            continue;
-        r->vx += jx / r->mass;
-        r->vy += jy / r->mass;
-        r->spin += moment / r->inertia;
+        double push = pressure * dt;
+        skv_rigid_press(r, -push * all->along_y[k], push * all->along_x[k], all->x[k], all->y[k]);
     }
 }
 
