@@ -8,13 +8,9 @@
 #include "base/assert.h"
 #include "base/defs.h"
 #include "base/memory.h"
+#include "base/more.h"
 
 #include <math.h>
-
-#ifdef SKV_WITHOUT_EXPERIMENTS_BESIDE
-/* web/core/no_bodies.c: somebody asks for what the page's first modules lack. */
-skv_result skv_want_more(skv_error *error);
-#endif
 
 struct skv_report {
     const experiment *experiment;

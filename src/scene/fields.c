@@ -7,13 +7,13 @@
 
 #include <string.h>
 
+#include "base/more.h"
 #include "skvalp/acting.h"
 #include "world/dye.h"
 
 /* Without bodies there are no fields of theirs and of air, which are the last. Who asks for one
  * tells the host, which brings more: web/core/no_bodies.c. */
 #ifdef SKV_WITHOUT_BODIES
-skv_result skv_want_more(skv_error *error);
 enum { FIELDS = SKV_F_BODIES };
 #else
 enum { FIELDS = SKV_F_COUNT };

@@ -37,15 +37,23 @@ static skv_world *make_tank(skv_world_def def, float width, float height, const 
     return world;
 }
 
+/* Of the fluid's grain in all tanks but one. */
+static skv_world_def make_def(skv_solver_kind solver, int threads, skv_instruction_set set,
+                              float depth)
+{
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, solver, 0, 0.0155f, threads);
+    def.instruction_set = set;
+    def.depth = depth;
+    return def;
+}
+
 /* A glass turned upside down in 0.5 m of water, with walls of 40 mm. */
 static skv_world *make_bell(skv_solver_kind solver, int threads, skv_instruction_set set,
                             float pressure)
 {
     static const float points[] = {0.25f, 0.14f, 0.25f, 0.36f, 0.55f, 0.36f, 0.55f, 0.14f};
-    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, solver, 0, 0.0155f, threads);
-    def.instruction_set = set;
-    def.depth = 0.5f;
-    skv_world *world = make_tank(def, 0.8f, 0.7f, points, 4, 0.02f);
+    skv_world *world =
+        make_tank(make_def(solver, threads, set, 0.5f), 0.8f, 0.7f, points, 4, 0.02f);
     fixture_fill(world, 0, 0, 0.8f, 0.12f);
     fixture_fill(world, 0, 0.12f, 0.23f, 0.5f);
     fixture_fill(world, 0.57f, 0.12f, 0.8f, 0.5f);
@@ -135,10 +143,8 @@ static void the_reference_keeps_it_too(void **unused)
 /* A cavity in the water. */
 static skv_world *make_bubble(int threads, skv_instruction_set set)
 {
-    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.0155f, threads);
-    def.instruction_set = set;
-    def.depth = 0.6f;
-    skv_world *world = make_tank(def, 0.8f, 0.8f, NULL, 1, 0);
+    skv_world *world =
+        make_tank(make_def(SKV_SOLVER_FAST, threads, set, 0.6f), 0.8f, 0.8f, NULL, 1, 0);
     fixture_fill(world, 0, 0, 0.8f, 0.15f);
     fixture_fill(world, 0, 0.15f, 0.32f, 0.6f);
     fixture_fill(world, 0.48f, 0.15f, 0.8f, 0.6f);

@@ -2,10 +2,8 @@
  * some gets the modules that have it. Invariant: no field of a scene here is of air, so no world
  * here has any, and what one with air asks is never asked.
  */
+#include "base/more.h"
 #include "world/air.h"
-
-/* no_bodies.c: somebody asks for what the larger modules have. */
-skv_result skv_want_more(skv_error *error);
 
 skv_result skv_world_set_air(skv_world *world, float pressure, skv_error *error)
 {

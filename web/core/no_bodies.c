@@ -3,6 +3,7 @@
  * that have them. Invariant: no field of a scene here is a body's, so no world here gets one, and
  * what a world with bodies asks is never asked.
  */
+#include "base/more.h"
 #include "render/bodies.h"
 #include "scene/bodies.h"
 #include "solver/rows/solids.h"
@@ -11,9 +12,8 @@
 
 static bool wanted;
 
-/* Somebody asks for what these modules lack, as src/scene/fields.c does; refuses. */
-skv_result skv_want_more(skv_error *error);
-/* Whether anybody has since this was last called. Modules that lack nothing do not export it. */
+/* Whether somebody has wanted more since this was last called. Modules that lack nothing do not
+ * export it. */
 __attribute__((export_name("skv_wasm_wants_more"))) bool skv_wasm_wants_more(void);
 
 skv_result skv_want_more(skv_error *error)

@@ -1,8 +1,7 @@
 /* What stands for src/session/drop.c where there are no bodies (no_bodies.c). Invariant: nothing
  * comes, and the host is told that somebody wants it. */
+#include "base/more.h"
 #include "session/command.h"
-
-skv_result skv_want_more(skv_error *error);
 
 skv_result skv_drop_apply(const skv_drop *drop, skv_world *world, skv_error *error)
 {

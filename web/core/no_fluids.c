@@ -2,14 +2,12 @@
  * asks for a second one gets the modules that have them. Invariant: no world here has more fluids
  * than one, so no particle has a mass of its own.
  */
+#include "base/more.h"
 #include "scene/fluids.h"
 #include "solver/rows/rows_internal.h"
 #include "world/liquids.h"
 
 #include <string.h>
-
-/* no_bodies.c: somebody asks for what the larger modules have. */
-skv_result skv_want_more(skv_error *error);
 
 const uint32_t skv_liquid_cookie = 1;
 

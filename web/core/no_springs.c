@@ -2,11 +2,9 @@
  * same words: who asks for some gets the modules that have them. Invariant: no fluid here has a
  * shear modulus, so no world here gets springs, and what one with springs asks is never asked.
  */
+#include "base/more.h"
 #include "world/bodies.h"
 #include "world/springs.h"
-
-/* no_bodies.c: somebody asks for what the larger modules have. */
-skv_result skv_want_more(skv_error *error);
 
 const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong)
 {
