@@ -1,5 +1,6 @@
 /* Measuring: what a substep costs, in two scenes, with both pressure laws, from thousands to a
- * million particles, beside the reference solver on the same particles.
+ * million particles, beside the reference solver on the same particles; and in pools that hold more
+ * than one fluid.
  *
  * A case is a scene, a law and a number of particles; each case gives one row per number of
  * threads, 1 and all. docs/performance.md says how the times are taken and what they came to.
@@ -24,7 +25,7 @@ typedef struct bench_options {
 } bench_options;
 
 typedef struct bench_case {
-    const char *scene; /* "pool": at rest; "dam-break": in motion */
+    const char *scene; /* "pool": at rest; "dam-break": in motion; or one of company.h */
     skv_law law;
     bool viscous;  /* with pair viscosity */
     int particles; /* as asked for */
@@ -42,7 +43,7 @@ typedef struct bench_row {
     int substeps; /* a 1/60 s frame */
     double neighbours;
     bench_time fast;
-    bench_time reference; /* NaN where it was left out */
+    bench_time reference; /* NaN where it was left out: of many particles, and of company.h */
     double bytes;         /* a particle, of the particles' arrays */
     double kept_bytes;    /* a particle, of the pairs that are kept */
     double grid_bytes;    /* a particle, of the grid and of each thread's counts */

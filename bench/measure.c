@@ -4,6 +4,7 @@
  * reference, on one and on all threads) start from the same particles and take their rounds in
  * turn, so that whatever disturbs the machine meets all of them.
  */
+#include "company.h"
 #include "plan.h"
 #include "twin.h"
 
@@ -13,6 +14,7 @@
 
 #include "machine.h"
 #include "skvalp/query.h"
+#include "skvalp/snapshot.h"
 
 enum {
     MOST_ROUNDS = 40,
@@ -87,6 +89,30 @@ static skv_result warm_up(const bench *b, skv_world *world, skv_error *error)
     return result;
 }
 
+/* A pool with company: a copy of it runs on one thread. The reference solver is left out. */
+static skv_result open_company(bench *b, const char *text, skv_error *error)
+{
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = b->what.particles;
+    skv_scene *scene = NULL;
+    skv_world *first = NULL;
+    skv_result result =
+        skv_scene_load_memory(text, strlen(text), "json", b->what.scene, &options, &scene, error);
+    if (result == SKV_OK)
+        result = skv_scene_create_world(scene, b->options->threads, &first, error);
+    skv_scene_destroy(scene);
+    if (result != SKV_OK)
+        return result;
+    b->counts = skv_world_threads(first) > 1 ? 2 : 1;
+    b->fast[b->counts - 1].world = first;
+    result = warm_up(b, first, error);
+    if (result != SKV_OK || b->counts == 1)
+        return result;
+    skv_world_def host = skv_default_world_def();
+    host.threads = 1;
+    return skv_world_copy(first, &host, &b->fast[0].world, error);
+}
+
 /* Whole frames; several a round where they are short, as the first one finds cold caches. */
 static void prepare_fast(runner *r)
 {
@@ -106,7 +132,8 @@ static void prepare_reference(runner *r)
     r->dt = (float)r->substeps / 60 / (float)frame;
 }
 
-static skv_result open_bench(bench *b, skv_error *error)
+/* One of the two scenes, and twins of it for the reference solver. */
+static skv_result open_plain(bench *b, skv_error *error)
 {
     skv_world *first;
     skv_result result = open_world(b, &first, error);
@@ -123,6 +150,13 @@ static skv_result open_bench(bench *b, skv_error *error)
     for (int t = 0; t < b->counts && b->with_reference && result == SKV_OK; t++)
         result = bench_twin(first, skv_world_fluid(first), SKV_SOLVER_REFERENCE,
                             t == 0 ? 1 : threads, &b->reference[t].world, error);
+    return result;
+}
+
+static skv_result open_bench(bench *b, skv_error *error)
+{
+    const char *company = bench_company_scene(b->what.scene);
+    skv_result result = company ? open_company(b, company, error) : open_plain(b, error);
     for (int t = 0; t < b->counts && result == SKV_OK; t++) {
         prepare_fast(&b->fast[t]);
         if (b->with_reference)

@@ -2,10 +2,13 @@
  * twice, however many tables want it. */
 #include "plan.h"
 
+#include "company.h"
+
 #include <string.h>
 
 const int bench_sizes[BENCH_SIZES] = {3000, 10000, 30000, 100000, 300000, 1000000};
 const char *const bench_scenes[2] = {"pool", "dam-break"};
+const int bench_company_sizes[BENCH_COMPANY_SIZES] = {3000, 10000};
 
 enum { QUICK_MOST = 100000 };
 
@@ -49,11 +52,19 @@ static void add_all(plan *p, int particles)
             add(p, bench_scenes[scene], laws[law], bench_usual_viscosity(laws[law]), particles);
 }
 
+/* The pool with each company. */
+static void add_companies(plan *p, int particles)
+{
+    for (int i = 0; i < BENCH_COMPANIES; i++)
+        add(p, bench_company_name(i), SKV_LAW_CALIBRATED, false, particles);
+}
+
 int bench_plan(const bench_options *options, bench_case cases[BENCH_MAX_CASES])
 {
     plan p = {.cases = cases};
     if (options->particles) {
         add_all(&p, options->particles);
+        add_companies(&p, options->particles);
         return p.count;
     }
     /* Table 4.2 of the thesis. */
@@ -66,5 +77,7 @@ int bench_plan(const bench_options *options, bench_case cases[BENCH_MAX_CASES])
     for (int i = 0; i < BENCH_SIZES; i++)
         if (!options->quick || bench_sizes[i] <= QUICK_MOST)
             add_all(&p, bench_sizes[i]);
+    for (int i = 0; i < BENCH_COMPANY_SIZES; i++)
+        add_companies(&p, bench_company_sizes[i]);
     return p.count;
 }

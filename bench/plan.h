@@ -4,10 +4,13 @@
 
 #include "bench.h"
 
-enum { BENCH_MAX_CASES = 80, BENCH_SIZES = 6 };
+enum { BENCH_MAX_CASES = 80, BENCH_SIZES = 6, BENCH_COMPANY_SIZES = 2 };
 
 /* The numbers of particles of the main table. */
 extern const int bench_sizes[BENCH_SIZES];
+
+/* Those of the table of pools with company. */
+extern const int bench_company_sizes[BENCH_COMPANY_SIZES];
 
 /* The scenes: at rest, and in motion. */
 extern const char *const bench_scenes[2];

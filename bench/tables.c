@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "company.h"
 #include "plan.h"
 #include "table.h"
 
@@ -61,6 +62,49 @@ static void write_scene(FILE *out, const bench_report *report, bool markdown, co
                 main_row(&t, report, row);
         }
     table_end(&t);
+}
+
+/* ---- Pools with company ---------------------------------------------------------------------- */
+
+/* The plain pool comes first, with which the others are compared. */
+static void company_row(table *t, const bench_report *report, const char *scene, int particles)
+{
+    const bench_case what = {scene, SKV_LAW_CALIBRATED, false, particles};
+    const bench_case plain = {bench_scenes[0], SKV_LAW_CALIBRATED, false, particles};
+    const bench_row *one = bench_find(report, &what, 1), *pool = bench_find(report, &plain, 1);
+    const bench_row *all = bench_find(report, &what, report->threads);
+    if (!one || !all || !pool)
+        return;
+    const char *title = bench_company_title(scene);
+    table_row(t);
+    table_cell(t, "%s", title ? title : "water alone");
+    table_cell(t, "%d", one->particles);
+    table_cell(t, "%d", one->substeps);
+    table_number(t, bench_ns(one, one->fast.minimum), 1);
+    table_number(t, bench_ns(one, one->fast.median), 1);
+    table_number(t, bench_ns(all, all->fast.minimum), 1);
+    table_number(t, bench_ns(all, all->fast.median), 1);
+    table_number(t, bench_speedup(report, all), 2);
+    table_number(t, bench_ns(one, one->fast.minimum) / bench_ns(pool, pool->fast.minimum), 2);
+}
+
+static void write_companies(FILE *out, const bench_report *report, bool markdown)
+{
+    static const char *const heads[] = {"in the pool", ">particles", ">substeps", ">ns x1",
+                                        ">median",     ">ns x all",  ">median",   ">speed-up",
+                                        ">over water", NULL};
+    int sizes = report->only ? 1 : BENCH_COMPANY_SIZES;
+    table t;
+    table_begin(&t, out, markdown, "Cost of a substep: a pool with company", heads);
+    for (int i = 0; i < sizes; i++) {
+        int particles = report->only ? report->only : bench_company_sizes[i];
+        company_row(&t, report, bench_scenes[0], particles);
+        for (int k = 0; k < BENCH_COMPANIES; k++)
+            company_row(&t, report, bench_company_name(k), particles);
+    }
+    table_end(&t);
+    table_note(out, "over water: how many times as long a particle and substep take, on one "
+                    "thread.");
 }
 
 /* ---- Frames of 1/60 s ------------------------------------------------------------------------ */
@@ -336,6 +380,7 @@ void bench_write_tables(FILE *out, const bench_report *report, bool markdown)
                     "times as long it takes, with as many threads.\nbytes: a particle, of all "
                     "arrays by particle, the world's and the solver's; kept: what a thread "
                     "keeps of the rows at work, apart from these.");
+    write_companies(out, report, markdown);
     write_budget(out, report, markdown);
     write_phases(out, report, markdown);
     write_edits(out, report, markdown);
