@@ -35,7 +35,14 @@ typedef struct skv_body_def {
     float friction; /**< Coulomb's number against walls and other bodies, 0..10; default 0.3 */
     float
         restitution; /**< share of the speed with which it leaves what it hits, 0..1; default 0.2 */
-    bool fixed; /**< nothing moves it but its velocity, which stays as it is set; default false */
+    bool fixed;  /**< nothing moves it but its velocity, which stays as it is set; default false */
+    bool pinned; /**< it turns about (pin_x, pin_y) without friction and goes nowhere else: vx and
+                    vy follow from its spin; default false */
+    float pin_x, pin_y; /**< m: a place in the world, in the body or beside it; each -100..100 */
+    float motor_speed;  /**< rad/s, counter-clockwise: what a motor at the pin drives it at;
+                           -1000..1000; 0 brakes it */
+    float motor_torque; /**< N, torque per metre of depth: the most that the motor gives,
+                           0..1000000; default 0: there is none */
 } skv_body_def;
 
 /** A box of 0.1 x 0.1 m about the origin, at (0, 0) and at rest; and the same for binders. */
@@ -49,7 +56,8 @@ typedef struct skv_body {
     float angle; /**< rad, how far it is turned against its shape's frame */
     float vx, vy, spin;
     float density, friction, restitution;
-    bool fixed;
+    bool fixed, pinned;
+    float pin_x, pin_y, motor_speed, motor_torque; /**< as in skv_body_def */
     float area, mass,
         inertia;            /**< m^2, kg/m and kg m about the centre of mass; of fixed ones, too */
     float force_x, force_y; /**< N/m: what the fluid gave it, mean of the last step ... */
@@ -78,14 +86,19 @@ SKV_API int skv_world_body_count(const skv_world *world);
 SKV_API bool skv_world_body_at(const skv_world *world, int index, skv_body *body);
 
 /** Puts a body's centre of mass to (x, y), each -100..100 m, turned by `angle`. It pushes fluid
- * aside as if it had come there: particles inside it are taken out. Fails with SKV_ERROR_VALUE (a
- * number out of range, or no such body). */
+ * aside as if it had come there: particles inside it are taken out. A pin comes along. Fails with
+ * SKV_ERROR_VALUE (a number out of range, or no such body). */
 SKV_API skv_result skv_world_set_body_pose(skv_world *world, skv_body_id id, float x, float y,
                                            float angle, skv_error *error);
 
 /** Sets how a body moves, in the ranges of skv_body_def; a fixed one goes on like that. */
 SKV_API skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float vx, float vy,
                                                float spin, skv_error *error);
+
+/** Sets the motor of a pinned body that is not fixed, in the ranges of skv_body_def. Fails with
+ * SKV_ERROR_VALUE (a number out of range, or no such body). */
+SKV_API skv_result skv_world_set_body_motor(skv_world *world, skv_body_id id, float speed,
+                                            float torque, skv_error *error);
 
 /** Makes `*hand` hold the body that lies nearest to (x, y), m, at that point, which may lie beside
  * it: not farther than `reach`, m, which is cut to a smoothing radius. Fixed ones are passed over.

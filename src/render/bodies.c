@@ -11,6 +11,9 @@
 #define APART 1.0
 #define HALF  0.75
 
+/* Radius of a pin, in thin lines: larger than what is at the middle of a paddle's outline. */
+#define PIN 3.0
+
 skv_placed_body skv_body_place(const skv_body *body)
 {
     skv_placed_body p = {.count = body->corners,
@@ -115,6 +118,23 @@ static skv_result outline(skv_strokes *strokes, const skv_placed_body *p, double
     return result;
 }
 
+/* A dot over all bodies, for a pin may lie beside its own. */
+static skv_result draw_pins(skv_strokes *strokes, const skv_overlay_scene *scene, skv_error *error)
+{
+    skv_result result = skv_strokes_reserve(strokes, scene->frame->body_count, error);
+    for (int i = 0; i < scene->frame->body_count && result == SKV_OK; i++) {
+        const skv_body *body = &scene->frame->bodies[i];
+        if (!body->pinned)
+            continue;
+        skv_stroke dot = {.radius = (float)(PIN * skv_look_line(scene->camera))};
+        dot.x0 = dot.x1 = skv_overlay_x(scene->camera, (double)body->pin_x);
+        dot.y0 = dot.y1 = skv_overlay_y(scene->camera, (double)body->pin_y);
+        skv_stroke_paint(&dot, skv_look_body(scene->palette, body->density)->edge, 1);
+        skv_strokes_add(strokes, dot);
+    }
+    return result;
+}
+
 skv_result skv_bodies_draw(skv_strokes *strokes, const skv_overlay_scene *scene, skv_error *error)
 {
     double line = skv_look_line(scene->camera);
@@ -127,5 +147,5 @@ skv_result skv_bodies_draw(skv_strokes *strokes, const skv_overlay_scene *scene,
         if (result == SKV_OK)
             result = outline(strokes, &p, line, look->edge, error);
     }
-    return result;
+    return result == SKV_OK ? draw_pins(strokes, scene, error) : result;
 }

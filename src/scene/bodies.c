@@ -2,6 +2,7 @@
  */
 #include "scene/bodies.h"
 
+#include "base/exact.h"
 #include "base/memory.h"
 #include "scene/shapes.h"
 #include "world/body_shape.h"
@@ -71,6 +72,25 @@ static skv_result make_area(const builder *b, const skv_shape *shape, skv_area *
     return SKV_OK;
 }
 
+static skv_result set_pin(const builder *b, skv_scene_body *body)
+{
+    skv_body_def *def = &body->def;
+    const skv_value *pin = b->values->pin;
+    bool x = pin[0].origin.source != SKV_FROM_DEFAULT, y = pin[1].origin.source != SKV_FROM_DEFAULT;
+    if (x != y)
+        return fail(b, ".pin", "lacks a value; a pin is a pair [x, y]");
+    def->pinned = x;
+    def->pin_x = (float)pin[0].number;
+    def->pin_y = (float)pin[1].number;
+    def->motor_speed = number_of(b, SKV_BODY_MOTOR_SPEED);
+    def->motor_torque = number_of(b, SKV_BODY_MOTOR_TORQUE);
+    if (is_given(b, SKV_BODY_MOTOR_SPEED) && !is_given(b, SKV_BODY_MOTOR_TORQUE))
+        return fail(b, ".motor", "lacks its torque; a motor has speed and torque");
+    if (def->motor_torque > 0 && (!def->pinned || def->fixed))
+        return fail(b, ".motor", "turns nothing; it takes a pin, and a body that is not fixed");
+    return SKV_OK;
+}
+
 static skv_result make_body(const builder *b, const skv_scene *scene, const skv_shape *shape,
                             skv_scene_body *body)
 {
@@ -94,6 +114,9 @@ static skv_result make_body(const builder *b, const skv_scene *scene, const skv_
         memcpy(body->name, name, strlen(name));
     else
         skv_format(body->name, sizeof body->name, "body %d", b->index + 1);
+    result = set_pin(b, body);
+    if (result != SKV_OK)
+        return result;
     skv_outline outline;
     skv_error cause;
     if (skv_outline_make(&def->shape, scene->def.fluid.spacing, &outline, &cause) != SKV_OK)
@@ -123,6 +146,15 @@ skv_result skv_scene_build_bodies(const skv_draft *draft, skv_scene *scene, skv_
     return result;
 }
 
+static void turn_about_pin(skv_body_def *def, float angle)
+{
+    double c = skv_cos((double)angle), s = skv_sin((double)angle);
+    double x = (double)def->pin_x, y = (double)def->pin_y;
+    def->angle = angle;
+    def->x = (float)(x - (c * x - s * y));
+    def->y = (float)(y - (s * x + c * y));
+}
+
 skv_result skv_scene_add_bodies(const skv_scene *scene, skv_world *world, skv_error *error)
 {
     skv_result result = SKV_OK;
@@ -131,9 +163,12 @@ skv_result skv_scene_add_bodies(const skv_scene *scene, skv_world *world, skv_er
         skv_body_def def = wanted->def;
         skv_body_id id;
         skv_body body;
+        if (def.pinned)
+            turn_about_pin(&def, wanted->angle);
         result = skv_world_add_body(world, &def, &id, NULL, error);
         /* Turned about its own middle. */
-        if (result == SKV_OK && wanted->angle != 0 && skv_world_body(world, id, &body))
+        if (result == SKV_OK && !def.pinned && wanted->angle != 0 &&
+            skv_world_body(world, id, &body))
             result = skv_world_set_body_pose(world, id, body.x, body.y, wanted->angle, error);
     }
     return result;

@@ -261,6 +261,20 @@ static skv_list list_of(const skv_field_path *path)
     return (skv_list)list;
 }
 
+#ifndef SKV_WITHOUT_BODIES
+/* Stores a coordinate of a body's pin. */
+static skv_result store_pin(const skv_draft *draft, const skv_field_path *path, int id,
+                            const char *text, const skv_entry *entry, skv_origin origin,
+                            skv_shape_values *shape, skv_error *error)
+{
+    int which = path->index[1];
+    if (which > 1)
+        return skv_draft_fail(draft, origin, text, error, SKV_ERROR_VALUE,
+                              "one value too many; a pin is a pair [x, y]");
+    return store(draft, id, text, entry, origin, &shape->pin[which], error);
+}
+#endif
+
 /* Accepts an entry at or below an element of a list. `id` is -1 for one of its lists. */
 static skv_result accept_shape(skv_draft *draft, const skv_field_path *path, int id,
                                const char *text, const skv_entry *entry, skv_origin origin,
@@ -271,6 +285,10 @@ static skv_result accept_shape(skv_draft *draft, const skv_field_path *path, int
     skv_shape_values *shape = element(draft, list, path, origin, text, &result, error);
     if (shape == NULL)
         return result;
+#ifndef SKV_WITHOUT_BODIES
+    if (id == SKV_F_BODIES + SKV_BODY_PIN)
+        return store_pin(draft, path, id, text, entry, origin, shape, error);
+#endif
     if (path->index_count >= 2) {
         result = reserve_point(draft, &draft->values.list[list], shape, path->index[1], origin,
                                text, error);

@@ -165,7 +165,7 @@ static const skv_field fields[FIELDS] = {
     OWN_NUMBER(SKV_F_BODIES + SKV_BODY_DENSITY, "bodies[].density", "kg/m^2", 10, 50000, "",
                "mass of a square metre of the sheet; else the material's")
     OWN_NUMBER(SKV_F_BODIES + SKV_BODY_ANGLE, "bodies[].angle", "rad", -100, 100, "0",
-               "turned so far about its middle, counter-clockwise")
+               "turned so far about its pin, or else its middle, counter-clockwise")
     OWN_NUMBER(SKV_F_BODIES + SKV_BODY_VX, "bodies[].vx", "m/s", -100, 100, "0",
                "speed to the right at the start")
     OWN_NUMBER(SKV_F_BODIES + SKV_BODY_VY, "bodies[].vy", "m/s", -100, 100, "0",
@@ -178,6 +178,12 @@ static const skv_field fields[FIELDS] = {
                "share of its speed with which it bounces")
     OWN_FLAG(SKV_F_BODIES + SKV_BODY_FIXED, "bodies[].fixed", "false",
              "nothing moves it but its own speed, which stays")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_PIN, "bodies[].pin[]", "m", -100, 100, "",
+               "[x, y] of the world: a place about which it turns, held there")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_MOTOR_SPEED, "bodies[].motor.speed", "rad/s", -1000, 1000, "0",
+               "a motor at its pin drives it at this speed, counter-clockwise; 0: it brakes")
+    OWN_NUMBER(SKV_F_BODIES + SKV_BODY_MOTOR_TORQUE, "bodies[].motor.torque", "N", 0, 1000000, "0",
+               "the most that the motor gives, N m in a metre of depth; 0: there is none")
     OWN_NUMBER(SKV_F_AIR_PRESSURE, "air.pressure", "kPa m", 0, 100, "0",
                "closed pockets of air push, from this pressure on; 10 lifts water by a metre; 0: none do")
 #endif

@@ -12,7 +12,7 @@
 typedef struct skv_scene_body {
     char name[SKV_BODY_NAME_SIZE];
     skv_body_def def;
-    float angle; /* about its own middle */
+    float angle; /* about its pin, or else its own middle */
 } skv_scene_body;
 
 struct skv_scene {

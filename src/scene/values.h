@@ -32,6 +32,7 @@ typedef struct skv_shape_values {
     skv_value value[SKV_MOST_FIELDS];
     double *points; /* x, y, x, y...; NaN where a coordinate is still missing */
     int point_count;
+    skv_value pin[2]; /* of a body, x and y */
     skv_origin origin;
 } skv_shape_values;
 

@@ -46,15 +46,6 @@ void skv_bodies_take_over(skv_world *world, skv_bodies *bodies)
         skv_bodies_show(world);
 }
 
-void skv_rigid_derive(skv_rigid *r)
-{
-    const skv_outline *o = &r->shape->outline;
-    r->mass = (double)r->density * o->area;
-    r->inertia = (double)r->density * o->inertia;
-    r->cos = skv_cos(r->angle);
-    r->sin = skv_sin(r->angle);
-}
-
 static skv_pose pose_of(const skv_rigid *r)
 {
     return (skv_pose){(float)r->x, (float)r->y, (float)r->cos, (float)r->sin};
@@ -77,9 +68,14 @@ static skv_body tell(const skv_bodies *b, const skv_rigid *r)
         .friction = r->friction,
         .restitution = r->restitution,
         .fixed = r->fixed,
+        .pinned = r->pinned,
+        .pin_x = (float)r->pin_x,
+        .pin_y = (float)r->pin_y,
+        .motor_speed = r->motor_speed,
+        .motor_torque = r->motor_torque,
         .area = (float)o->area,
         .mass = (float)r->mass,
-        .inertia = (float)r->inertia,
+        .inertia = (float)((double)r->density * o->inertia),
         .force_x = (float)(per_second * r->felt.x),
         .force_y = (float)(per_second * r->felt.y),
         .torque = (float)(per_second * r->felt.moment),
@@ -179,18 +175,31 @@ void skv_bodies_begin_step(skv_world *world)
         world->bodies->body[k].felt = (skv_impulse){0};
 }
 
+/* Moves one and tells how far its centre of mass goes: of one that turns about a pin, on an arc. */
+static void move(skv_rigid *r, double dt, double way[2])
+{
+    double x = r->x, y = r->y;
+    way[0] = dt * r->vx;
+    way[1] = dt * r->vy;
+    r->x += way[0];
+    r->y += way[1];
+    r->angle += dt * r->spin;
+    skv_rigid_derive(r);
+    if (r->pinned) {
+        way[0] = r->x - x;
+        way[1] = r->y - y;
+    }
+}
+
 void skv_bodies_move(skv_world *world, double dt)
 {
     skv_bodies *b = world->bodies;
     if (b->set)
         skv_bodies_solve_contacts(world, dt);
     b->set = false;
+    double moved[SKV_MAX_BODIES][2];
     for (int k = 0; k < b->count; k++) {
-        skv_rigid *r = &b->body[k];
-        r->x += dt * r->vx;
-        r->y += dt * r->vy;
-        r->angle += dt * r->spin;
-        skv_rigid_derive(r);
+        move(&b->body[k], dt, moved[k]);
         b->given[k] = (skv_impulse){0};
     }
     skv_pose before[SKV_MAX_BODIES];
@@ -200,8 +209,8 @@ void skv_bodies_move(skv_world *world, double dt)
     for (int k = 0; k < b->count; k++) {
         skv_solid *s = &b->solids.solid[k];
         s->before = before[k];
-        s->dx = (float)(dt * b->body[k].vx);
-        s->dy = (float)(dt * b->body[k].vy);
+        s->dx = (float)moved[k][0];
+        s->dy = (float)moved[k][1];
         s->turn = (float)(dt * b->body[k].spin);
     }
 }
@@ -220,10 +229,17 @@ void skv_bodies_feel(skv_world *world, double dt)
         r->felt.moment += moment;
         if (r->fixed)
             continue;
+        if (r->pinned) {
+            double weight = dt * r->mass;
+            skv_rigid_push(r, x + weight * (double)world->gravity_x,
+                           y + weight * (double)world->gravity_y, moment);
+            continue;
+        }
         r->vx += x / r->mass + dt * (double)world->gravity_x;
         r->vy += y / r->mass + dt * (double)world->gravity_y;
         r->spin += moment / r->inertia;
     }
+    skv_bodies_drive_motors(b, dt);
     skv_bodies_press_films(world, dt);
     skv_bodies_follow_hands(world, dt);
     b->felt += dt;

@@ -14,9 +14,13 @@ typedef struct skv_rigid {
     double x, y, angle; /* centre of mass, m, and rad */
     double cos, sin;    /* of the angle */
     double vx, vy, spin;
-    double mass, inertia; /* by its density, kg/m and kg m */
+    double mass, inertia; /* by its density, kg/m and kg m; of pinned ones about the pin */
+    double pin_x, pin_y;  /* m: what it turns about, if it is pinned; else 0 ... */
+    double at_x, at_y;    /* ... and from there to its centre of mass, in its own axes ... */
+    double arm_x, arm_y;  /* ... and in the world's */
     float density, friction, restitution;
-    bool fixed;
+    float motor_speed, motor_torque;
+    bool fixed, pinned;
     skv_impulse felt; /* from the fluid in this step: N s/m and N s */
 } skv_rigid;
 
@@ -82,6 +86,29 @@ static inline void skv_rigid_rim(const skv_rigid *body, int point, double *x, do
     *y = body->y + body->sin * rx + body->cos * ry;
 }
 
+/* What turns about a pin moves as it turns. */
+static inline void skv_rigid_swing(skv_rigid *body)
+{
+    body->vx = -body->spin * body->arm_y;
+    body->vy = body->spin * body->arm_x;
+}
+
+/* Gives a body an impulse (N s/m) and its moment about the centre of mass (N s). A pin takes what
+ * does not turn the body. */
+static inline void skv_rigid_push(skv_rigid *body, double jx, double jy, double moment)
+{
+    if (body->fixed)
+        return;
+    if (body->pinned) {
+        body->spin += (moment + body->arm_x * jy - body->arm_y * jx) / body->inertia;
+        skv_rigid_swing(body);
+        return;
+    }
+    body->vx += jx / body->mass;
+    body->vy += jy / body->mass;
+    body->spin += moment / body->inertia;
+}
+
 /* Fluid or air gives a body an impulse (N s/m) at a point of its rim. */
 static inline void skv_rigid_press(skv_rigid *body, double jx, double jy, double x, double y)
 {
@@ -89,11 +116,7 @@ static inline void skv_rigid_press(skv_rigid *body, double jx, double jy, double
     body->felt.x += jx;
     body->felt.y += jy;
     body->felt.moment += moment;
-    if (body->fixed)
-        return;
-    body->vx += jx / body->mass;
-    body->vy += jy / body->mass;
-    body->spin += moment / body->inertia;
+    skv_rigid_push(body, jx, jy, moment);
 }
 
 /* Whether a particle is kept awake by a body that moves or may. */
@@ -108,8 +131,13 @@ float skv_body_distance(const skv_world *world, int index, float x, float y);
 /* Lower bound of a place's distance from all bodies, below 0 in one; INFINITY if there is none. */
 float skv_bodies_distance(const skv_world *world, float x, float y);
 
-/* Finds what follows from a body's shape, density and angle. */
+/* body_pins.c: finds what follows from a body's shape, density, angle and pin: where a pinned one
+ * is, too; a body turns about that point from now on; it comes to another place, with its pin if it
+ * has one; motors act for `dt`. */
 void skv_rigid_derive(skv_rigid *body);
+void skv_rigid_pin(skv_rigid *body, double x, double y);
+void skv_rigid_put(skv_rigid *body, double x, double y, double angle);
+void skv_bodies_drive_motors(skv_bodies *bodies, double dt);
 /* Tells the solver's boundary of all bodies, at rest where they are. */
 void skv_bodies_show(skv_world *world);
 /* An empty list. */

@@ -28,9 +28,10 @@ enum { ROUNDS = 20 };
 typedef skv_body_contact contact;
 typedef skv_body_contacts contacts;
 
+/* Where something pinned is pushed it turns, and its centre of mass is not free. */
 static double inverse_mass(const skv_rigid *r)
 {
-    return r && !r->fixed ? 1 / r->mass : 0;
+    return r && !r->fixed && !r->pinned ? 1 / r->mass : 0;
 }
 
 static double inverse_inertia(const skv_rigid *r)
@@ -49,24 +50,51 @@ static void velocity_at(const contact *c, double *x, double *y)
     }
 }
 
-static void push(const contact *c, double x, double y)
+/* The moment of (nx, ny) at (x, y) beside a body's centre of mass, about what it turns about. */
+static double lever(const skv_rigid *r, double x, double y, double nx, double ny)
 {
-    c->a->vx += x * inverse_mass(c->a);
-    c->a->vy += y * inverse_mass(c->a);
-    c->a->spin += (c->x * y - c->y * x) * inverse_inertia(c->a);
-    if (!c->b)
-        return;
-    c->b->vx -= x * inverse_mass(c->b);
-    c->b->vy -= y * inverse_mass(c->b);
-    c->b->spin -= (c->bx * y - c->by * x) * inverse_inertia(c->b);
+    if (!r || !r->pinned)
+        return x * ny - y * nx;
+    return (x + r->arm_x) * ny - (y + r->arm_y) * nx;
 }
 
-/* The mass that an impulse along (nx, ny) moves. */
+static void push_one(skv_rigid *r, double at_x, double at_y, double x, double y)
+{
+    r->vx += x * inverse_mass(r);
+    r->vy += y * inverse_mass(r);
+    r->spin += lever(r, at_x, at_y, x, y) * inverse_inertia(r);
+    if (r->pinned)
+        skv_rigid_swing(r);
+}
+
+static void push(const contact *c, double x, double y)
+{
+    push_one(c->a, c->x, c->y, x, y);
+    if (c->b)
+        push_one(c->b, c->bx, c->by, -x, -y);
+}
+
+/* The mass that an impulse along (nx, ny) moves; 0 if it moves nothing. */
 static double mass_along(const contact *c, double nx, double ny)
 {
-    double a = c->x * ny - c->y * nx, b = c->bx * ny - c->by * nx;
-    return 1 / (inverse_mass(c->a) + inverse_mass(c->b) + a * a * inverse_inertia(c->a) +
-                b * b * inverse_inertia(c->b));
+    double a = lever(c->a, c->x, c->y, nx, ny), b = lever(c->b, c->bx, c->by, nx, ny);
+    double moved = inverse_mass(c->a) + inverse_mass(c->b) + a * a * inverse_inertia(c->a) +
+                   b * b * inverse_inertia(c->b);
+    return moved > 0 ? 1 / moved : 0;
+}
+
+/* How fast what is too deep is parted at most: what is pinned no faster there than at its farthest
+ * point, else a touch beside the pin would whirl it round. */
+static double part_most(const contact *c)
+{
+    double most = PARTS_MOST;
+    if (c->a->pinned)
+        most *=
+            skv_min(fabs(lever(c->a, c->x, c->y, c->nx, c->ny)) / c->a->shape->outline.reach, 1);
+    if (c->b && c->b->pinned)
+        most *=
+            skv_min(fabs(lever(c->b, c->bx, c->by, c->nx, c->ny)) / c->b->shape->outline.reach, 1);
+    return most;
 }
 
 static void add(contacts *all, skv_rigid *a, skv_rigid *b, double x, double y, double nx, double ny,
@@ -85,7 +113,7 @@ static void add(contacts *all, skv_rigid *a, skv_rigid *b, double x, double y, d
     if (distance > 0)
         c->part = -distance / dt; /* it may come as near as it likes */
     else if (distance < -SLOP)
-        c->part = skv_min(-PARTS * (distance + SLOP) / dt, PARTS_MOST);
+        c->part = skv_min(-PARTS * (distance + SLOP) / dt, part_most(c));
     double vx, vy, bounce = (double)a->restitution;
     velocity_at(c, &vx, &vy);
     if (b)
@@ -102,6 +130,13 @@ static double reach_of(const skv_rigid *r, double dt)
     return dt * (speed + fabs(r->spin) * r->shape->outline.reach);
 }
 
+/* What is within a particle of its pin touches no wall, so that a gate can hang at one. */
+static bool is_axle(const skv_world *world, const skv_rigid *r, double x, double y)
+{
+    double dx = x - r->pin_x, dy = y - r->pin_y, near = (double)world->fluid.spacing;
+    return dx * dx + dy * dy < near * near;
+}
+
 static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, double dt)
 {
     const skv_terrain *terrain = world->terrain;
@@ -113,6 +148,8 @@ static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, do
         double x, y;
         float nx, ny;
         skv_rigid_rim(a, k, &x, &y);
+        if (a->pinned && is_axle(world, a, x, y))
+            continue;
         double distance = (double)skv_normal_at(terrain, (float)x, (float)y, &nx, &ny);
         if (distance < near)
             add(all, a, NULL, x, y, (double)nx, (double)ny, distance, dt);

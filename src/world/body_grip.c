@@ -28,10 +28,25 @@ static void cut(double *x, double *y, double most)
     }
 }
 
+/* The same of something pinned, at (rx, ry) beside its pin: it can only turn. */
+static void turn(skv_rigid *r, double rx, double ry, double dvx, double dvy, double most)
+{
+    double square = rx * rx + ry * ry;
+    if (!(square > 0))
+        return;
+    double length = sqrt(square), impulse = (rx * dvy - ry * dvx) / length * r->inertia / square;
+    r->spin += skv_min(skv_max(impulse, -most), most) * length / r->inertia;
+    skv_rigid_swing(r);
+}
+
 /* Gives the point (rx, ry) beside the centre of mass another velocity, by an impulse there that is
  * cut to `most`. */
 static void change(skv_rigid *r, double rx, double ry, double dvx, double dvy, double most)
 {
+    if (r->pinned) {
+        turn(r, rx + r->arm_x, ry + r->arm_y, dvx, dvy, most);
+        return;
+    }
     double mass = 1 / r->mass, inertia = 1 / r->inertia;
     double xx = mass + inertia * ry * ry, xy = -inertia * rx * ry, yy = mass + inertia * rx * rx;
     double area = xx * yy - xy * xy;
@@ -59,6 +74,8 @@ static void pull(skv_rigid *r, const skv_hand *hand, double density, double dt)
     change(r, rx, ry, wanted_x - vx, wanted_y - vy, dt * strength * share * r->mass);
     double lever = 1 + r->mass * (rx * rx + ry * ry) / r->inertia;
     r->spin /= 1 + dt * (double)hand->friction * lever;
+    if (r->pinned)
+        skv_rigid_swing(r);
 }
 
 /* Not beyond where a hand may be. */

@@ -86,6 +86,32 @@ static skv_result refuse_motion(skv_error *error)
                     "-1000..1000 rad/s");
 }
 
+static skv_result check_motor(float speed, float torque, skv_error *error)
+{
+    if (skv_within((double)speed, -1000, 1000) && skv_within((double)torque, 0, 1e6))
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "body: its motor is out of range; allowed is -1000..1000 rad/s and 0..1000000 "
+                    "N m/m");
+}
+
+static skv_result refuse_motor(skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "body: its motor turns nothing; it takes a pin, and a body that is not fixed");
+}
+
+static skv_result check_pin(const skv_body_def *def, skv_error *error)
+{
+    if (def->pinned &&
+        !(skv_within((double)def->pin_x, -100, 100) && skv_within((double)def->pin_y, -100, 100)))
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "body: its pin is out of range; allowed is -100..100 m");
+    if (def->motor_torque != 0 && (!def->pinned || def->fixed))
+        return refuse_motor(error);
+    return check_motor(def->motor_speed, def->motor_torque, error);
+}
+
 static skv_result check_def(const skv_body_def *def, skv_error *error)
 {
     if (!is_sane_pose(def->x, def->y, def->angle))
@@ -99,7 +125,7 @@ static skv_result check_def(const skv_body_def *def, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "body: its friction or restitution is out of range; allowed is 0..10 and "
                         "0..1");
-    return SKV_OK;
+    return check_pin(def, error);
 }
 
 /* Gives a body of an outline what a definition says. */
@@ -117,7 +143,11 @@ static void set_up(skv_rigid *r, const skv_body_def *def)
     r->friction = def->friction;
     r->restitution = def->restitution;
     r->fixed = def->fixed;
+    r->motor_speed = def->motor_speed;
+    r->motor_torque = def->motor_torque;
     skv_rigid_derive(r);
+    if (def->pinned)
+        skv_rigid_pin(r, (double)def->pin_x, (double)def->pin_y);
 }
 
 /* Makes the list of a world that has none yet. */
@@ -219,10 +249,7 @@ skv_result skv_world_set_body_pose(skv_world *world, skv_body_id id, float x, fl
         return result;
     wake_around(world, index);
     skv_rigid *r = &world->bodies->body[index];
-    r->x = (double)x;
-    r->y = (double)y;
-    r->angle = (double)angle;
-    skv_rigid_derive(r);
+    skv_rigid_put(r, (double)x, (double)y, (double)angle);
     world->bodies->set = true;
     skv_bodies_show(world);
     clear(world, index);
@@ -242,7 +269,28 @@ skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float v
     r->vx = (double)vx;
     r->vy = (double)vy;
     r->spin = (double)spin;
+    if (r->pinned)
+        skv_rigid_swing(r);
     world->bodies->set = true;
+    skv_bodies_show(world);
+    return SKV_OK;
+}
+
+skv_result skv_world_set_body_motor(skv_world *world, skv_body_id id, float speed, float torque,
+                                    skv_error *error)
+{
+    SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
+    int index = find(world, id);
+    if (index < 0)
+        return refuse_id(id, error);
+    skv_rigid *r = &world->bodies->body[index];
+    if (torque != 0 && (!r->pinned || r->fixed))
+        return refuse_motor(error);
+    skv_result result = check_motor(speed, torque, error);
+    if (result != SKV_OK)
+        return result;
+    r->motor_speed = speed;
+    r->motor_torque = torque;
     skv_bodies_show(world);
     return SKV_OK;
 }

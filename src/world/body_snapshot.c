@@ -22,9 +22,19 @@ static void exchange_outline(skv_port *port, skv_outline *o)
         skv_exchange_double(port, &o->corner[i / 2][i % 2]);
 }
 
+/* Where it is pinned, and what drives it there. */
+enum { PIN = 4 };
+static double *pin(skv_rigid *r, int which)
+{
+    double *const numbers[PIN] = {&r->pin_x, &r->pin_y, &r->at_x, &r->at_y};
+    return numbers[which];
+}
+
+enum { FIXED = 1, PINNED = 2 };
+
 static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
 {
-    uint64_t id = r->id, fixed = r->fixed;
+    uint64_t id = r->id, held = (r->fixed ? FIXED : 0u) | (r->pinned ? PINNED : 0u);
     skv_exchange(port, &id, 4);
     r->id = (skv_body_id)id;
     exchange_outline(port, outline);
@@ -33,8 +43,15 @@ static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
     skv_exchange_float(port, &r->density);
     skv_exchange_float(port, &r->friction);
     skv_exchange_float(port, &r->restitution);
-    skv_exchange(port, &fixed, 1);
-    r->fixed = fixed != 0;
+    skv_exchange(port, &held, 1);
+    r->fixed = held & FIXED;
+    r->pinned = held & PINNED;
+    if (!r->pinned)
+        return;
+    for (int i = 0; i < PIN; i++)
+        skv_exchange_double(port, pin(r, i));
+    skv_exchange_float(port, &r->motor_speed);
+    skv_exchange_float(port, &r->motor_torque);
 }
 
 static void exchange_head(skv_port *port, skv_bodies *b)
@@ -62,6 +79,10 @@ static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
     bool sane = o->corners >= 3 && skv_outline_check(o, spacing, NULL) == SKV_OK;
     for (int i = 0; i < MOVING; i++)
         sane = sane && skv_within(*moving(r, i), -most[i], most[i]);
+    for (int i = 0; i < PIN; i++)
+        sane = sane && skv_within(*pin(r, i), -1e6, 1e6);
+    sane = sane && skv_within((double)r->motor_speed, -1000, 1000) &&
+           skv_within((double)r->motor_torque, 0, r->fixed ? 0 : 1e6);
     return sane && skv_within((double)r->density, 10, 50000) &&
            skv_within((double)r->friction, 0, 10) && skv_within((double)r->restitution, 0, 1);
 }

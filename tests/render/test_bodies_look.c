@@ -44,6 +44,9 @@ static void bodies_are_seen_where_they_are(void **state)
     def.shape = skv_circle(0, 0, 0.1f);
     def.x = 1.2f;
     def.y = 0.3f;
+    def.pinned = true;
+    def.pin_x = 1.16f;
+    def.pin_y = 0.33f;
     assert_int_equal(skv_world_add_body(world, &def, NULL, NULL, NULL), SKV_OK);
     for (int palette = SKV_PALETTE_DARK; palette <= SKV_PALETTE_CONTRAST; palette++) {
         const skv_body_look *look = skv_look_body((skv_palette)palette, def.density);
@@ -56,6 +59,7 @@ static void bodies_are_seen_where_they_are(void **state)
         assert_false(is_color(at_place(&p, 0.38, 0.7), look->inside));
         assert_true(is_color(at_place(&p, 1.2, 0.3), look->inside));
         assert_true(is_color(at_place(&p, 1.27, 0.36), look->inside));
+        assert_true(is_color(at_place(&p, 1.16, 0.33), look->edge)); /* its pin */
         assert_false(is_color(at_place(&p, 1.28, 0.38), look->inside));
         bool edged = false;
         for (int mm = 1080; mm < 1120; mm++)

@@ -72,6 +72,49 @@ static void bodies_arrive(void **unused)
     skv_scene_destroy(scene);
 }
 
+static skv_body pinned(const char *const *settings)
+{
+    skv_scene *scene;
+    skv_error error = {0};
+    if (load_text(SCENE, settings, &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_world *world = create(scene);
+    skv_body body;
+    assert_true(skv_world_body_at(world, 0, &body));
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+    return body;
+}
+
+/* A pin stays where it is said, and the body is turned about it. */
+static void pins_and_motors_arrive(void **unused)
+{
+    (void)unused;
+    skv_body body = pinned((const char *[]){"bodies[0].pin[0]", "0.5", "bodies[0].pin[1]", "0.31",
+                                            "bodies[0].motor.speed", "-3", "bodies[0].motor.torque",
+                                            "20", NULL});
+    assert_true(body.pinned && body.pin_x == 0.5f && body.pin_y == 0.31f);
+    assert_true(body.motor_speed == -3 && body.motor_torque == 20 && body.angle == 0.1f);
+    assert_true(fabsf(body.x - (0.5f - 0.15f * cosf(0.1f))) < 1e-6f);
+    assert_true(fabsf(body.y - (0.31f - 0.15f * sinf(0.1f))) < 1e-6f);
+    body = pinned((const char *[]){"bodies[0].motor.torque", "0", NULL});
+    assert_true(!body.pinned && body.motor_torque == 0);
+
+    /* And as a file has them. */
+    skv_scene *scene;
+    skv_error error = {0};
+    const char *text = "{\"water\": [], \"bodies\": [{\"shape\": \"circle\", \"x\": 0.4, \"y\": "
+                       "0.4, \"radius\": 0.1, \"pin\": [0.4, 0.45], \"motor\": {\"speed\": 2, "
+                       "\"torque\": 1}}]}";
+    if (load_text(text, NULL, &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_world *world = create(scene);
+    assert_true(skv_world_body_at(world, 0, &body));
+    assert_true(body.pin_x == 0.4f && body.pin_y == 0.45f && body.motor_torque == 1);
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+}
+
 /* The box floats half under water, the fixed one lies below, and the line is in the air. */
 static void what_is_under_water_is_told(void **unused)
 {
@@ -127,12 +170,29 @@ static void what_is_no_body_is_refused(void **unused)
                    "--set bodies[0].x1: the box is empty; x0 must be smaller than x1");
     expect_refused("bodies[5].name", "x",
                    "--set bodies[5].name: there is no bodies[5]; the next free one is bodies[4]");
+    expect_refused("bodies[0].pin[0]", "0.4",
+                   "a.json:4: bodies[0].pin: lacks a value; a pin is a pair [x, y]");
+    expect_refused("bodies[0].pin[2]", "0.4",
+                   "--set bodies[0].pin[2]: one value too many; a pin is a pair [x, y]");
+    expect_refused("bodies[0].pin[0]", "101",
+                   "--set bodies[0].pin[0]: 101 is out of range; allowed is a number from -100 to "
+                   "100 m");
+    expect_refused("bodies[0].pin", "1",
+                   "--set bodies[0].pin: holds several values; set one of them");
+    expect_refused("bodies[0].motor.speed", "2",
+                   "a.json:4: bodies[0].motor: lacks its torque; a motor has speed and torque");
+    expect_refused("bodies[0].motor.torque", "2",
+                   "a.json:4: bodies[0].motor: turns nothing; it takes a pin, and a body that is "
+                   "not fixed");
+    expect_refused("bodies[0].motor.power", "2",
+                   "--set bodies[0].motor.power: unknown field; allowed are speed, torque");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_arrive),
+        cmocka_unit_test(pins_and_motors_arrive),
         cmocka_unit_test(what_is_under_water_is_told),
         cmocka_unit_test(what_is_no_body_is_refused),
     };
