@@ -217,6 +217,8 @@ void skv_rig_rebuild(rig *s, const rig_plan *plan)
     skv_particles p = skv_world_particles(s->world);
     for (int i = 0; i < p.count && skv_rig_ok(s); i++)
         skv_rig_keep(s, skv_world_add_particle(world, p.x[i], p.y[i], p.vx[i], p.vy[i], s->error));
+    if (p.fluid && skv_rig_ok(s))
+        skv_rig_keep(s, skv_world_set_fluids(world, 0, p.count, p.fluid, s->error));
     take_over(s, world);
 }
 

@@ -3,9 +3,9 @@
  * A gap that is too narrow for particles holds water, too, and that bears the pressure of the water
  * at its ends; without it what lies on the floor would be pressed down by all above it, and wood
  * would never rise. So the pieces of a body's rim that are so near to the terrain take the pressure
- * at the film's two open ends, mixed by the way along the rim, with what depth adds. The wall bears
- * it: the solver lets it take what particles in the gap would push (terrain/solids.h), so that
- * nothing counts twice.
+ * at the film's two open ends, mixed by the way along the rim, with what depth adds in the fluids
+ * there. The wall bears it: the solver lets it take what particles in the gap would push
+ * (terrain/solids.h), so that nothing counts twice.
  *
  * Invariant: ends in air have no pressure, and a film without an end has none.
  */
@@ -72,27 +72,41 @@ static bool place_rim(const skv_world *world, const skv_rigid *r, rim *all)
     return open > 0 && open < all->count;
 }
 
-/* What depth adds to the pressure on the way (x, y). */
-static double by_depth(const skv_world *world, double x, double y)
+/* What there is at an open end. */
+typedef struct end {
+    int piece; /* that it is; -1: none */
+    double pressure, density;
+} end;
+
+/* What depth adds to the pressure on the way (x, y) through fluid of a density. */
+static double by_depth(const skv_world *world, double density, double x, double y)
 {
-    return (double)world->fluid.density *
-           ((double)world->gravity_x * x + (double)world->gravity_y * y);
+    return density * ((double)world->gravity_x * x + (double)world->gravity_y * y);
 }
 
-/* The water's pressure at a place. */
-static double pressure_at(const skv_world *world, double x, double y)
+static double density_of(const skv_world *world, int particle)
+{
+    return (double)world->liquids[skv_fluid_of(&world->state, particle)].density;
+}
+
+/* Looks at the fluids around a piece. */
+static end look_around(const skv_world *world, const rim *all, int piece)
 {
     const skv_state *s = &world->state;
-    double reach = AROUND * (double)world->fluid.spacing, sum = 0, weights = 0;
+    const double x = all->x[piece], y = all->y[piece], first = (double)world->fluid.density;
+    double reach = AROUND * (double)world->fluid.spacing, sum = 0, weights = 0, denser = 0;
     for (int i = 0; i < s->count; i++) {
         double dx = x - (double)s->x[i], dy = y - (double)s->y[i], square = dx * dx + dy * dy;
         if (!(square < reach * reach))
             continue;
-        double weight = 1 - sqrt(square) / reach;
-        sum += weight * ((double)s->pressure[i] + by_depth(world, dx, dy));
+        double weight = 1 - sqrt(square) / reach, own = density_of(world, i);
+        sum += weight * ((double)s->pressure[i] + by_depth(world, own, dx, dy));
+        denser += weight * (own - first);
         weights += weight;
     }
-    return weights > LEAST ? skv_max(sum / weights, 0) : 0;
+    if (!(weights > LEAST))
+        return (end){piece, 0, 0};
+    return (end){piece, skv_max(sum / weights, 0), first + denser / weights};
 }
 
 /* From piece k on to the first that is open; writes how many pieces away it is. */
@@ -104,29 +118,28 @@ static int find_end(const rim *all, int k, int step, double *way)
 }
 
 /* The pressure that an end has hands on to piece k. */
-static double handed_on(const skv_world *world, const rim *all, int end, double pressure, int k)
+static double handed_on(const skv_world *world, const rim *all, const end *from, int k)
 {
-    if (!(pressure > 0))
+    if (!(from->pressure > 0))
         return 0;
-    return pressure + by_depth(world, all->x[k] - all->x[end], all->y[k] - all->y[end]);
+    return from->pressure + by_depth(world, from->density, all->x[k] - all->x[from->piece],
+                                     all->y[k] - all->y[from->piece]);
 }
 
 static void press(const skv_world *world, skv_rigid *r, const rim *all, double dt)
 {
-    int ends[2] = {-1, -1};
-    double pressures[2] = {0};
+    end ends[2] = {{.piece = -1}, {.piece = -1}};
     for (int k = 0; k < all->count; k++) {
         if (!(all->film[k] > 0))
             continue;
         double ways[2], sum = 0;
         for (int side = 0; side < 2; side++) {
-            int end = find_end(all, k, side ? 1 : -1, &ways[side]);
-            if (end != ends[side])
-                pressures[side] = pressure_at(world, all->x[end], all->y[end]);
-            ends[side] = end;
+            int piece = find_end(all, k, side ? 1 : -1, &ways[side]);
+            if (piece != ends[side].piece)
+                ends[side] = look_around(world, all, piece);
         }
         for (int side = 0; side < 2; side++)
-            sum += ways[1 - side] * handed_on(world, all, ends[side], pressures[side], k);
+            sum += ways[1 - side] * handed_on(world, all, &ends[side], k);
         double pressure = skv_max(sum / (ways[0] + ways[1]), 0) * all->film[k];
         double push = pressure * dt;
         skv_rigid_press(r, -push * all->along_y[k], push * all->along_x[k], all->x[k], all->y[k]);
