@@ -9,7 +9,8 @@ import time
 
 SPACES = str.maketrans("\u00a0\u2009\u202f", "   ")  # that keep numbers together
 CELLS = 20  # along each side of the world, as in door.c
-PAUSE = 0.03  # s between two looks
+PAUSE = 0.03  # s between the first two looks; each pause after that is longer by a fifth
+LONGEST = 0.2  # s
 TICKS = os.sysconf("SC_CLK_TCK")
 exists = os.path.exists
 
@@ -172,7 +173,7 @@ def summary(line):
 
 
 def wait(door, pid, seconds, expression):
-    end, before = time.monotonic() + seconds, {}
+    end, before, pause = time.monotonic() + seconds, {}, PAUSE
     while True:
         state, value, error = door.look(before), None, ""
         if state and state.windows and "worlds" in state:
@@ -188,7 +189,8 @@ def wait(door, pid, seconds, expression):
             return "no, the app has ended"
         if time.monotonic() >= end:
             return f"no {value}{error}: {summary(door.line) if state else 'the app does not answer'}"
-        time.sleep(PAUSE)
+        time.sleep(pause)
+        pause = min(1.2 * pause, LONGEST)
 
 
 def main():

@@ -4,6 +4,7 @@
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_app.sh BUILD SOURCE}")
+export GSK_RENDERER=gl
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
 start_display 800x600

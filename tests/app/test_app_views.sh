@@ -3,6 +3,7 @@
 # what was chosen is kept. Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_app_views.sh BUILD SOURCE}")
+export GSK_RENDERER=gl
 # shellcheck source=tests/app/lib.sh
 source "$(dirname "$0")/lib.sh"
 start_display 1280x800
