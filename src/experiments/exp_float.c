@@ -166,9 +166,9 @@ const experiment skv_exp_float = {
                         "density of the block in the middle"},
         },
     .count = BLOCKS,
-    .quantities = {{"draught, a tenth as heavy", "m", BOUND, IN_SPACINGS, 0},
-                   {"draught, half as heavy", "m", BOUND, IN_SPACINGS, 0},
-                   {"draught, nine tenths as heavy", "m", BOUND, IN_SPACINGS, 0}},
+    .quantities = SKV_BESIDE_ROWS({"draught, a tenth as heavy", "m", BOUND, IN_SPACINGS, 0},
+                                  {"draught, half as heavy", "m", BOUND, IN_SPACINGS, 0},
+                                  {"draught, nine tenths as heavy", "m", BOUND, IN_SPACINGS, 0}),
     .measure = SKV_BESIDE(measure),
     .expect = SKV_BESIDE(expect),
 };

@@ -144,9 +144,9 @@ const experiment skv_exp_rayleigh_taylor = {
                       "side of the square box, which is as wide as the wave is long"},
         },
     .count = PAIRS,
-    .quantities = {{"growth, nine tenths as heavy", "1/s", 0.2, AS_WRITTEN, 0},
-                   {"growth, half as heavy", "1/s", 0.2, AS_WRITTEN, 0},
-                   {"growth, a tenth as heavy", "1/s", 0.2, AS_WRITTEN, 0}},
+    .quantities = SKV_BESIDE_ROWS({"growth, nine tenths as heavy", "1/s", 0.2, AS_WRITTEN, 0},
+                                  {"growth, half as heavy", "1/s", 0.2, AS_WRITTEN, 0},
+                                  {"growth, a tenth as heavy", "1/s", 0.2, AS_WRITTEN, 0}),
     .measure = SKV_BESIDE(measure),
     .expect = SKV_BESIDE(expect),
 };

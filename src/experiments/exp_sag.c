@@ -135,9 +135,9 @@ const experiment skv_exp_sag = {
                          "shear modulus of the soft jelly; the stiff one has twice as much"},
         },
     .count = BLOCKS,
-    .quantities = {{"sag, low block", "m", 0.25, AS_WRITTEN, 0},
-                   {"sag, high block", "m", 0.25, AS_WRITTEN, 0},
-                   {"sag, high stiff block", "m", 0.25, AS_WRITTEN, 0}},
+    .quantities = SKV_BESIDE_ROWS({"sag, low block", "m", 0.25, AS_WRITTEN, 0},
+                                  {"sag, high block", "m", 0.25, AS_WRITTEN, 0},
+                                  {"sag, high stiff block", "m", 0.25, AS_WRITTEN, 0}),
     .measure = SKV_BESIDE(measure),
     .expect = SKV_BESIDE(expect),
 };

@@ -57,12 +57,15 @@ struct experiment {
     void (*expect)(const double *condition, expectation *expected, skv_plot *plot);
 };
 
-/* What an experiment beside does. A first visit to the page has room for its card, and no more:
- * there this is null, and who wants it run gets the larger module (web/CMakeLists.txt). */
+/* What an experiment beside does, and the rows that it has. A first visit to the page has room for
+ * its card, and no more: there these are null and empty, and who wants it run gets the larger
+ * module (web/CMakeLists.txt). */
 #ifdef SKV_WITHOUT_EXPERIMENTS_BESIDE
 #define SKV_BESIDE(function) (0 ? (function) : NULL)
+#define SKV_BESIDE_ROWS(...) {{0}}
 #else
 #define SKV_BESIDE(function) (function)
+#define SKV_BESIDE_ROWS(...) {__VA_ARGS__}
 #endif
 
 #define DECLARE(name) extern const experiment skv_exp_##name;

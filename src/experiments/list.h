@@ -14,6 +14,7 @@
     X(channel)                                                                                     \
     X(archimedes)                                                                                  \
     X(float)                                                                                       \
+    X(bell)                                                                                        \
     X(momentum)                                                                                    \
     X(droplet)                                                                                     \
     X(ringing)                                                                                     \

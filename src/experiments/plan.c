@@ -113,6 +113,8 @@ static void say_beside(text *t, const rig_plan *plan)
         say_shape(t, &plan->body[i].outline);
     }
     say(t, "]");
+    if (plan->air > 0)
+        say(t, ", \"air\": {\"pressure\": %.9g}", plan->air / 1000);
 }
 #endif
 

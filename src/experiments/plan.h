@@ -43,6 +43,7 @@ typedef struct rig_plan {
     plan_fluid fluid[MAX_PLAN_FLUIDS];
     int fluid_of[MAX_SHAPES]; /* of the waters: 0 is the first fluid, 1 that of fluid[0] */
     plan_body body[MAX_PLAN_BODIES];
+    double air; /* pressure of the atmosphere, Pa m; 0: there is none */
 } rig_plan;
 
 /* Loads the plan as a scene called `name`. The settings say what the fluid is, and `particles` or

@@ -120,6 +120,11 @@ double skv_theory_buoyancy(double density, double gravity, double area)
     return density * gravity * area;
 }
 
+double skv_theory_boyle(double pressure, double volume, double other_pressure)
+{
+    return volume * (pressure / other_pressure);
+}
+
 double skv_theory_draught(double density, double body, double height)
 {
     return height * body / density;

@@ -74,6 +74,10 @@ double skv_theory_contraction(void);
 /* Buoyancy of a submerged body, N: rho g V (Archimedes). */
 double skv_theory_buoyancy(double density, double gravity, double area);
 
+/* The volume of air that had `volume` at a pressure, at another one: their product stays (Boyle).
+ */
+double skv_theory_boyle(double pressure, double volume, double other_pressure);
+
 /* How deep a block floats: what it displaces weighs as much as it does (Archimedes). */
 double skv_theory_draught(double density, double body, double height);
 

@@ -24,6 +24,17 @@ static void pressure_is_the_weight_above(void **unused)
     assert_near(skv_theory_draught(1000, 900, 0.1), 0.09, 1e-12);
 }
 
+/* The volume changes as -V dp/p, in small steps to twice the pressure. */
+static void air_is_pressed_as_boyle_says(void **unused)
+{
+    (void)unused;
+    const int steps = 10000;
+    double volume = 0.3;
+    for (int i = 0; i < steps; i++)
+        volume -= volume / (steps + i + 0.5);
+    assert_near(skv_theory_boyle(50000, 0.3, 100000) / volume, 1, 1e-4);
+}
+
 /* The strain of each of a thousand slices, by what lies above it. */
 static void a_block_sags_slice_by_slice(void **unused)
 {
@@ -161,6 +172,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pressure_is_the_weight_above),
+        cmocka_unit_test(air_is_pressed_as_boyle_says),
         cmocka_unit_test(a_block_sags_slice_by_slice),
         cmocka_unit_test(heavy_on_light_grows_as_rayleigh_says),
         cmocka_unit_test(a_column_swings_as_its_equation_says),
