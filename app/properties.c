@@ -131,8 +131,8 @@ static GtkWidget *make_control(property *row)
         g_signal_connect(control, "notify::selected", G_CALLBACK(on_choice), row);
     } else {
         control = gtk_entry_new();
-        gtk_editable_set_width_chars(GTK_EDITABLE(control), 7);
-        gtk_editable_set_max_width_chars(GTK_EDITABLE(control), 7);
+        gtk_editable_set_width_chars(GTK_EDITABLE(control), 9);
+        gtk_editable_set_max_width_chars(GTK_EDITABLE(control), 9);
         gtk_entry_set_alignment(GTK_ENTRY(control), 1);
         gtk_entry_set_input_purpose(GTK_ENTRY(control), GTK_INPUT_PURPOSE_NUMBER);
         g_signal_connect(control, "activate", G_CALLBACK(on_entry), row);
