@@ -4,6 +4,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "scene/painted_bodies.h"
 #include "scene/shapes.h"
 #include "world/body_shape.h"
 
@@ -124,13 +125,31 @@ static skv_result make_body(const builder *b, const skv_scene *scene, const skv_
     return SKV_OK;
 }
 
-skv_result skv_scene_build_bodies(const skv_draft *draft, skv_scene *scene, skv_error *error)
+/* Where a scene file names the picture, the scene and the line come first. */
+static skv_result find_painted(const skv_draft *draft, skv_scene *scene, const char *picture,
+                               skv_error *error)
+{
+    skv_error cause;
+    skv_origin origin = draft->values.value[SKV_F_WORLD_PICTURE].origin;
+    skv_result result = skv_scene_find_bodies(scene, picture, &cause);
+    if (result == SKV_OK)
+        return SKV_OK;
+    if (origin.source == SKV_FROM_DEFAULT)
+        return skv_fail(error, result, "%s", cause.text);
+    return skv_draft_fail(draft, origin, "world.picture", error, result, "%s", cause.text);
+}
+
+skv_result skv_scene_build_bodies(const skv_draft *draft, const char *picture, skv_scene *scene,
+                                  skv_error *error)
 {
     const skv_shape_list *list = &draft->values.list[SKV_LIST_BODIES];
-    if (list->count == 0)
+    bool painted = scene->marked[SKV_PAINT_BODY] > 0;
+    if (list->count == 0 && !painted)
         return SKV_OK;
-    skv_shape *shapes = skv_calloc((size_t)list->count, sizeof *shapes);
-    scene->bodies = skv_calloc((size_t)list->count, sizeof *scene->bodies);
+    /* An element more, for none is no failure. */
+    skv_shape *shapes = skv_calloc((size_t)list->count + 1, sizeof *shapes);
+    scene->bodies =
+        skv_calloc((size_t)(painted ? SKV_MAX_BODIES : list->count), sizeof *scene->bodies);
     if (!shapes || !scene->bodies) {
         skv_free(shapes);
         return skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", draft->label);
@@ -143,7 +162,7 @@ skv_result skv_scene_build_bodies(const skv_draft *draft, skv_scene *scene, skv_
         scene->body_count = i + 1;
     }
     skv_free(shapes);
-    return result;
+    return result == SKV_OK && painted ? find_painted(draft, scene, picture, error) : result;
 }
 
 static void turn_about_pin(skv_body_def *def, float angle)

@@ -4,8 +4,10 @@
 
 #include "scene/scene_data.h"
 
-/* Makes them, when the scene's size and spacing are known. */
-skv_result skv_scene_build_bodies(const skv_draft *draft, skv_scene *scene, skv_error *error);
+/* Makes them, when the scene's size and spacing are known: those that are listed, and those that
+ * are painted in the picture of that name. */
+skv_result skv_scene_build_bodies(const skv_draft *draft, const char *picture, skv_scene *scene,
+                                  skv_error *error);
 
 /* Puts them into a world. */
 skv_result skv_scene_add_bodies(const skv_scene *scene, skv_world *world, skv_error *error);

@@ -566,7 +566,7 @@ static skv_result build(builder *c, skv_image *picture)
     if (result == SKV_OK)
         result = check_walls(c, terrain);
     if (result == SKV_OK)
-        result = skv_scene_build_bodies(c->draft, c->scene, c->error);
+        result = skv_scene_build_bodies(c->draft, c->picture_label, c->scene, c->error);
     c->scene->settle = c->value[SKV_F_SETTLE].number != 0.0;
     c->scene->air = (float)(1000 * c->draft->values.air_pressure.number);
     if (result == SKV_OK)

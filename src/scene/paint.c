@@ -24,14 +24,17 @@
 #define LIGHT           128  /* from here on a grey pixel is light */
 #define FLAT            24   /* channels that differ by less belong to one flat area */
 #define MEANT           3    /* pixels each way: a flat area as large was painted on purpose */
+#define PURE            0.75 /* a blend of brown and blue has less chroma in its highest channel */
+#define BROWNISH        0.13 /* 8 degrees beside red */
+#define BLURRED         4    /* pixels over which a JPEG blurs a colour's edge */
 #define REACH           2    /* pixels to where a stray colour finds what it belongs to */
 
 /* What a pixel is on its own, beside a skv_paint. */
 enum { WRONG = SKV_PAINTS };
 
-/* In a painting that is being read: the place belongs to a flat area of oil. What else is yellow,
- * as edges between green and red are, was not meant. */
-#define FLAT_OIL 0x80
+/* In a painting that is being read: the place belongs to a flat area of oil or of a body. What else
+ * is yellow or brown, as edges between green and red are, was not meant. */
+#define FLAT_AREA 0x80
 
 typedef struct colour {
     int r, g, b;
@@ -95,21 +98,13 @@ static int classify(colour c)
         return SKV_PAINT_DRAIN;
     if (h < 75.0)
         return chroma(c) < TINTED * highest(c) ? SKV_PAINT_NONE
-               : h < YELLOW                    ? WRONG
+               : h < YELLOW                    ? SKV_PAINT_BODY
                                                : SKV_PAINT_OIL;
     if (h <= 165.0)
         return SKV_PAINT_EMITTER;
     if (h >= 170.0 && h <= 270.0)
         return SKV_PAINT_FLUID;
     return WRONG;
-}
-
-/* A pixel's meaning, but that yellow counts in flat areas alone. */
-static int class_at(place p, int x, int y)
-{
-    int class = classify(colour_at(p.image, x, y));
-    size_t at = (size_t)(p.image->height - 1 - y) * (size_t)p.image->width + (size_t)x;
-    return class == SKV_PAINT_OIL && !(p.paint[at] & FLAT_OIL) ? WRONG : class;
 }
 
 /* The 3 x 3 neighbourhood of a place, cut at the picture's sides; the place itself is included. */
@@ -124,39 +119,76 @@ static int difference(colour a, colour b)
     return most > blue ? most : blue;
 }
 
-/* ---- Wrong colours --------------------------------------------------------------------------- */
+/* ---- Flat areas ------------------------------------------------------------------------------ */
 
-/* Whether the block from (x0, y0) on lies in the picture and is of one wrong colour, p's. */
-static bool is_wrong_block(place p, int x0, int y0)
+/* Whether the block from (x0, y0) on lies in the picture and is of p's colour, which is of that
+ * class. */
+static bool is_block(place p, int class, int x0, int y0)
 {
     if (x0 < 0 || y0 < 0 || x0 + MEANT > p.image->width || y0 + MEANT > p.image->height)
         return false;
     colour own = colour_at(p.image, p.x, p.y);
     for (int i = 0; i < MEANT * MEANT; i++) {
         colour c = colour_at(p.image, x0 + i % MEANT, y0 + i / MEANT);
-        if (classify(c) != WRONG || difference(own, c) >= FLAT)
+        if (classify(c) != class || difference(own, c) >= FLAT)
             return false;
     }
     return true;
 }
 
-/* Whether somebody meant the wrong colour of a place: it belongs to an area of it. Less is what
- * smooth edges between paints and lossy compression leave. */
-static bool is_meant(place p)
+/* Whether somebody meant the class of a place: it belongs to an area of it. Less is what smooth
+ * edges between paints and lossy compression leave. */
+static bool is_meant(place p, int class)
 {
     for (int i = 0; i < MEANT * MEANT; i++) {
-        if (is_wrong_block(p, p.x - i % MEANT, p.y - i / MEANT))
+        if (is_block(p, class, p.x - i % MEANT, p.y - i / MEANT))
             return true;
     }
     return false;
 }
 
-/* What a pixel of a wrong hue is: what the most similar pixel around it is, or WRONG. */
+static size_t index_of(const skv_image *image, int x, int y)
+{
+    return (size_t)(image->height - 1 - y) * (size_t)image->width + (size_t)x;
+}
+
+static bool is_near_body(place p)
+{
+    for (int i = 0; i < (2 * BLURRED + 1) * (2 * BLURRED + 1); i++) {
+        int x = p.x + i % (2 * BLURRED + 1) - BLURRED, y = p.y + i / (2 * BLURRED + 1) - BLURRED;
+        if (x >= 0 && y >= 0 && x < p.image->width && y < p.image->height &&
+            p.paint[index_of(p.image, x, y)] & FLAT_AREA &&
+            classify(colour_at(p.image, x, y)) == SKV_PAINT_BODY)
+            return true;
+    }
+    return false;
+}
+
+/* A pixel's meaning, but that yellow and brown count in flat areas alone, and near a brown one red
+ * in pure ones: it lies between brown and blue, and JPEGs have it beside brown. */
+static int class_at(place p, int x, int y)
+{
+    place at = {p.image, p.paint, x, y};
+    colour own = colour_at(p.image, x, y);
+    int class = classify(own);
+    if ((class == SKV_PAINT_OIL || class == SKV_PAINT_BODY) &&
+        !(p.paint[index_of(p.image, x, y)] & FLAT_AREA))
+        return WRONG;
+    bool pale = chroma(own) < PURE * highest(own) || own.g - own.b > BROWNISH * chroma(own);
+    if (class == SKV_PAINT_DRAIN && is_near_body(at) && (pale || !is_meant(at, class)))
+        return WRONG;
+    return class;
+}
+
+/* ---- Wrong colours --------------------------------------------------------------------------- */
+
+/* What a pixel of a wrong hue is: what the most similar pixel around it is, or what it looks like
+ * if all around it are as unsure, or WRONG. */
 static int resolve(place p)
 {
     colour own = colour_at(p.image, p.x, p.y);
     int nearest = WRONG, least = 256;
-    if (is_meant(p))
+    if (is_meant(p, WRONG))
         return WRONG;
     for (int i = 0; i < (2 * REACH + 1) * (2 * REACH + 1); i++) {
         int x = p.x + i % (2 * REACH + 1) - REACH, y = p.y + i / (2 * REACH + 1) - REACH;
@@ -169,17 +201,13 @@ static int resolve(place p)
             nearest = class;
         }
     }
-    return nearest;
+    return nearest == WRONG ? classify(own) : nearest;
 }
 
 static const char *name_colour(colour c)
 {
     double h = hue(c);
-    return h < YELLOW  ? highest(c) < 200 ? "is brown" : "is orange"
-           : h < 75.0  ? "is yellow"
-           : h < 170.0 ? "is between green and blue"
-           : h < 300.0 ? "is violet"
-                       : "is magenta";
+    return h < 170.0 ? "is between green and blue" : h < 300.0 ? "is violet" : "is magenta";
 }
 
 static skv_result fail_wrong(place p, const char *label, skv_error *error)
@@ -187,7 +215,8 @@ static skv_result fail_wrong(place p, const char *label, skv_error *error)
     colour c = colour_at(p.image, p.x, p.y);
     return skv_fail(error, SKV_ERROR_VALUE,
                     "%s: pixel (%d, %d) %s (#%02x%02x%02x); allowed are light (solid), dark "
-                    "(air), blue (fluid), yellow (oil), green (emitter) and red (drain)",
+                    "(air), blue (fluid), yellow (oil), brown (wood), green (emitter) and red "
+                    "(drain)",
                     label, p.x, p.y, name_colour(c), (unsigned)c.r, (unsigned)c.g, (unsigned)c.b);
 }
 
@@ -269,22 +298,17 @@ static uint8_t uniform_share(place p, int class)
     return class == SKV_PAINT_NONE && light ? 255 : 0;
 }
 
-/* Marks the places of flat areas of yellow, as large as what is meant. */
-static void mark_oil(const skv_image *image, uint8_t *paint)
+/* Marks the places of flat areas of yellow and brown, as large as what is meant. */
+static void mark_flat(const skv_image *image, uint8_t *paint)
 {
     for (int y = 0; y + MEANT <= image->height; y++)
         for (int x = 0; x + MEANT <= image->width; x++) {
-            colour own = colour_at(image, x, y);
-            int flat = 0;
-            for (; flat < MEANT * MEANT; flat++) {
-                colour c = colour_at(image, x + flat % MEANT, y + flat / MEANT);
-                if (classify(c) != SKV_PAINT_OIL || difference(own, c) >= FLAT)
-                    break;
-            }
-            for (int i = 0; flat == MEANT * MEANT && i < flat; i++) {
-                size_t row = (size_t)(image->height - 1 - y - i / MEANT);
-                paint[row * (size_t)image->width + (size_t)(x + i % MEANT)] |= FLAT_OIL;
-            }
+            int class = classify(colour_at(image, x, y));
+            if ((class != SKV_PAINT_OIL && class != SKV_PAINT_BODY) ||
+                !is_block((place){image, paint, x, y}, class, x, y))
+                continue;
+            for (int i = 0; i < MEANT * MEANT; i++)
+                paint[index_of(image, x + i % MEANT, y + i / MEANT)] |= FLAT_AREA;
         }
 }
 
@@ -320,10 +344,10 @@ skv_result skv_paint_read(const skv_image *image, const char *label, skv_paintin
     skv_result result =
         room ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
     if (room) {
-        mark_oil(image, painting->paint);
+        mark_flat(image, painting->paint);
         result = read_pixels(image, label, painting, error);
         for (size_t i = 0; i < pixels; i++)
-            painting->paint[i] &= (uint8_t)~FLAT_OIL;
+            painting->paint[i] &= (uint8_t)~FLAT_AREA;
     }
     if (result != SKV_OK)
         skv_painting_free(painting);

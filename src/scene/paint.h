@@ -11,7 +11,8 @@ typedef enum skv_paint {
     SKV_PAINT_FLUID,
     SKV_PAINT_EMITTER,
     SKV_PAINT_DRAIN,
-    SKV_PAINT_OIL, /* fluid, but another one */
+    SKV_PAINT_OIL,  /* fluid, but another one */
+    SKV_PAINT_BODY, /* of wood */
     SKV_PAINTS
 } skv_paint;
 

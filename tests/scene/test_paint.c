@@ -82,13 +82,13 @@ static void test_meaning_of_flat_colours(void **state)
         {{245, 222, 179}, SOLID}, /* wheat */
         {{110, 95, 70}, AIR},     /* paper in the shade */
         {{255, 255, 0}, SKV_PAINT_OIL},
-        {{255, 215, 0}, SKV_PAINT_OIL}, /* gold */
-        {{128, 128, 0}, SKV_PAINT_OIL}, /* olive */
-        {{184, 134, 11}, BAD},          /* dark goldenrod */
-        {{139, 69, 19}, BAD},           /* brown */
-        {{101, 67, 33}, BAD},           /* dark brown */
-        {{210, 105, 30}, BAD},          /* chocolate */
-        {{255, 165, 0}, BAD},
+        {{255, 215, 0}, SKV_PAINT_OIL},   /* gold */
+        {{128, 128, 0}, SKV_PAINT_OIL},   /* olive */
+        {{184, 134, 11}, SKV_PAINT_BODY}, /* dark goldenrod */
+        {{139, 69, 19}, SKV_PAINT_BODY},  /* brown */
+        {{101, 67, 33}, SKV_PAINT_BODY},  /* dark brown */
+        {{210, 105, 30}, SKV_PAINT_BODY}, /* chocolate */
+        {{255, 165, 0}, SKV_PAINT_BODY},
         {{255, 0, 255}, BAD},
         {{148, 0, 211}, BAD},
         {{0, 255, 200}, BAD},
@@ -120,11 +120,12 @@ static void test_a_wrong_colour_is_named(void **state)
     (void)state;
     skv_painting p;
     skv_error error;
-    rgb orange = {255, 128, 0};
-    assert_int_equal(read(area, &orange, &p, &error), SKV_ERROR_VALUE);
+    rgb violet = {148, 0, 211};
+    assert_int_equal(read(area, &violet, &p, &error), SKV_ERROR_VALUE);
     assert_string_equal(error.text,
-                        "p.png: pixel (6, 6) is orange (#ff8000); allowed are light (solid), dark "
-                        "(air), blue (fluid), yellow (oil), green (emitter) and red (drain)");
+                        "p.png: pixel (6, 6) is violet (#9400d3); allowed are light (solid), dark "
+                        "(air), blue (fluid), yellow (oil), brown (wood), green (emitter) and red "
+                        "(drain)");
 }
 
 /* One pixel on black. */
@@ -160,6 +161,39 @@ static void test_yellow_is_oil_in_areas(void **state)
             assert_int_equal(p.coverage[(SIZE - 1 - y) * SIZE + x], x == 2 && y == 2 ? 255 : 0);
         }
     assert_true(p.count[SKV_PAINT_OIL] == 8 * (SIZE - 6));
+    skv_painting_free(&p);
+}
+
+/* Brown lies in water; a soft edge, in steps of an eighth, and specks of it are of what is beside
+ * them: no red comes between the two. */
+static rgb wood_in_water(int x, int y, void *user)
+{
+    const rgb wood = *(const rgb *)user;
+    if (x == 14 && y > 12)
+        return wood;
+    return x < 6 ? wood : x < 9 ? mix(wood, blue, (9 - x) / 4.0) : blue;
+}
+
+static void test_brown_is_wood_in_areas(void **state)
+{
+    (void)state;
+    const rgb woods[] = {
+        {139, 69, 19}, {210, 105, 30}, {255, 128, 0}, {255, 165, 0}, {160, 82, 45}};
+    for (int k = 0; k < 5; k++) {
+        skv_painting p;
+        skv_error error;
+        if (read(wood_in_water, (void *)&woods[k], &p, &error) != SKV_OK)
+            fail_msg("%d: %s", k, error.text);
+        assert_int_equal(p.count[SKV_PAINT_DRAIN] + p.count[SKV_PAINT_EMITTER], 0);
+        assert_int_equal(p.count[SKV_PAINT_OIL] + p.count[SKV_PAINT_NONE], 0);
+        assert_in_range(p.count[SKV_PAINT_BODY], 6 * SIZE, 9 * SIZE);
+        assert_int_equal(p.paint[14], SKV_PAINT_FLUID);
+        skv_painting_free(&p);
+    }
+    skv_painting p;
+    rgb red = {255, 0, 0};
+    assert_int_equal(read(single, &red, &p, NULL), SKV_OK);
+    assert_int_equal(p.count[SKV_PAINT_DRAIN], 1); /* as before, where no wood is near */
     skv_painting_free(&p);
 }
 
@@ -463,6 +497,7 @@ int main(void)
         cmocka_unit_test(test_meaning_of_flat_colours),
         cmocka_unit_test(test_a_wrong_colour_is_named),
         cmocka_unit_test(test_yellow_is_oil_in_areas),
+        cmocka_unit_test(test_brown_is_wood_in_areas),
         cmocka_unit_test(test_a_stray_pixel_joins_its_neighbours),
         cmocka_unit_test(test_what_counts_as_a_blend),
         cmocka_unit_test(test_walls_stay_sub_pixel),

@@ -139,6 +139,90 @@ static void what_is_under_water_is_told(void **unused)
     skv_scene_destroy(scene);
 }
 
+/* ---- Painted --------------------------------------------------------------------------------- */
+
+/* 200 x 120 pixels of 8 mm: a disc in the air, a slanting plank, a ring, a box in the water at its
+ * surface, and a speck. `user`: how far apart brown boxes lie over all of it instead; or a spiral.
+ */
+static rgb paint_wood(int x, int y, void *user)
+{
+    const rgb brown = {139, 69, 19}, orange = {255, 140, 0}, water = {0, 0, 255};
+    int apart = *(const int *)user;
+    if (apart > 0)
+        return x % apart < 8 && y % apart < 8 ? brown : (rgb){0, 0, 0};
+    double ring = hypot(x - 149.5, y - 29.5), along = (x - 89.5) + (y - 29.5),
+           across = x - 89.5 - (y - 29.5);
+    if (hypot(x - 29.5, y - 29.5) < 20 || (fabs(along) < 40 && fabs(across) < 8))
+        return brown;
+    if ((ring > 8 && ring < 20) || (x >= 30 && x < 70 && y >= 70 && y < 90))
+        return orange;
+    if (x >= 120 && x < 123 && y >= 100 && y < 103)
+        return brown;
+    return y >= 80 ? water : (rgb){0, 0, 0};
+}
+
+static skv_result load_wood(int apart, int particles, skv_scene **scene, skv_error *error)
+{
+    buffer picture = write_rgb(200, 120, paint_wood, &apart);
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = particles;
+    skv_result result = skv_scene_load_memory(picture.data, picture.size, "png", "wood.png",
+                                              &options, scene, error);
+    buffer_free(&picture);
+    return result;
+}
+
+/* Each area is a body of wood where it is painted, and as large; what is smaller than a particle is
+ * left out. */
+static void brown_areas_are_bodies(void **unused)
+{
+    (void)unused;
+    const struct {
+        double x, y, area; /* pixels */
+        int most;          /* corners */
+    } areas[] = {{90, 90, 593, 12}, {30, 90, 1257, 40}, {150, 90, 1257, 40}, {50, 40, 800, 4}};
+    skv_scene *scene;
+    skv_error error = {0};
+    if (load_wood(0, 200, &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_world *world = create(scene);
+    assert_int_equal(skv_scene_body_count(scene), 4);
+    assert_int_equal(skv_world_body_count(world), 4);
+    for (int i = 0; i < 4; i++) {
+        skv_body body;
+        assert_true(skv_world_body_at(world, i, &body));
+        assert_true(body.density == 500 && !body.fixed && !body.pinned && body.angle == 0);
+        assert_true(fabs((double)body.x / 0.008 - areas[i].x) < 0.5);
+        assert_true(fabs((double)body.y / 0.008 - areas[i].y) < 0.5);
+        assert_true(fabs((double)body.area / 0.008 / 0.008 - areas[i].area) < 0.01 * areas[i].area);
+        assert_in_range(body.corners, 4, areas[i].most);
+    }
+    assert_string_equal(skv_scene_body_name(scene, 3), "body 4");
+    assert_string_equal(skv_scene_notice(scene, 0),
+                        "the brown area at pixel (146, 10) has holes, which its body fills");
+    assert_string_equal(skv_scene_notice(scene, 1),
+                        "brown areas smaller than a particle are left out: 1");
+    skv_world_destroy(world);
+    skv_scene_destroy(scene);
+}
+
+static void too_many_brown_areas_are_refused(void **unused)
+{
+    (void)unused;
+    skv_scene *scene;
+    skv_error error = {0};
+    assert_int_equal(load_wood(12, 200, &scene, &error), SKV_ERROR_LIMIT);
+    assert_string_equal(error.text,
+                        "wood.png: there are more than 64 brown areas and other bodies; "
+                        "paint fewer, or join some");
+    assert_null(scene);
+    assert_int_equal(load_wood(12, 100, &scene, &error), SKV_OK);
+    assert_int_equal(skv_scene_body_count(scene), 0);
+    assert_string_equal(skv_scene_notice(scene, 1),
+                        "brown areas smaller than a particle are left out: 170");
+    skv_scene_destroy(scene);
+}
+
 static void expect_refused(const char *path, const char *value, const char *message)
 {
     const char *const settings[] = {path, value, NULL};
@@ -194,6 +278,8 @@ int main(void)
         cmocka_unit_test(bodies_arrive),
         cmocka_unit_test(pins_and_motors_arrive),
         cmocka_unit_test(what_is_under_water_is_told),
+        cmocka_unit_test(brown_areas_are_bodies),
+        cmocka_unit_test(too_many_brown_areas_are_refused),
         cmocka_unit_test(what_is_no_body_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
