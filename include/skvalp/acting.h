@@ -43,7 +43,7 @@ typedef struct skv_hand {
     float follow;     /**< 1/s: how fast they take the pointer's velocity; default 6. For a body the
                          frequency of the spring, as an angle */
     skv_body_id body; /**< 0, the default: fluid; else the body that is held, or nothing if that is
-                         gone or fixed */
+                         gone */
     float at_x, at_y; /**< m: where it is held, about its centre of mass as it lies when its angle
                          is 0; each -100..100 */
 } skv_hand;

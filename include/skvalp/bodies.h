@@ -101,8 +101,9 @@ SKV_API skv_result skv_world_set_body_motor(skv_world *world, skv_body_id id, fl
                                             float torque, skv_error *error);
 
 /** Makes `*hand` hold the body that lies nearest to (x, y), m, at that point, which may lie beside
- * it: not farther than `reach`, m, which is cut to a smoothing radius. Fixed ones are passed over.
- * False, and `*hand` holds no body, if there is none. The hand's other members stay as they are. */
+ * it: not farther than `reach`, m, which is cut to a smoothing radius. A fixed one goes along with
+ * the hand, too, and stops where it is let go. False, and `*hand` holds no body, if there is none.
+ * The hand's other members stay as they are. */
 SKV_API bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_hand *hand);
 
 #ifdef __cplusplus

@@ -74,7 +74,7 @@ static skv_body tell(const skv_bodies *b, const skv_rigid *r)
         .motor_speed = r->motor_speed,
         .motor_torque = r->motor_torque,
         .area = (float)o->area,
-        .mass = (float)r->mass,
+        .mass = (float)((double)r->density * o->area),
         .inertia = (float)((double)r->density * o->inertia),
         .force_x = (float)(per_second * r->felt.x),
         .force_y = (float)(per_second * r->felt.y),
@@ -194,6 +194,7 @@ static void move(skv_rigid *r, double dt, double way[2])
 void skv_bodies_move(skv_world *world, double dt)
 {
     skv_bodies *b = world->bodies;
+    skv_bodies_take_hold(world);
     if (b->set)
         skv_bodies_solve_contacts(world, dt);
     b->set = false;
@@ -227,8 +228,10 @@ void skv_bodies_feel(skv_world *world, double dt)
         r->felt.x += x;
         r->felt.y += y;
         r->felt.moment += moment;
-        if (r->fixed)
+        if (r->fixed) {
+            skv_rigid_push(r, x, y, moment);
             continue;
+        }
         if (r->pinned) {
             double weight = dt * r->mass;
             skv_rigid_push(r, x + weight * (double)world->gravity_x,

@@ -21,6 +21,7 @@ typedef struct skv_rigid {
     float density, friction, restitution;
     float motor_speed, motor_torque;
     bool fixed, pinned;
+    bool held;        /* by a hand, and fixed: see body_grip.c */
     skv_impulse felt; /* from the fluid in this step: N s/m and N s */
 } skv_rigid;
 
@@ -97,7 +98,7 @@ static inline void skv_rigid_swing(skv_rigid *body)
  * does not turn the body. */
 static inline void skv_rigid_push(skv_rigid *body, double jx, double jy, double moment)
 {
-    if (body->fixed)
+    if (body->fixed && !body->held)
         return;
     if (body->pinned) {
         body->spin += (moment + body->arm_x * jy - body->arm_y * jx) / body->inertia;
@@ -106,7 +107,8 @@ static inline void skv_rigid_push(skv_rigid *body, double jx, double jy, double 
     }
     body->vx += jx / body->mass;
     body->vy += jy / body->mass;
-    body->spin += moment / body->inertia;
+    if (!body->fixed)
+        body->spin += moment / body->inertia;
 }
 
 /* Fluid or air gives a body an impulse (N s/m) at a point of its rim. */
@@ -156,8 +158,11 @@ skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies
 /* body_film.c: the pressure of films between bodies and walls acts on these for `dt`. */
 void skv_bodies_press_films(const skv_world *world, double dt);
 
-/* body_grip.c: hands pull at what they hold for `dt`, and move on. */
+/* body_grip.c: hands take hold and let go; they pull at what they hold for `dt`, and move on. */
+void skv_bodies_take_hold(skv_world *world);
 void skv_bodies_follow_hands(skv_world *world, double dt);
+/* A fixed body is moved as if it were of steel, at least, kg/m^2. */
+#define SKV_STEEL 7850.0
 
 /* body_contacts.c: lets no body move into the terrain or another in the next `dt`. */
 void skv_bodies_solve_contacts(const skv_world *world, double dt);

@@ -28,15 +28,16 @@ enum { ROUNDS = 20 };
 typedef skv_body_contact contact;
 typedef skv_body_contacts contacts;
 
-/* Where something pinned is pushed it turns, and its centre of mass is not free. */
+/* Where something pinned is pushed it turns, and its centre of mass is not free; what is fixed and
+ * held by a hand turns about a pin alone. */
 static double inverse_mass(const skv_rigid *r)
 {
-    return r && !r->fixed && !r->pinned ? 1 / r->mass : 0;
+    return r && (!r->fixed || r->held) && !r->pinned ? 1 / r->mass : 0;
 }
 
 static double inverse_inertia(const skv_rigid *r)
 {
-    return r && !r->fixed ? 1 / r->inertia : 0;
+    return r && (!r->fixed || (r->held && r->pinned)) ? 1 / r->inertia : 0;
 }
 
 /* How fast a moves away from b, there. */

@@ -10,13 +10,21 @@
  * A hand goes on with its velocity until the next is told, else the body would lag by half of what
  * it goes between two.
  *
- * Invariant: hands act in their order; who lets go leaves the body what velocity it has.
+ * A fixed body is held, too: a gate, a piston, a wave maker. It goes along as if it were of steel,
+ * has no weight, meets no walls and does not turn, unless it is pinned; fluid and bodies resist it
+ * as far as the hand's strength goes. It stops where it is let go.
+ *
+ * Invariant: hands act in their order; who lets go of what is not fixed leaves it what velocity it
+ * has.
  */
 #include "base/exact.h"
 #include "world/bodies.h"
 #include "world/hands.h"
 
 #include <math.h>
+
+/* m/s: a hand's speed, for what is fixed. Faster steel would hammer water in a closed room. */
+#define FIXED_MOST 0.5
 
 /* Cuts a vector to a length. */
 static void cut(double *x, double *y, double most)
@@ -47,7 +55,7 @@ static void change(skv_rigid *r, double rx, double ry, double dvx, double dvy, d
         turn(r, rx + r->arm_x, ry + r->arm_y, dvx, dvy, most);
         return;
     }
-    double mass = 1 / r->mass, inertia = 1 / r->inertia;
+    double mass = 1 / r->mass, inertia = r->fixed ? 0 : 1 / r->inertia;
     double xx = mass + inertia * ry * ry, xy = -inertia * rx * ry, yy = mass + inertia * rx * rx;
     double area = xx * yy - xy * xy;
     double x = (yy * dvx - xy * dvy) / area, y = (xx * dvy - xy * dvx) / area;
@@ -65,17 +73,37 @@ static void pull(skv_rigid *r, const skv_hand *hand, double density, double dt)
     double rx = r->cos * (double)hand->at_x - r->sin * (double)hand->at_y;
     double ry = r->sin * (double)hand->at_x + r->cos * (double)hand->at_y;
     double away_x = r->x + rx - (double)hand->x, away_y = r->y + ry - (double)hand->y;
-    double vx = r->vx - r->spin * ry - (double)hand->vx;
-    double vy = r->vy + r->spin * rx - (double)hand->vy;
-    double share = 1 + density / (double)r->density, turns = dt * follow;
+    double hand_x = (double)hand->vx, hand_y = (double)hand->vy;
+    if (r->fixed)
+        cut(&hand_x, &hand_y, FIXED_MOST);
+    double vx = r->vx - r->spin * ry - hand_x, vy = r->vy + r->spin * rx - hand_y;
+    double own = r->fixed ? skv_max((double)r->density, SKV_STEEL) : (double)r->density;
+    double share = 1 + density / own, turns = dt * follow;
+    if (r->fixed)
+        strength *= density / (density + own);
     double stiff = share * turns * follow, damped = 1 + share * turns * (2 + turns);
     cut(&away_x, &away_y, strength / (follow * follow));
     double wanted_x = (vx - stiff * away_x) / damped, wanted_y = (vy - stiff * away_y) / damped;
     change(r, rx, ry, wanted_x - vx, wanted_y - vy, dt * strength * share * r->mass);
+    if (r->fixed && !r->pinned)
+        return;
     double lever = 1 + r->mass * (rx * rx + ry * ry) / r->inertia;
     r->spin /= 1 + dt * (double)hand->friction * lever;
     if (r->pinned)
         skv_rigid_swing(r);
+}
+
+void skv_bodies_take_hold(skv_world *world)
+{
+    for (int k = 0; k < world->bodies->count; k++) {
+        skv_rigid *r = &world->bodies->body[k];
+        bool held = false;
+        for (int i = 0; r->fixed && i < world->acting.hand_count; i++)
+            held = held || world->acting.hands[i].body == r->id;
+        if (r->held && !held)
+            r->vx = r->vy = r->spin = 0;
+        r->held = held;
+    }
 }
 
 /* Not beyond where a hand may be. */
@@ -90,7 +118,7 @@ void skv_bodies_follow_hands(skv_world *world, double dt)
         skv_hand *hand = &world->acting.hands[i];
         for (int k = 0; hand->body && k < world->bodies->count; k++) {
             skv_rigid *r = &world->bodies->body[k];
-            if (r->id == hand->body && !r->fixed)
+            if (r->id == hand->body)
                 pull(r, hand, (double)world->fluid.density, dt);
         }
         if (hand->body) {

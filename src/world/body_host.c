@@ -305,7 +305,7 @@ bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_
         return false;
     for (int k = 0; k < skv_world_has_bodies(world); k++) {
         float distance = skv_body_distance(world, k, x, y);
-        if (!(distance <= least) || world->bodies->body[k].fixed)
+        if (!(distance <= least))
             continue;
         least = distance;
         nearest = k;

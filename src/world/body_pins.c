@@ -23,8 +23,9 @@ static void hang(skv_rigid *r)
 void skv_rigid_derive(skv_rigid *r)
 {
     const skv_outline *o = &r->shape->outline;
-    r->mass = (double)r->density * o->area;
-    r->inertia = (double)r->density * o->inertia;
+    double density = r->fixed ? skv_max((double)r->density, SKV_STEEL) : (double)r->density;
+    r->mass = density * o->area;
+    r->inertia = density * o->inertia;
     r->cos = skv_cos(r->angle);
     r->sin = skv_sin(r->angle);
     if (r->pinned)

@@ -30,11 +30,12 @@ static double *pin(skv_rigid *r, int which)
     return numbers[which];
 }
 
-enum { FIXED = 1, PINNED = 2 };
+enum { FIXED = 1, PINNED = 2, HELD = 4 };
 
 static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
 {
-    uint64_t id = r->id, held = (r->fixed ? FIXED : 0u) | (r->pinned ? PINNED : 0u);
+    uint64_t id = r->id,
+             held = (r->fixed ? FIXED : 0u) | (r->pinned ? PINNED : 0u) | (r->held ? HELD : 0u);
     skv_exchange(port, &id, 4);
     r->id = (skv_body_id)id;
     exchange_outline(port, outline);
@@ -46,6 +47,7 @@ static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
     skv_exchange(port, &held, 1);
     r->fixed = held & FIXED;
     r->pinned = held & PINNED;
+    r->held = held & HELD;
     if (!r->pinned)
         return;
     for (int i = 0; i < PIN; i++)
@@ -81,6 +83,7 @@ static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
         sane = sane && skv_within(*moving(r, i), -most[i], most[i]);
     for (int i = 0; i < PIN; i++)
         sane = sane && skv_within(*pin(r, i), -1e6, 1e6);
+    sane = sane && (r->fixed || !r->held);
     sane = sane && skv_within((double)r->motor_speed, -1000, 1000) &&
            skv_within((double)r->motor_torque, 0, r->fixed ? 0 : 1e6);
     return sane && skv_within((double)r->density, 10, 50000) &&

@@ -316,19 +316,7 @@ static void what_cannot_be_held_is_not(void **unused)
     assert_false(skv_world_grasp(world, 0.5f, -INFINITY, 1, &hand));
     assert_true(skv_world_grasp(world, 0.56f, 0.5f, 0.02f, &hand));
 
-    /* What is fixed stays, and who holds what has gone does nothing. */
-    skv_body_def def = skv_default_body_def();
-    def.x = 0.9f;
-    def.y = 0.5f;
-    def.fixed = true;
-    skv_body_id fixed;
-    assert_int_equal(skv_world_add_body(world, &def, &fixed, NULL, NULL), SKV_OK);
-    skv_hand other = hand;
-    assert_false(skv_world_grasp(world, 0.9f, 0.5f, 0.01f, &other));
-    other.body = fixed;
-    assert_int_equal(skv_world_set_hands(world, &other, 1, NULL), SKV_OK);
-    fixture_run(world, 10);
-    assert_near((double)look(world, fixed).x, 0.9, 1e-7);
+    /* Who holds what has gone does nothing. */
     assert_true(skv_world_remove_body(world, id));
     assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
     fixture_run(world, 10);
@@ -341,6 +329,120 @@ static void what_cannot_be_held_is_not(void **unused)
     skv_world_destroy(world);
 }
 
+/* A fixed plate of 0.05 m to that height. It reaches into the floor: a foot that only touches it
+ * lets water through at its corners. */
+static skv_body_id add_plate(skv_world *world, float x, float height)
+{
+    skv_body_def def = skv_default_body_def();
+    def.shape = skv_box(-0.025f, -0.1f, 0.025f, height);
+    def.x = x;
+    def.fixed = true;
+    skv_body_id id;
+    assert_int_equal(skv_world_add_body(world, &def, &id, NULL, NULL), SKV_OK);
+    return id;
+}
+
+static int count_left(const skv_world *world, float x)
+{
+    skv_particles p = skv_world_particles(world);
+    int count = 0;
+    for (int i = 0; i < p.count; i++)
+        count += p.x[i] < x;
+    return count;
+}
+
+/* A plate goes with the hand and pushes the water, which does not pass below it, stays upright, and
+ * stops where it is let go. */
+static void what_is_fixed_is_moved(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_tank(1, SKV_ISA_BEST, 0.3f, false);
+    skv_body_id id = add_plate(world, 0.3f, 0.6f);
+    fixture_run(world, 30);
+    assert_true(look(world, id).x == 0.3f);
+    int left = count_left(world, 0.3f);
+    skv_hand hand = grasp(world, 0.3f, 0.5f);
+    hand.vx = 0.3f;
+    for (int f = 0; f < 60; f++) {
+        hold(world, &hand, 1);
+        skv_body body = look(world, id);
+        assert_true(fabsf(body.x - hand.x) < 0.02f && fabsf(body.y - 0.25f) < 0.002f);
+        assert_true(body.angle == 0);
+    }
+    let_go(world);
+    skv_body body = look(world, id);
+    fixture_run(world, 30);
+    assert_true(fabsf(look(world, id).x - body.x) < 1e-6f && look(world, id).vx == 0);
+    assert_near((double)body.x, 0.6, 0.02);
+    assert_true(abs(count_left(world, body.x) - left) <= left / 50);
+    assert_int_equal(skv_world_stats(world).escaped, 0);
+    skv_world_destroy(world);
+}
+
+/* In a closed room it does not press water through, however far the hand goes, and it holds cork
+ * and brick between itself and a wall. */
+static void what_is_fixed_crushes_nothing(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 2; k++) {
+        skv_world *world = make_tank(1, SKV_ISA_BEST, k ? 0.1f : 0.5f, false);
+        skv_body_id id = add_plate(world, 0.3f, 0.9f), loose[2] = {0};
+        if (k) {
+            loose[0] = add(world, 0.7f, 0.3f, 240);
+            loose[1] = add(world, 0.9f, 0.06f, 1900);
+        }
+        int left = count_left(world, 0.3f);
+        skv_hand hand = grasp(world, 0.3f, 0.6f);
+        for (int f = 0; f < 180; f++) {
+            hand.vx = f < 60 ? 1.5f : 0;
+            hold(world, &hand, 1);
+            for (int i = 0; i < 2 && k; i++)
+                assert_true(look(world, loose[i]).x < 1.2f);
+        }
+        skv_body body = look(world, id);
+        assert_true(body.x > 0.65f && body.x < 1.08f);
+        assert_true(abs(count_left(world, body.x) - left) <= left / 50);
+        skv_stats stats = skv_world_stats(world);
+        assert_int_equal(stats.not_finite, 0);
+        assert_int_equal(stats.escaped, 0);
+        skv_world_destroy(world);
+    }
+}
+
+/* A flap that is fixed and pinned turns with the hand, and copies of its world do the same. */
+static void what_is_pinned_and_fixed_is_turned(void **unused)
+{
+    (void)unused;
+    skv_world *world = make_tank(1, SKV_ISA_BEST, 0.3f, false), *copy;
+    skv_body_def def = skv_default_body_def();
+    def.shape = skv_box(0, -0.02f, 0.3f, 0.02f);
+    def.x = def.pin_x = 0.4f;
+    def.y = def.pin_y = 0.2f;
+    def.fixed = def.pinned = true;
+    skv_body_id id;
+    assert_int_equal(skv_world_add_body(world, &def, &id, NULL, NULL), SKV_OK);
+    fixture_run(world, 10);
+    assert_true(look(world, id).angle == 0);
+    skv_hand hand = grasp(world, 0.69f, 0.2f);
+    for (int f = 0; f < 60; f++) {
+        hand.vx = -0.2f;
+        hand.vy = 0.3f;
+        hold(world, &hand, 1);
+    }
+    assert_near((double)look(world, id).angle, atan2(0.3, 0.09), 0.1);
+    assert_near((double)look(world, id).pin_x, 0.4, 1e-6);
+    assert_int_equal(skv_world_copy(world, NULL, &copy, NULL), SKV_OK);
+    skv_world *both[2] = {world, copy};
+    for (int i = 0; i < 2; i++) {
+        let_go(both[i]);
+        fixture_run(both[i], 5);
+        assert_true(look(both[i], id).spin == 0);
+    }
+    assert_true(skv_world_hash(copy) == skv_world_hash(world));
+    skv_world_destroy(world);
+    skv_world_destroy(copy);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -349,6 +451,9 @@ int main(void)
         cmocka_unit_test(walls_hold_what_is_held),
         cmocka_unit_test(hands_share_a_body),
         cmocka_unit_test(what_holds_a_body_holds_no_water),
+        cmocka_unit_test(what_is_fixed_is_moved),
+        cmocka_unit_test(what_is_fixed_crushes_nothing),
+        cmocka_unit_test(what_is_pinned_and_fixed_is_turned),
         cmocka_unit_test(bits_are_the_same),
         cmocka_unit_test(snapshots_hold_what_hands_hold),
         cmocka_unit_test(what_cannot_be_held_is_not),
