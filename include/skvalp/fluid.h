@@ -70,6 +70,10 @@ typedef struct skv_liquid {
     float plasticity; /**< share of what is beyond that which it gives way by in a second, 1/s,
                            0..100, 0 without a shear modulus; 0: it stays elastic, and what
                            touches later does not join */
+    /** m/s^2, 0..400: how strongly its particles and those of other fluids push each other apart;
+     * between two such fluids the stronger counts. 20 makes the line between oil and water short,
+     * 100 holds drops of oil together; 0, the default: nothing but weight parts them. */
+    float interface_push;
 } skv_liquid;
 
 /** A liquid like the default fluid, which still needs a name of its own; and the same for binders

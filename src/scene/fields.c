@@ -124,6 +124,8 @@ static const skv_field fields[FIELDS] = {
                "strain from which on its springs give way for good, if it is plastic")
     OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_PLASTICITY, "fluids[].plasticity", "1/s", 0, 100, "0",
                "how fast they do; 0: it stays elastic")
+    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_INTERFACE, "fluids[].interface_push", "m/s^2", 0, 400, "0",
+               "pushes it and other fluids apart: 20 for short lines, 100 for drops")
     LINE_FIELDS(SKV_F_SOLID, "solid[]")
     OWN_FLAG(SKV_F_SOLID + SKV_SOLID_CARVE, "solid[].carve", "false",
              "cut the shape out of the solid before it in the list")

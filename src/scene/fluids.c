@@ -67,6 +67,7 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
     liquid->shear_modulus = (float)value[SKV_LIQUID_SHEAR_MODULUS].number;
     liquid->yield = (float)value[SKV_LIQUID_YIELD].number;
     liquid->plasticity = (float)value[SKV_LIQUID_PLASTICITY].number;
+    liquid->interface_push = (float)value[SKV_LIQUID_INTERFACE].number;
     if (name == NULL)
         return fail(draft, index, SKV_LIQUID_NAME, "is missing; water and emitters need it", error);
     skv_format(liquid->name, sizeof liquid->name, "%s", name);
@@ -82,6 +83,7 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
                 : wrong == SKV_LIQUID_WRONG_VISCOSITY  ? SKV_LIQUID_VISCOSITY
                 : wrong == SKV_LIQUID_WRONG_MODULUS    ? SKV_LIQUID_SHEAR_MODULUS
                 : wrong == SKV_LIQUID_WRONG_PLASTICITY ? SKV_LIQUID_PLASTICITY
+                : wrong == SKV_LIQUID_WRONG_INTERFACE  ? SKV_LIQUID_INTERFACE
                                                        : SKV_LIQUID_NAME,
                 complaint, error);
 }

@@ -7,6 +7,7 @@
 #include "base/fields.h"
 #include "base/plain.h"
 #include "world/springs.h"
+#include "world/world_internal.h"
 
 #include <string.h>
 
@@ -16,6 +17,9 @@ const uint32_t skv_liquid_cookie = SKV_COOKIE(LIQUID_COOKIE, skv_liquid);
 
 /* m^2/s, as the field of fluid.viscosity allows. */
 #define MOST_VISCOSITY 0.05f
+
+/* m/s^2: layers are calm with so much, and drops gain nothing from more than 100. */
+#define MOST_INTERFACE 400.0
 
 /* Densities over the first fluid's. A layer of 0.01 lies calm on water, 0.002 flies apart; 20 is
  * more than mercury has. */
@@ -71,6 +75,10 @@ skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char 
         complaint = "is out of range; allowed is 0..0xffffff, and -1 for none";
         wrong = SKV_LIQUID_WRONG_COLOR;
     }
+    if (!complaint && !skv_within((double)liquid->interface_push, 0, MOST_INTERFACE)) {
+        complaint = "is out of range; allowed is 0..400 m/s^2";
+        wrong = SKV_LIQUID_WRONG_INTERFACE;
+    }
     if (!complaint)
         complaint = skv_springs_complain(liquid, &wrong);
     if (!complaint)
@@ -81,8 +89,9 @@ skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char 
 
 skv_result skv_check_liquids(const skv_world_def *def, skv_error *error)
 {
-    static const char *const members[] = {"",      "name",          "density", "viscosity",
-                                          "color", "shear_modulus", "yield",   "plasticity"};
+    static const char *const members[] = {"",          "name",       "density",
+                                          "viscosity", "color",      "shear_modulus",
+                                          "yield",     "plasticity", "interface_push"};
     if (def->liquid_count < 0 || def->liquid_count >= SKV_MAX_FLUIDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "fluids: %d beside the first; allowed is 0..%d",
                         def->liquid_count, SKV_MAX_FLUIDS - 1);
@@ -102,6 +111,14 @@ skv_result skv_check_fluid(int fluid, int fluids, skv_error *error)
         return SKV_OK;
     return skv_fail(error, SKV_ERROR_VALUE, "there is no fluid %d; allowed is 0..%d", fluid,
                     fluids - 1);
+}
+
+bool skv_world_has_interfaces(const skv_world *world)
+{
+    for (int i = 1; i < world->fluid_count; i++)
+        if (world->liquids[i].interface_push > 0)
+            return true;
+    return false;
 }
 
 /* ---- Snapshots ------------------------------------------------------------------------------- */
@@ -130,7 +147,7 @@ static bool exchange_name(skv_port *port, char name[SKV_FLUID_NAME])
     return true;
 }
 
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def, bool springs)
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras extras)
 {
     uint64_t count = (uint64_t)def->liquid_count;
     skv_exchange(port, &count, 1);
@@ -149,11 +166,13 @@ bool skv_exchange_liquids(skv_port *port, skv_world_def *def, bool springs)
         skv_exchange_float(port, &liquid->viscosity);
         skv_exchange(port, &color, 4);
         liquid->color = color <= MOST_COLOR + 1 ? (int)color - 1 : MOST_COLOR + 1;
-        if (springs) {
+        if (extras.springs) {
             skv_exchange_float(port, &liquid->shear_modulus);
             skv_exchange_float(port, &liquid->yield);
             skv_exchange_float(port, &liquid->plasticity);
         }
+        if (extras.interfaces)
+            skv_exchange_float(port, &liquid->interface_push);
     }
     return sane && skv_check_liquids(def, NULL) == SKV_OK;
 }

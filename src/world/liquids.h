@@ -26,7 +26,8 @@ typedef enum skv_liquid_member {
     SKV_LIQUID_WRONG_COLOR,
     SKV_LIQUID_WRONG_MODULUS,
     SKV_LIQUID_WRONG_YIELD,
-    SKV_LIQUID_WRONG_PLASTICITY
+    SKV_LIQUID_WRONG_PLASTICITY,
+    SKV_LIQUID_WRONG_INTERFACE
 } skv_liquid_member;
 
 /* The first wrong value of a fluid beside those before it in a definition's list, and in `text`
@@ -39,8 +40,16 @@ skv_result skv_check_fluid(int fluid, int fluids, skv_error *error);
 /* Writes or reads a dye and a fluid's number as one byte: the dye, and 16 times the number. */
 void skv_exchange_contents(skv_port *port, int *dye, int *fluid);
 
-/* Writes or reads the further fluids of a definition, with what is said of their springs or without
- * that; false if they are none. */
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def, bool springs);
+/* What is said of a fluid beside what all have. */
+typedef struct skv_liquid_extras {
+    bool springs, interfaces;
+} skv_liquid_extras;
+
+/* Writes or reads the further fluids of a definition, with these extras or without; false if they
+ * are none. */
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras extras);
+
+/* Whether a fluid of a world pushes others apart. */
+bool skv_world_has_interfaces(const skv_world *world);
 
 #endif

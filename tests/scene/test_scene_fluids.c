@@ -99,7 +99,7 @@ static void expect_refused(const char *text, const char *path, const char *value
 }
 
 /* Which of them is told of the name, not of what was set. */
-enum { MISSING_NAME = 19 };
+enum { MISSING_NAME = 20 };
 
 static void what_is_wrong_is_told(void **unused)
 {
@@ -135,6 +135,8 @@ static void what_is_wrong_is_told(void **unused)
         {"fluids[1].yield", "-0.1", "-0.1 is out of range; allowed is a number from 0 to 1"},
         {"fluids[0].plasticity", "1e9",
          "1e+09 is out of range; allowed is a number from 0 to 100 1/s"},
+        {"fluids[1].interface_push", "401",
+         "401 is out of range; allowed is a number from 0 to 400 m/s^2"},
         {"fluids[1].plasticity", "2", "needs springs that give way; add a shear_modulus, Pa"},
         {"fluids[0].density", "9",
          "is 9 kg/m^2; allowed is 0.01 to 20 times that of the first fluid, 10..20000 kg/m^2"},

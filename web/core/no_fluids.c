@@ -35,10 +35,16 @@ void skv_exchange_contents(skv_port *port, int *dye, int *fluid)
     *fluid = (int)(byte >> 4);
 }
 
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def, bool springs)
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras extras)
 {
-    (void)port, (void)def, (void)springs;
+    (void)port, (void)def, (void)extras;
     return skv_want_more(NULL) == SKV_OK;
+}
+
+bool skv_world_has_interfaces(const skv_world *world)
+{
+    (void)world;
+    return false;
 }
 
 skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_error *error)
@@ -60,6 +66,11 @@ skv_result skv_scene_find_fluid(const skv_draft *draft, const skv_value *value, 
     (void)draft, (void)path;
     *number = 0;
     return check_count(value->text && strcmp(value->text, SKV_FIRST_FLUID) != 0, error);
+}
+
+void skv_rows_push_unlike(const skv_rows *rows, int row, const skv_boundary *boundary)
+{
+    (void)rows, (void)row, (void)boundary;
 }
 
 void skv_rows_turn_unlike(const skv_rows *rows, int row, const skv_constants *constants,

@@ -63,6 +63,8 @@ static void take_substep(skv_reference *f)
             run(f, VISCOSITY, skv_pass_viscosity); /* approaching pairs exchange impulses: 3 */
         if (f->first && f->massive)
             run(f, DISPLACEMENT, skv_pass_turn); /* what is light from below what is heavy */
+        if (f->first && f->fluid)
+            run(f, DISPLACEMENT, skv_pass_push); /* fluids from each other */
         run(f, DISPLACEMENT, skv_pass_divide);   /* what is heavy gives way less */
         if (f->last && (skv_resists_slip(c) || f->various))
             run(f, DISPLACEMENT, skv_pass_slip); /* what a wall holds of the slip along it */
@@ -97,6 +99,8 @@ static void load(skv_reference *f, const skv_solver_particles *p)
     f->count = p->count;
     f->id = p->id;
     f->massive = p->mass != NULL;
+    f->fluid = p->fluid;
+    f->liquids = p->liquids;
     f->various = p->mass && p->drag;
     for (int i = 0; i < p->count; i++) {
         f->x[i] = (double)p->x[i];

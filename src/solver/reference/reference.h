@@ -36,12 +36,14 @@ typedef struct skv_reference {
     /* The particles, one element each. */
     int count;
     const uint32_t *id;
-    double *x, *y;       /* position, m */
-    double *vx, *vy;     /* velocity before and after the substep, m/s */
-    double *clearance;   /* lower bound of the distance to the nearest wall, m */
-    double *pressure;    /* gauge, Pa m */
-    double *mass;        /* over the first fluid's */
-    double *drag;        /* sigma dt of its linear viscosity times the mass */
+    const uint8_t *fluid;      /* solver.h; null: no fluid pushes others */
+    const skv_liquid *liquids; /* solver.h */
+    double *x, *y;             /* position, m */
+    double *vx, *vy;           /* velocity before and after the substep, m/s */
+    double *clearance;         /* lower bound of the distance to the nearest wall, m */
+    double *pressure;          /* gauge, Pa m */
+    double *mass;              /* over the first fluid's */
+    double *drag;              /* sigma dt of its linear viscosity times the mass */
     double *warm_lambda; /* what the pressure term pushes: of the last substep, then of this, m */
 
     double *moved_x, *moved_y;   /* displacement in this substep so far, m */
@@ -93,6 +95,7 @@ skv_pass skv_pass_viscosity;
 
 /* Unlike pairs of which the heavier particle lies above turn about each other: solver/turn.h. In
  * dx, dy. */
+skv_pass skv_pass_push;
 skv_pass skv_pass_turn;
 
 /* Algorithm 8: the velocity is the displacement of the substep over its time. */

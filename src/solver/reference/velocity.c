@@ -106,6 +106,25 @@ void skv_pass_turn(skv_reference *f)
     }
 }
 
+void skv_pass_push(skv_reference *f)
+{
+    const double half = (double)f->constants->dt * (double)f->constants->dt / 2;
+    for (int i = 0; i < f->count; i++) {
+        const double own = (double)f->liquids[f->fluid[i]].interface_push;
+        for (int k = skv_first_partner(f, i); k < skv_end_of_partners(f, i); k++) {
+            int j = skv_partner(f, k);
+            skv_pair pair;
+            if (f->fluid[i] == f->fluid[j] || !skv_pair_of(f, i, j, &pair))
+                continue;
+            double strength = skv_max(own, (double)f->liquids[f->fluid[j]].interface_push);
+            double push = half * strength * skv_min(f->mass[i], f->mass[j]) *
+                          skv_kernel_force(SKV_KERNEL_SMOOTH, pair.q);
+            f->dx[i] -= push * pair.ux;
+            f->dy[i] -= push * pair.uy;
+        }
+    }
+}
+
 void skv_pass_velocity(skv_reference *f)
 {
     const double dt = (double)f->constants->dt;

@@ -133,6 +133,8 @@ void skv_row_displacement(const skv_row_worker *w, int row)
                                   shared->boundary, kept_of(w, row));
     if (w->iteration == 0 && skv_is_massive(shared->rows))
         skv_rows_turn_unlike(shared->rows, row, shared->constants, shared->boundary);
+    if (w->iteration == 0 && skv_has_pushed(shared->rows))
+        skv_rows_push_unlike(shared->rows, row, shared->boundary);
     if (row == w->last)
         reach(w, LAST_DISPLACED);
 }

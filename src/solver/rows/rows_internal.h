@@ -46,6 +46,9 @@ void skv_rows_book_reaction(const skv_rows *rows, const skv_boundary *boundary, 
 void skv_rows_turn_unlike(const skv_rows *rows, int row, const skv_constants *constants,
                           const skv_boundary *boundary);
 
+/* turn.c, too: the same of how they push each other apart, where they do. */
+void skv_rows_push_unlike(const skv_rows *rows, int row, const skv_boundary *boundary);
+
 /* memory.c: who borrows which buffer, now that the other set's particles are not needed any more;
  * after each sort. */
 void skv_rows_lend_buffers(skv_rows *rows);

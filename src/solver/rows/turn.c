@@ -1,6 +1,7 @@
-/* How unlike particles turn about each other, solver/turn.h, in the rows. Rare, so one pair after
- * the other and once for all instruction sets. Invariant: a row adds to its own displacements and
- * to those that it adds to the next row's, pair by pair in the order of places. */
+/* How unlike particles turn about each other, solver/turn.h, and push each other apart, in the
+ * rows. Rare, so one pair after the other and once for all instruction sets. Invariant: a row adds
+ * to its own displacements and to those that it adds to the next row's, pair by pair in the order
+ * of places. */
 #include "solver/turn.h"
 
 #include "solver/rows/rows_internal.h"
@@ -78,6 +79,61 @@ void skv_rows_turn_unlike(const skv_rows *s, int row, const skv_constants *c,
                 turn_pair(&t, a, b, &s->own_move);
             for (int b = begin; b < end; b++)
                 turn_pair(&t, a, b, &s->next_move);
+        }
+    }
+}
+
+/* Number of the fluid of the particle in a place. */
+static int fluid_at(const skv_rows *s, int place)
+{
+    return s->pushed->fluid[s->set[s->current].number[place] & ~ROW_HELD];
+}
+
+/* Pushes a and b apart, in the displacements `to` of b, if they are of two fluids. */
+static void push_pair(const skv_rows *s, const skv_boundary *boundary, int a, int b,
+                      const skv_row_moves *to)
+{
+    const skv_row_particles *p = &s->set[s->current];
+    const int own = fluid_at(s, a), other = fluid_at(s, b);
+    float x = p->x[b] - p->x[a], y = p->y[b] - p->y[a], square = x * x + y * y;
+    if (own == other || !(square < 1 && square > 0))
+        return;
+    if (skv_boundary_has_thin(boundary) &&
+        skv_boundary_occluded(boundary, p->x[a], p->y[a], 0, p->x[b], p->y[b], 0))
+        return;
+    const skv_liquid *liquids = s->pushed->liquids;
+    float strength = skv_maxf(liquids[own].interface_push, liquids[other].interface_push);
+    float lighter = skv_minf(skv_row_mass(s, a), skv_row_mass(s, b)), q = 1 - sqrtf(square);
+    /* F over r, as the unit vector is (x, y) over r. */
+    float push = s->pushed->half * strength * lighter * (q * q);
+    s->own_move.x[a] -= push * x;
+    s->own_move.y[a] -= push * y;
+    to->x[b] += push * x;
+    to->y[b] += push * y;
+}
+
+/* Whether there is another fluid than that of place i in first..end. */
+static bool has_other(const skv_rows *s, int i, int first, int end)
+{
+    const int own = fluid_at(s, i);
+    for (int j = first; j < end; j++)
+        if (fluid_at(s, j) != own)
+            return true;
+    return false;
+}
+
+void skv_rows_push_unlike(const skv_rows *s, int row, const skv_boundary *boundary)
+{
+    for (int i = s->row_start[row]; i < s->row_end[row]; i += ROW_TILE) {
+        const int tile = i / ROW_TILE, begin = s->next_begin[tile], end = s->next_end[tile];
+        const int own_end = s->own_end[tile];
+        if (!has_other(s, i, i, own_end) && !has_other(s, i, begin, end))
+            continue;
+        for (int a = i; a < i + ROW_TILE && a < s->row_end[row]; a++) {
+            for (int b = a + 1; b < own_end; b++)
+                push_pair(s, boundary, a, b, &s->own_move);
+            for (int b = begin; b < end; b++)
+                push_pair(s, boundary, a, b, &s->next_move);
         }
     }
 }
