@@ -80,9 +80,20 @@ static float across(const regions *b, int particle)
     return s->x[particle] * b->uy - s->y[particle] * b->ux;
 }
 
+/* Whether particles have masses of their own. */
+static bool has_masses(const regions *b)
+{
+#ifdef SKV_WITHOUT_FLUIDS
+    (void)b;
+    return false;
+#else
+    return b->masses;
+#endif
+}
+
 static float mass_of(const regions *b, int particle)
 {
-    return b->masses ? b->masses[particle] : 1;
+    return has_masses(b) ? b->masses[particle] : 1;
 }
 
 static int cell_number(const regions *b, float place)
@@ -397,9 +408,11 @@ static bool look_for_layers(const regions *b, int count)
 {
     const skv_world *world = b->world;
     int fluids = world->fluid_count;
-    band *bands = b->masses ? skv_calloc((size_t)count * (size_t)fluids, sizeof *bands) : NULL;
+    if (!has_masses(b))
+        return true;
+    band *bands = skv_calloc((size_t)count * (size_t)fluids, sizeof *bands);
     if (!bands)
-        return b->masses == NULL;
+        return false;
     for (int k = 0; k < count * fluids; k++)
         bands[k] = (band){INFINITY, -INFINITY};
     for (int i = 0; i < world->state.count; i++) {
@@ -450,7 +463,7 @@ static void judge(const regions *b, const skv_lies *lies)
             skv_drawn_look(whole->drawn, across(b, i), &level, &slope);
         float whole_depth = level - (c->low - half), depth = level - along(b, i);
         float weight = 0.5f * (whole_depth * whole_depth - depth * depth);
-        if (b->masses)
+        if (has_masses(b))
             weight = find_burden(b, &b->cells[c->top], level, c->low - half, along(b, i));
         lies->weight[i] = lies->lie[i] == SKV_HANGS ? 0 : skv_maxf(weight, 0);
     }
