@@ -1,9 +1,9 @@
 /* Air that pushes: which pieces of it there are, what each holds, and what they do to the fluid.
  *
  * Before each substep the particles' areas are put into a grid (air_grid.c). What is left of the
- * room of cells is air. Cells that are more than half air hang together in pieces, which are
- * followed from substep to substep by the volume that they share: so what a piece holds is shared
- * out when it parts, added up when pieces meet, and gone when they meet the atmosphere.
+ * room of cells is air. Cells that are more than half air hang together in pieces (air_pieces.c),
+ * which are followed from substep to substep by the volume that they share: so what a piece holds
+ * is shared out when it parts, added up when pieces meet, and gone when they meet the atmosphere.
  *
  * A piece of pressure p is pushed by -p dV as its volume V changes. V is a sum over cells of a
  * function of how much of each is fluid, so that a particle gets -p times the slope of V as it
@@ -20,16 +20,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Shares of air from which on a cell counts as some, and counts wholly. Fluid at rest has 0.05 at
- * most; a particle alone leaves 0.81 of its own cell. Between them the push rises evenly. */
-#define AIR_FROM  0.1f
-#define AIR_WHOLE 0.8f
-
 /* The volume of a cell that is all air would otherwise be this. */
-#define AIR_NORM (1 - (AIR_FROM + AIR_WHOLE) / 2)
-
-/* Cells of a piece are more than half air. */
-#define HALF 0.5f
+#define AIR_NORM (1 - (SKV_AIR_FROM + SKV_AIR_WHOLE) / 2)
 
 /* Substeps: so far ahead air looks, since the fluid answers a push late. With 0 a bell of 3000
  * particles swings for ever, with 1 it does so for 15 s, with 2 for 6. */
@@ -40,13 +32,13 @@
 
 float skv_air_part(float share)
 {
-    return skv_clamp((share - AIR_FROM) / (AIR_WHOLE - AIR_FROM), 0, 1);
+    return skv_clamp((share - SKV_AIR_FROM) / (SKV_AIR_WHOLE - SKV_AIR_FROM), 0, 1);
 }
 
 /* Of a cell's room what counts as air: the integral of that over the share. */
 static float held(float share)
 {
-    const float from = share - AIR_FROM, whole = AIR_WHOLE - AIR_FROM;
+    const float from = share - SKV_AIR_FROM, whole = SKV_AIR_WHOLE - SKV_AIR_FROM;
     if (!(from > 0))
         return 0;
     return (from < whole ? from * from / (2 * whole) : from - whole / 2) / AIR_NORM;
@@ -64,78 +56,47 @@ static void find_shares(const skv_world *world, skv_air *air, float ahead)
     for (int i = 0; i < s->count; i++)
         skv_air_deposit(world, air, s->x[i] + ahead * s->vx[i], s->y[i] + ahead * s->vy[i], each,
                         air->push);
-    skv_air_smooth(air, air->push, air->fluid, false);
+    skv_air_smooth(air, air->push, air->fluid, false, 0, air->rows - 1);
     for (int c = 0; c < air->cells; c++) {
         const float least = 0.1f; /* what has less room is wall */
         float room = air->open_room[c];
-        air->share[c] = room > least ? skv_maxf(1 - air->fluid[c] / room, 0) : 0;
+        air->share[c] = 0;
+        if (room > least)
+            air->share[c] = air->fluid[c] == 0 ? 1 : skv_maxf(1 - air->fluid[c] / room, 0);
+        air->held[c] = room * held(air->share[c]);
     }
 }
 
 /* ---- Pieces ---------------------------------------------------------------------------------- */
 
-static bool may_join(const skv_air *air, int cell, float least)
-{
-    return air->label[cell] == SKV_NO_AIR && !(air->walls[cell] & SKV_CELL_SOLID) &&
-           air->share[cell] > least;
-}
-
-/* Labels what is linked to the cells of the queue from `first` to `end`, and queues it. */
-static int join_around(skv_air *air, int first, int end, int used, float least)
-{
-    for (int at = first; at < end; at++) {
-        int cell = air->queue[at];
-        for (int side = 0; side < 4; side++) {
-            if (!skv_air_is_linked(air, cell, side))
-                continue;
-            int next = skv_air_beside(air, cell, side);
-            if (!may_join(air, next, least))
-                continue;
-            air->label[next] = air->label[cell];
-            air->queue[used++] = next;
-        }
-    }
-    return used;
-}
-
-/* Labels all pieces, from the top of the grid: first where there is more air than not, then what
- * belongs to their edges, which are two cells wide. */
-static void find_pieces(skv_air *air)
-{
-    enum { EDGE = 2 };
-    memset(air->label, 0, (size_t)air->cells * sizeof *air->label);
-    int used = 0, labels = SKV_FIRST_POCKET;
-    for (int c = air->cells - 1; c >= 0 && labels < SKV_AIR_LABELS; c--) {
-        if (!may_join(air, c, HALF))
-            continue;
-        int first = used;
-        air->label[c] = (uint16_t)labels++;
-        air->queue[used++] = c;
-        for (int end = used; first < end; end = used) {
-            used = join_around(air, first, end, used, HALF);
-            first = end;
-        }
-    }
-    for (int ring = 0, first = 0; ring < EDGE; ring++) {
-        int end = used;
-        used = join_around(air, first, end, used, AIR_FROM);
-        first = end;
-    }
-    air->labels = labels;
-}
-
 /* The volume of air in a cell, m^2. */
 static double volume_in(const skv_air *air, int cell)
 {
-    return (double)(air->cell * air->cell) *
-           (double)(air->open_room[cell] * held(air->share[cell]));
+    return (double)(air->cell * air->cell) * (double)air->held[cell];
 }
 
-/* Whether a cell lies beyond a side of the world, where there is air if it is open. */
-static bool is_beyond(const skv_air *air, int column, int row)
+/* Adds a row's cells to the pieces. Beyond the sides of the world there is air if they are open. */
+static void measure_row(skv_air *air, int row)
 {
-    float x = skv_air_middle(air, column), y = skv_air_middle(air, row);
-    return x < 0 || y < 0 || column >= air->columns - SKV_AIR_RIM || row >= air->rows - SKV_AIR_RIM;
+    const double y = (double)skv_air_middle(air, row);
+    const bool beyond = y < 0 || row >= air->rows - SKV_AIR_RIM;
+    for (int column = 0; column < air->columns; column++) {
+        int c = row * air->columns + column;
+        if (!air->label[c])
+            continue;
+        skv_piece *piece = &air->piece[air->label[c]];
+        double volume = volume_in(air, c), x = (double)skv_air_middle(air, column);
+        piece->volume += volume;
+        piece->x += volume * x;
+        piece->y += volume * y;
+        if (air->before[c] == SKV_ATMOSPHERE)
+            piece->was_outside += volume;
+        else
+            air->left[air->before[c]] += volume;
+        piece->outside |= beyond || x < 0 || column >= air->columns - SKV_AIR_RIM;
+        piece->low = piece->cells++ ? piece->low : row;
+        piece->high = row;
+    }
 }
 
 /* Measures the pieces, and how much of what was air before is still. */
@@ -143,33 +104,19 @@ static void measure_pieces(skv_air *air)
 {
     memset(air->piece, 0, (size_t)air->labels * sizeof *air->piece);
     memset(air->left, 0, sizeof air->left);
-    for (int c = 0; c < air->cells; c++) {
-        if (!air->label[c])
-            continue;
-        skv_piece *piece = &air->piece[air->label[c]];
-        double volume = volume_in(air, c);
-        int column = c % air->columns, row = c / air->columns;
-        piece->volume += volume;
-        piece->x += volume * (double)skv_air_middle(air, column);
-        piece->y += volume * (double)skv_air_middle(air, row);
-        air->left[air->before[c]] += volume;
-        piece->outside |= is_beyond(air, column, row);
-    }
+    for (int row = 0; row < air->rows; row++)
+        measure_row(air, row);
 }
 
-/* Gives each piece what was held where it lies now. */
+/* Gives each piece what pockets held where it lies now. */
 static void hand_on(skv_air *air)
 {
     for (int c = 0; c < air->cells; c++) {
         int before = air->before[c];
-        if (!air->label[c] || before == SKV_NO_AIR)
+        if (before < SKV_FIRST_POCKET || !air->label[c] || !(air->left[before] > 0))
             continue;
-        skv_piece *piece = &air->piece[air->label[c]];
-        double volume = volume_in(air, c);
-        if (before == SKV_ATMOSPHERE)
-            piece->was_outside += volume;
-        else if (air->left[before] > 0)
-            piece->amount += air->amount[before] * (volume / air->left[before]);
+        air->piece[air->label[c]].amount +=
+            air->amount[before] * (volume_in(air, c) / air->left[before]);
     }
 }
 
@@ -245,13 +192,30 @@ static void find_pushes(const skv_world *world, skv_air *air, double dt, bool at
     }
 }
 
+/* Puts pushes into the cells from which fluid feels them: in the rows of what pushes, and the two
+ * on each side of them. */
 static void spread_pushes(skv_air *air)
 {
-    for (int c = 0; c < air->cells; c++) {
-        double push = air->label[c] ? air->piece[air->label[c]].push : 0;
-        air->fluid[c] = (float)push * skv_air_part(air->share[c]) / AIR_NORM;
+    int first = air->rows, last = -1;
+    for (int k = SKV_FIRST_POCKET; k < air->labels; k++) {
+        const skv_piece *piece = &air->piece[k];
+        if (!(piece->push > 0))
+            continue;
+        first = piece->low < first ? piece->low : first;
+        last = piece->high > last ? piece->high : last;
     }
-    skv_air_smooth(air, air->fluid, air->push, true);
+    air->pushes = last >= 0;
+    if (!air->pushes)
+        return;
+    const int above[2] = {last + 1 < air->rows ? last + 1 : last,
+                          last + 2 < air->rows ? last + 2 : air->rows - 1};
+    const int below[2] = {first > 0 ? first - 1 : 0, first > 1 ? first - 2 : 0};
+    for (int c = below[1] * air->columns; c < (above[1] + 1) * air->columns; c++) {
+        double push = air->label[c] ? air->piece[air->label[c]].push : 0;
+        air->fluid[c] = push > 0 ? (float)push * skv_air_part(air->share[c]) / AIR_NORM : 0;
+    }
+    memset(air->push, 0, (size_t)air->cells * sizeof *air->push);
+    skv_air_smooth(air, air->fluid, air->push, true, below[0], above[0]);
 }
 
 static void push_fluid(skv_world *world, const skv_air *air, float dt, bool partial)
@@ -259,7 +223,7 @@ static void push_fluid(skv_world *world, const skv_air *air, float dt, bool part
     skv_state *s = &world->state;
     const float *masses = s->several ? s->mass : NULL;
     const float scale = -dt / (world->fluid.density * air->cell);
-    for (int i = 0; i < s->count; i++) {
+    for (int i = 0; air->pushes && i < s->count; i++) {
         float x = s->x[i] + AHEAD * dt * s->vx[i], y = s->y[i] + AHEAD * dt * s->vy[i], slope_x,
               slope_y;
         if ((partial && s->part[i] != SKV_MOVES) ||
@@ -300,7 +264,7 @@ static void find_air(const skv_world *world, skv_air *air, float dt, bool at_onc
     at_once |= !air->begun;
     skv_air_survey(world, air);
     find_shares(world, air, AHEAD * dt);
-    find_pieces(air);
+    skv_air_find_pieces(air);
     follow_pieces(world, air);
     find_pushes(world, air, (double)dt, at_once);
     spread_pushes(air);
@@ -324,7 +288,7 @@ void skv_air_gauge(skv_world *world, bool partial)
 {
     const skv_air *air = world->air;
     skv_state *s = &world->state;
-    for (int i = 0; i < s->count; i++) {
+    for (int i = 0; air->lift != 0 && i < s->count; i++) {
         if (partial && s->part[i] != SKV_MOVES)
             continue;
         int c = skv_air_cell_at(air, s->x[i], s->y[i]);

@@ -29,12 +29,13 @@ enum {
 
 /* A piece of air that hangs together. */
 typedef struct skv_piece {
-    double volume;      /* m^2 */
-    double x, y;        /* sums of volume times place */
-    double amount;      /* the volume that it would have at the pressure of the atmosphere */
-    double was_outside; /* of its volume the part that was the atmosphere's before */
-    double push;        /* Pa m */
-    bool outside;       /* it is the atmosphere, or some of it */
+    double volume;        /* m^2 */
+    double x, y;          /* sums of volume times place */
+    double amount;        /* the volume that it would have at the pressure of the atmosphere */
+    double was_outside;   /* of its volume the part that was the atmosphere's before */
+    double push;          /* Pa m */
+    int cells, low, high; /* how many, and its lowest and highest rows */
+    bool outside;         /* it is the atmosphere, or some of it */
 } skv_piece;
 
 typedef struct skv_air {
@@ -49,9 +50,12 @@ typedef struct skv_air {
     float *room, *bare_room, *open_room; /* cells of volume around its middle; smoothed */
     float *fluid, *share, *push;         /* the same of fluid; share of air, 0..1; its push, Pa m */
     float *work;
+    float *held;  /* of its room what counts as air */
+    float *clear; /* how far its middle is from the terrain, m */
     uint16_t *label;
-    int *queue; /* cells, for floods */
-    int labels; /* one more than the last in use */
+    int *scratch; /* three for each cell: what hangs together is found with them */
+    int labels;   /* one more than the last in use */
+    bool pushes;  /* any fluid */
     skv_piece piece[SKV_AIR_LABELS];
     double left[SKV_AIR_LABELS]; /* by the label of before, the volume that is air now */
 
@@ -99,8 +103,9 @@ bool skv_air_slope(const skv_world *world, const skv_air *air, const float *of, 
 /* The cell that (x, y) lies in, or the nearest one. */
 int skv_air_cell_at(const skv_air *air, float x, float y);
 /* Spreads what cells have to those beside them: 1/4, 1/2, 1/4 along one axis and then along the
- * other; `back` is the transpose of that. */
-void skv_air_smooth(const skv_air *air, const float *from, float *to, bool back);
+ * other; `back` is the transpose of that. Writes the rows from `first` to `last`. */
+void skv_air_smooth(const skv_air *air, const float *from, float *to, bool back, int first,
+                    int last);
 
 /* The cell beside one, on the side of a bit; there is one wherever that bit is set. */
 static inline int skv_air_beside(const skv_air *air, int cell, int side)
@@ -120,12 +125,21 @@ static inline float skv_air_middle(const skv_air *air, int column_or_row)
     return ((float)(column_or_row - SKV_AIR_RIM) + 0.5f) * air->cell;
 }
 
+/* Shares of air from which on a cell counts as some, and counts wholly. Fluid at rest has 0.05 at
+ * most; a particle alone leaves 0.81 of its own cell. Between them the push rises evenly. */
+#define SKV_AIR_FROM  0.1f
+#define SKV_AIR_WHOLE 0.8f
+
 /* Of the push of air the part that a cell has. */
 float skv_air_part(float share);
 
 /* Whether a piece is a pocket, and the pressure of one above the atmosphere's, Pa m. */
 bool skv_air_is_pocket(const skv_air *air, const skv_piece *piece);
 double skv_air_pressure_of(const skv_air *air, const skv_piece *piece);
+
+/* air_pieces.c: labels the cells of all pieces by the shares, from the top of the grid: first where
+ * there is more air than not, then what belongs to their edges. */
+void skv_air_find_pieces(skv_air *air);
 
 /* air_lift.c: by how much all pressures have to be lifted so that none is below 0, `dt` after the
  * last time; 0: there was none. */

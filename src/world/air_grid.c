@@ -30,14 +30,15 @@ static float distance_at(const skv_world *world, const skv_air *air, float x, fl
     return air->with_bodies ? skv_minf(distance, skv_bodies_distance(world, x, y)) : distance;
 }
 
-/* Whether a wall or a body lies on the straight way between two places. */
-static bool is_parted(const skv_world *world, const skv_air *air, float x0, float y0, float x1,
-                      float y1)
+/* Whether a wall or a body lies on the straight way from a place to the middle of a cell. */
+static bool is_parted(const skv_world *world, const skv_air *air, float x0, float y0, int cell)
 {
     enum { LOOKS = 4 }; /* a body is no thinner than a spacing */
     const skv_terrain *t = world->terrain;
+    float x1 = skv_air_middle(air, cell % air->columns);
+    float y1 = skv_air_middle(air, cell / air->columns);
     if (skv_grid_occluded(t, skv_to_grid(t, x0), skv_to_grid(t, y0), 0, skv_to_grid(t, x1),
-                          skv_to_grid(t, y1), 0))
+                          skv_to_grid(t, y1), air->clear[cell]))
         return true;
     for (int k = 0; air->with_bodies && k <= LOOKS; k++) {
         float way = (float)k / LOOKS;
@@ -76,8 +77,7 @@ static void look_at(const skv_world *world, const skv_air *air, int column, int 
     for (int k = 0; distance > 0 && k < 4; k++) {
         int c = column + steps[k][0], r = row + steps[k][1];
         bool there = c >= 0 && r >= 0 && c < air->columns && r < air->rows;
-        if (there && (distance > FREE_FROM ||
-                      !is_parted(world, air, x, y, skv_air_middle(air, c), skv_air_middle(air, r))))
+        if (there && (distance > FREE_FROM || !is_parted(world, air, x, y, r * air->columns + c)))
             is |= 1u << k;
     }
     air->walls[row * air->columns + column] = (uint8_t)is;
@@ -118,7 +118,7 @@ static bool find_before_wall(const skv_world *world, const skv_air *air, float x
         float dx = from_x - (float)across, dy = from_y - (float)up, square = dx * dx + dy * dy;
         bool there = keep_inside(c, air->columns) == c && keep_inside(r, air->rows) == r;
         if (!there || !(square < least) || air->walls[r * air->columns + c] & SKV_CELL_SOLID ||
-            is_parted(world, air, x, y, skv_air_middle(air, c), skv_air_middle(air, r)))
+            is_parted(world, air, x, y, r * air->columns + c))
             continue;
         least = square;
         spot->cell = r * air->columns + c;
@@ -140,8 +140,7 @@ static inline bool find_spot(const skv_world *world, const skv_air *air, float x
     unsigned is = air->walls[spot->cell];
     if (!(is & SKV_CELL_CUT))
         return true;
-    bool hidden = is & SKV_CELL_SOLID || is_parted(world, air, x, y, skv_air_middle(air, column),
-                                                   skv_air_middle(air, row));
+    bool hidden = is & SKV_CELL_SOLID || is_parted(world, air, x, y, spot->cell);
     return !hidden || find_before_wall(world, air, x, y, spot);
 }
 
@@ -181,9 +180,18 @@ void skv_air_deposit(const skv_world *world, const skv_air *air, float x, float 
         return;
     int name[9];
     float across[3], up[3];
-    name_cells(air, at.cell, name);
     weigh(at.x, across);
     weigh(at.y, up);
+    if (air->walls[at.cell] & SKV_CELL_CLEAR) {
+        float *row = to + at.cell - air->columns - 1;
+        for (int k = 0; k < 3; k++, row += air->columns) {
+            row[0] += amount * (across[0] * up[k]);
+            row[1] += amount * (across[1] * up[k]);
+            row[2] += amount * (across[2] * up[k]);
+        }
+        return;
+    }
+    name_cells(air, at.cell, name);
     for (int k = 0; k < 9; k++)
         to[name[k]] += amount * (across[k % 3] * up[k / 3]);
 }
@@ -196,11 +204,28 @@ static inline bool is_bare(const float *of, int cell, int columns)
            here[1] == 0 && high[-1] == 0 && high[0] == 0 && high[1] == 0;
 }
 
+/* Whether (x, y) is beside a wall, where spots are dear, and nothing is around the cells of which
+ * one is its own. */
+static bool is_far(const skv_air *air, const float *of, float x, float y)
+{
+    const int cell = skv_air_cell_at(air, x, y);
+    if (!(air->walls[cell] & SKV_CELL_CUT))
+        return false;
+    for (int k = 0; k < 9; k++) {
+        int column = keep_inside(cell % air->columns + k % 3 - 1, air->columns);
+        int row = keep_inside(cell / air->columns + k / 3 - 1, air->rows);
+        if (!is_bare(of, row * air->columns + column, air->columns))
+            return false;
+    }
+    return true;
+}
+
 bool skv_air_slope(const skv_world *world, const skv_air *air, const float *of, float x, float y,
                    float *slope_x, float *slope_y)
 {
     cell_spot at;
-    if (!find_spot(world, air, x, y, &at) || is_bare(of, at.cell, air->columns))
+    if (is_far(air, of, x, y) || !find_spot(world, air, x, y, &at) ||
+        is_bare(of, at.cell, air->columns))
         return false;
     int name[9];
     float across[3], up[3];
@@ -237,6 +262,9 @@ static void add_room(const skv_world *world, const skv_air *air, int column, int
 static void survey_terrain(const skv_world *world, skv_air *air)
 {
     air->with_bodies = false;
+    for (int c = 0; c < air->cells; c++)
+        air->clear[c] = skv_distance_at(world->terrain, skv_air_middle(air, c % air->columns),
+                                        skv_air_middle(air, c / air->columns));
     for (int row = 0; row < air->rows; row++)
         for (int column = 0; column < air->columns; column++)
             look_at(world, air, column, row);
@@ -247,7 +275,7 @@ static void survey_terrain(const skv_world *world, skv_air *air)
             add_room(world, air, column, row, 1);
     memcpy(air->bare_walls, air->walls, (size_t)air->cells);
     memcpy(air->bare_room, air->room, (size_t)air->cells * sizeof *air->room);
-    skv_air_smooth(air, air->room, air->open_room, false);
+    skv_air_smooth(air, air->room, air->open_room, false, 0, air->rows - 1);
 }
 
 /* Marks the cells that a body may change. */
@@ -285,7 +313,7 @@ static void survey_bodies(const skv_world *world, skv_air *air)
     for (int c = 0; c < air->cells; c++)
         if (air->walls[c] & SKV_CELL_BODY)
             add_room(world, air, c % air->columns, c / air->columns, 1);
-    skv_air_smooth(air, air->room, air->open_room, false);
+    skv_air_smooth(air, air->room, air->open_room, false, 0, air->rows - 1);
 }
 
 void skv_air_survey(const skv_world *world, skv_air *air)
@@ -300,11 +328,12 @@ void skv_air_survey(const skv_world *world, skv_air *air)
 
 /* ---- Smoothing ------------------------------------------------------------------------------- */
 
-/* Along the axis of a side and the next. What is clear has both. */
-static void smooth_along(const skv_air *air, const float *from, float *to, int side)
+/* Of some rows, along the axis of a side and the next. What is clear has both. */
+static void smooth_along(const skv_air *air, const float *from, float *to, int side, int first,
+                         int last)
 {
     const int step = side == 0 ? 1 : air->columns;
-    for (int c = 0; c < air->cells; c++) {
+    for (int c = first * air->columns; c < (last + 1) * air->columns; c++) {
         float below, above;
         if (air->walls[c] & SKV_CELL_CLEAR) {
             below = from[c - step];
@@ -317,8 +346,15 @@ static void smooth_along(const skv_air *air, const float *from, float *to, int s
     }
 }
 
-void skv_air_smooth(const skv_air *air, const float *from, float *to, bool back)
+void skv_air_smooth(const skv_air *air, const float *from, float *to, bool back, int first,
+                    int last)
 {
-    smooth_along(air, from, air->work, back ? 2 : 0);
-    smooth_along(air, air->work, to, back ? 0 : 2);
+    int low = first > 0 ? first - 1 : 0, high = last < air->rows - 1 ? last + 1 : last;
+    if (back) {
+        smooth_along(air, from, air->work, 2, first, last);
+        smooth_along(air, air->work, to, 0, first, last);
+    } else {
+        smooth_along(air, from, air->work, 0, low, high);
+        smooth_along(air, air->work, to, 2, first, last);
+    }
 }

@@ -35,12 +35,13 @@ static skv_result create(const skv_world *world, float pressure, skv_air **out, 
     air->cells = air->columns * air->rows;
     size_t room = (size_t)air->cells;
     const skv_array arrays[] = {
-        SKV_ARRAY(air->walls, room, 0),     SKV_ARRAY(air->bare_walls, room, 0),
-        SKV_ARRAY(air->room, room, 0),      SKV_ARRAY(air->bare_room, room, 0),
-        SKV_ARRAY(air->open_room, room, 0), SKV_ARRAY(air->fluid, room, 0),
-        SKV_ARRAY(air->share, room, 0),     SKV_ARRAY(air->push, room, 0),
-        SKV_ARRAY(air->work, room, 0),      SKV_ARRAY(air->label, room, 0),
-        SKV_ARRAY(air->queue, room, 0),     SKV_ARRAY(air->before, room, 0),
+        SKV_ARRAY(air->walls, room, 0),       SKV_ARRAY(air->bare_walls, room, 0),
+        SKV_ARRAY(air->room, room, 0),        SKV_ARRAY(air->bare_room, room, 0),
+        SKV_ARRAY(air->open_room, room, 0),   SKV_ARRAY(air->fluid, room, 0),
+        SKV_ARRAY(air->share, room, 0),       SKV_ARRAY(air->push, room, 0),
+        SKV_ARRAY(air->work, room, 0),        SKV_ARRAY(air->label, room, 0),
+        SKV_ARRAY(air->scratch, 3 * room, 0), SKV_ARRAY(air->held, room, 0),
+        SKV_ARRAY(air->clear, room, 0),       SKV_ARRAY(air->before, room, 0),
     };
     if (!skv_arrays_grow(&air->block, arrays, sizeof arrays / sizeof *arrays)) {
         skv_free(air);

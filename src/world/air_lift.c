@@ -46,19 +46,10 @@ static bool touches_roof(const skv_air *air, int cell, const upwards *up)
     return !skv_air_is_linked(air, cell, up->side) && air->share[cell] < FULL;
 }
 
-static void look_around(const skv_air *air, int cell, const upwards *up, stretch *reach)
+static double height_of(const skv_air *air, int cell, const upwards *up)
 {
-    double height = up->x * (double)skv_air_middle(air, cell % air->columns) +
-                    up->y * (double)skv_air_middle(air, cell / air->columns);
-    if (touches_roof(air, cell, up))
-        reach->roof = skv_max(reach->roof, height);
-    for (int side = 0; side < 4; side++) {
-        if (!skv_air_is_linked(air, cell, side))
-            continue;
-        int label = air->label[skv_air_beside(air, cell, side)];
-        if (label && air->piece[label].outside)
-            reach->surface = skv_min(reach->surface, height);
-    }
+    return up->x * (double)skv_air_middle(air, cell % air->columns) +
+           up->y * (double)skv_air_middle(air, cell / air->columns);
 }
 
 /* Floods the fluid that is linked to a cell. The label 1 stands for what has been. */
@@ -66,18 +57,22 @@ static stretch flood(skv_air *air, int cell, const upwards *up)
 {
     stretch found = {-INFINITY, INFINITY};
     int used = 0;
-    air->queue[used++] = cell;
+    air->scratch[used++] = cell;
     air->label[cell] = SKV_ATMOSPHERE;
     for (int at = 0; at < used; at++) {
-        look_around(air, air->queue[at], up, &found);
+        int here = air->scratch[at];
+        if (touches_roof(air, here, up))
+            found.roof = skv_max(found.roof, height_of(air, here, up));
         for (int side = 0; side < 4; side++) {
-            if (!skv_air_is_linked(air, air->queue[at], side))
+            if (!skv_air_is_linked(air, here, side))
                 continue;
-            int next = skv_air_beside(air, air->queue[at], side);
+            int next = skv_air_beside(air, here, side);
+            if (air->label[next] && air->piece[air->label[next]].outside)
+                found.surface = skv_min(found.surface, height_of(air, here, up));
             if (!is_fluid(air, next))
                 continue;
             air->label[next] = SKV_ATMOSPHERE;
-            air->queue[used++] = next;
+            air->scratch[used++] = next;
         }
     }
     return found;
@@ -88,7 +83,7 @@ static double find_height(skv_air *air, const upwards *up)
 {
     double most = 0;
     for (int c = 0; c < air->cells; c++) {
-        if (!is_fluid(air, c) || !touches_roof(air, c, up))
+        if (air->walls[c] & SKV_CELL_CLEAR || !is_fluid(air, c) || !touches_roof(air, c, up))
             continue;
         stretch found = flood(air, c, up);
         most = skv_max(most, found.roof - found.surface);

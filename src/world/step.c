@@ -54,13 +54,16 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
     };
 }
 
-/* Takes some substeps, `time` seconds in all; what sleeps stays. */
-static skv_result take_substeps(skv_world *world, int substeps, float time, skv_error *error)
+/* Takes some substeps, `time` seconds in all; what sleeps stays. `ungauged`: others follow before
+ * anybody asks for pressures. */
+static skv_result take_substeps(skv_world *world, int substeps, float time, bool ungauged,
+                                skv_error *error)
 {
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
     skv_solver_step step = skv_world_describe_step(world, &world->constants, forces);
     const skv_solver_type *solver = world->solver->type;
     step.substeps = substeps;
+    step.ungauged = ungauged;
     skv_result result = solver->reserve(world->solver, &step, error);
     if (result != SKV_OK)
         return result;
@@ -79,7 +82,7 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, skv_
     if (moves && world->air)
         skv_air_push(world, world->constants.dt, partial);
     skv_impulse given = moves ? solver->advance(world->solver, &step) : (skv_impulse){0};
-    if (moves && world->air)
+    if (moves && world->air && !ungauged)
         skv_air_gauge(world, partial);
     if (bodies)
         skv_bodies_feel(world, (double)world->constants.dt);
@@ -134,8 +137,8 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
 {
     bool open = skv_terrain_open_sides(world->terrain) != 0;
     bool flows = has_flow(&world->acting);
-    bool one_by_one = open || flows || world->before_substep || skv_world_has_bodies(world) ||
-                      skv_world_is_springy(world) || world->air ||
+    bool asks = flows || world->before_substep || skv_world_has_bodies(world); /* for pressures */
+    bool one_by_one = open || asks || skv_world_is_springy(world) || world->air ||
                       world->solver->type->most_substeps < count;
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
@@ -150,7 +153,8 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
         if (open && result == SKV_OK)
             result = skv_events_reserve(&world->events, world->state.count, error);
         if (result == SKV_OK)
-            result = take_substeps(world, at_once, (float)time, error);
+            result = take_substeps(world, at_once, (float)time,
+                                   world->air && !asks && *done + at_once < count, error);
         if (result != SKV_OK)
             return result;
         if (open) {
