@@ -121,6 +121,11 @@ bool skv_world_has_interfaces(const skv_world *world)
     return false;
 }
 
+const uint8_t *skv_world_pushed(const skv_world *world)
+{
+    return world->state.several && skv_world_has_interfaces(world) ? world->state.fluid : NULL;
+}
+
 /* ---- Snapshots ------------------------------------------------------------------------------- */
 
 void skv_exchange_contents(skv_port *port, int *dye, int *fluid)

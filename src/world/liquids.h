@@ -52,4 +52,7 @@ bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras 
 /* Whether a fluid of a world pushes others apart. */
 bool skv_world_has_interfaces(const skv_world *world);
 
+/* The fluids of its particles, if one does; else null. */
+const uint8_t *skv_world_pushed(const skv_world *world);
+
 #endif

@@ -41,7 +41,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
                       .warm_lambda = s->warm_lambda,
                       .mass = skv_world_masses(world),
                       .drag = skv_world_drags(world),
-                      .fluid = skv_world_has_interfaces(world) && s->several ? s->fluid : NULL,
+                      .fluid = skv_world_pushed(world),
                       .liquids = world->liquids,
                       .id = s->id},
         .constants = constants,

@@ -47,6 +47,12 @@ bool skv_world_has_interfaces(const skv_world *world)
     return false;
 }
 
+const uint8_t *skv_world_pushed(const skv_world *world)
+{
+    (void)world;
+    return NULL;
+}
+
 skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_error *error)
 {
     (void)scene;

@@ -210,14 +210,13 @@ struct skv_rows {
 
     const struct skv_row_kernels *kernels;
     skv_row_thread *thread;
-    int thread_room, threads; /* threads to have memory for, and at work in this call */
-    bool held, gauged;        /* this substep computes the gauge pressure */
-    bool massive;             /* in this call particles have masses */
-    bool dragged, various;    /* and drags; which are their own */
-    /* The frame of this call, if unlike particles push each other; else null. */
-    const struct skv_row_frame *pushed;
-    skv_row_acting acting;        /* in this call */
-    const skv_reaction *reaction; /* whose box is asked for in this call, or null */
+    int thread_room, threads;          /* threads to have memory for, and at work in this call */
+    bool held, gauged;                 /* this substep computes the gauge pressure */
+    bool massive;                      /* in this call particles have masses */
+    bool dragged, various;             /* and drags; which are their own */
+    const struct skv_row_frame *frame; /* of this call */
+    skv_row_acting acting;             /* in this call */
+    const skv_reaction *reaction;      /* whose box is asked for in this call, or null */
     void *particle_block, *mass_block, *drag_block, *grid_block, *histogram_block;
     skv_solver_memory memory;
     double seconds[ROW_PHASES];
@@ -255,7 +254,7 @@ static inline bool skv_has_pushed(const skv_rows *rows)
     (void)rows;
     return false;
 #else
-    return rows->pushed != NULL;
+    return rows->frame->particles->fluid != NULL;
 #endif
 }
 

@@ -122,7 +122,7 @@ skv_impulse skv_rows_step(skv_rows *rows, const skv_row_frame *frame, int subste
         return (skv_impulse){0};
     rows->held = frame->part != NULL;
     rows->massive = frame->mass != NULL;
-    rows->pushed = frame->fluid ? frame : NULL;
+    rows->frame = frame;
     rows->dragged = frame->viscous;
     rows->various = frame->viscous && frame->drag;
     rows->acting = *acting;

@@ -58,13 +58,11 @@ typedef struct skv_row_frame {
     const float *mass;    /* solver.h */
     const float *drag;    /* solver.h */
     bool viscous;         /* masses are */
-    const uint8_t *fluid; /* solver.h */
-    const skv_liquid *liquids;
-    float half;           /* what m/s^2 are as h per half a substep squared */
     float dt;             /* s */
     float length, speed;  /* factors from the caller's units to h, h a substep, ... */
     float lambda;         /* ... and h a substep squared */
     float sunk_x, sunk_y; /* how far below their places held ones lie, h */
+    const skv_solver_particles *particles; /* as they came: of which fluids they are */
 } skv_row_frame;
 
 /* Takes in the frame's particles, takes `substeps` substeps, and writes the particles back. The

@@ -86,7 +86,7 @@ void skv_rows_turn_unlike(const skv_rows *s, int row, const skv_constants *c,
 /* Number of the fluid of the particle in a place. */
 static int fluid_at(const skv_rows *s, int place)
 {
-    return s->pushed->fluid[s->set[s->current].number[place] & ~ROW_HELD];
+    return s->frame->particles->fluid[s->set[s->current].number[place] & ~ROW_HELD];
 }
 
 /* Pushes a and b apart, in the displacements `to` of b, if they are of two fluids. */
@@ -101,11 +101,12 @@ static void push_pair(const skv_rows *s, const skv_boundary *boundary, int a, in
     if (skv_boundary_has_thin(boundary) &&
         skv_boundary_occluded(boundary, p->x[a], p->y[a], 0, p->x[b], p->y[b], 0))
         return;
-    const skv_liquid *liquids = s->pushed->liquids;
+    const skv_row_frame *frame = s->frame;
+    const skv_liquid *liquids = frame->particles->liquids;
     float strength = skv_maxf(liquids[own].interface_push, liquids[other].interface_push);
     float lighter = skv_minf(skv_row_mass(s, a), skv_row_mass(s, b)), q = 1 - sqrtf(square);
-    /* F over r, as the unit vector is (x, y) over r. */
-    float push = s->pushed->half * strength * lighter * (q * q);
+    /* F over r, as the unit vector is (x, y) over r; m/s^2 in h a substep squared. */
+    float push = frame->lambda / 2 * strength * lighter * (q * q);
     s->own_move.x[a] -= push * x;
     s->own_move.y[a] -= push * y;
     to->x[b] += push * x;
