@@ -152,6 +152,8 @@ static size_t index_of(const skv_image *image, int x, int y)
     return (size_t)(image->height - 1 - y) * (size_t)image->width + (size_t)x;
 }
 
+/* Without bodies a picture with brown is not read to the end: web/core/no_fluids.c. */
+#ifndef SKV_WITHOUT_BODIES
 static bool is_near_body(place p)
 {
     for (int i = 0; i < (2 * BLURRED + 1) * (2 * BLURRED + 1); i++) {
@@ -163,20 +165,23 @@ static bool is_near_body(place p)
     }
     return false;
 }
+#endif
 
 /* A pixel's meaning, but that yellow and brown count in flat areas alone, and near a brown one red
  * in pure ones: it lies between brown and blue, and JPEGs have it beside brown. */
 static int class_at(place p, int x, int y)
 {
-    place at = {p.image, p.paint, x, y};
     colour own = colour_at(p.image, x, y);
     int class = classify(own);
     if ((class == SKV_PAINT_OIL || class == SKV_PAINT_BODY) &&
         !(p.paint[index_of(p.image, x, y)] & FLAT_AREA))
         return WRONG;
+#ifndef SKV_WITHOUT_BODIES
+    place at = {p.image, p.paint, x, y};
     bool pale = chroma(own) < PURE * highest(own) || own.g - own.b > BROWNISH * chroma(own);
     if (class == SKV_PAINT_DRAIN && is_near_body(at) && (pale || !is_meant(at, class)))
         return WRONG;
+#endif
     return class;
 }
 

@@ -9,9 +9,10 @@
 #include <string.h>
 
 static const char *const names[] = {
-    "pool",     "dam-break", "waves",   "breaking-wave", "u-tube", "communicating", "splash",
-    "pipes",    "fountain",  "duck",    "ink",           "oil",    "three-liquids", "mercury",
-    "floating", "boat",      "tsunami", "jelly",         "goo",    "funnel",        "tank"};
+    "pool",    "dam-break",     "waves",    "breaking-wave", "u-tube",      "communicating",
+    "splash",  "pipes",         "fountain", "duck",          "water-wheel", "ink",
+    "oil",     "three-liquids", "mercury",  "floating",      "boat",        "lock",
+    "tsunami", "jelly",         "goo",      "funnel",        "tank"};
 enum { SCENES = sizeof names / sizeof *names };
 
 static bool is_painted(const char *name)
@@ -97,12 +98,13 @@ static void test_numbers_of_particles(void **state)
     for (int i = 0; i < SCENES; i++) {
         for (int k = 0; k < (long_tests() ? 4 : 2); k++)
             build(names[i], numbers[k],
-                  is_empty(names[i])                  ? 0
-                  : numbers[k] > 0                    ? numbers[k]
-                  : strcmp(names[i], "fountain") == 0 ? 1500
-                  : strcmp(names[i], "duck") == 0     ? 2500
-                  : strcmp(names[i], "ink") == 0      ? 4000
-                                                      : 3000);
+                  is_empty(names[i])                     ? 0
+                  : numbers[k] > 0                       ? numbers[k]
+                  : strcmp(names[i], "fountain") == 0    ? 1500
+                  : strcmp(names[i], "duck") == 0        ? 2500
+                  : strcmp(names[i], "water-wheel") == 0 ? 2000
+                  : strcmp(names[i], "ink") == 0         ? 4000
+                                                         : 3000);
     }
 }
 
@@ -138,8 +140,8 @@ static void test_unknown_names(void **state)
         snprintf(message, sizeof message,
                  "%s: is no scene; allowed are a file that ends in .json or .png, or one of pool, "
                  "dam-break, waves, breaking-wave, u-tube, communicating, splash, pipes, fountain, "
-                 "duck, ink, oil, three-liquids, mercury, floating, boat, tsunami, jelly, goo, "
-                 "funnel, tank",
+                 "duck, water-wheel, ink, oil, three-liquids, mercury, floating, boat, lock, "
+                 "tsunami, jelly, goo, funnel, tank",
                  bad[i]);
         assert_string_equal(error.text, message);
         assert_null(scene);

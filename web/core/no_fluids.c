@@ -62,7 +62,7 @@ skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_
 skv_result skv_scene_paint_oil(skv_scene *scene, const char *label, skv_error *error)
 {
     (void)label;
-    return check_count(scene->marked[SKV_PAINT_OIL], error);
+    return check_count(scene->marked[SKV_PAINT_OIL] + scene->marked[SKV_PAINT_BODY], error);
 }
 
 /* "water" is the first of them, as it is elsewhere. */

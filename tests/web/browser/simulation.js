@@ -85,7 +85,7 @@ async function testModes(browser) {
         assert.ok(seen.told <= 2, `${mode}: a paused world is told of ${seen.told} times`);
         assert.ok(seen.chosen >= 500 && seen.chosen <= 5000, mode);
         assert.match(seen.link, /^1\./);
-        assert.equal(seen.scenes, 21);
+        assert.equal(seen.scenes, 23);
         await untilWater(page, (water) => lacking === 'webgl' ? water === 0 : water > 0.05 && water < 0.5, mode);
         if (threads === 3) {
             const png = await page.evaluate(async () => [...await window.trial.simulation.save('png')]);
