@@ -216,6 +216,22 @@ skv_packing fixture_packing(const skv_world *world)
     return packing;
 }
 
+skv_body_id fixture_add_body(skv_world *world, const skv_body_def *def)
+{
+    skv_body_id id;
+    skv_error error = {0};
+    if (skv_world_add_body(world, def, &id, NULL, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    return id;
+}
+
+skv_body fixture_body(const skv_world *world, skv_body_id id)
+{
+    skv_body body;
+    assert_true(skv_world_body(world, id, &body));
+    return body;
+}
+
 void fixture_run(skv_world *world, int frames)
 {
     for (int i = 0; i < frames; i++)

@@ -83,6 +83,10 @@ void fixture_seal(fixture_saved saved);
 /* Fails the test unless a run gives the same hash on any threads and instruction set. */
 void fixture_expect_same_bits(uint64_t (*run)(int threads, skv_instruction_set set));
 
+/* Puts a body into the world; and what is told of one. Both fail the test if there is none. */
+skv_body_id fixture_add_body(skv_world *world, const skv_body_def *def);
+skv_body fixture_body(const skv_world *world, skv_body_id id);
+
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);
 

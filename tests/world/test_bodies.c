@@ -52,29 +52,15 @@ static skv_body_def box(float width, float height, float x, float y, float densi
     return def;
 }
 
-static skv_body_id add(skv_world *world, const skv_body_def *def)
-{
-    skv_body_id id;
-    assert_int_equal(skv_world_add_body(world, def, &id, NULL, NULL), SKV_OK);
-    return id;
-}
-
-static skv_body look(const skv_world *world, skv_body_id id)
-{
-    skv_body body;
-    assert_true(skv_world_body(world, id, &body));
-    return body;
-}
-
 /* The mean force upwards over ... frames, against what the water weighs that the body displaces. */
 static double lift(skv_world *world, skv_body_id id, int frames)
 {
     double sum = 0;
     for (int f = 0; f < frames; f++) {
         fixture_run(world, 1);
-        sum += (double)look(world, id).force_y;
+        sum += (double)fixture_body(world, id).force_y;
     }
-    return sum / frames / (1000 * EARTH * (double)look(world, id).area);
+    return sum / frames / (1000 * EARTH * (double)fixture_body(world, id).area);
 }
 
 /* In the middle of a pool, turned or not, and so near to the floor that there is but a film below
@@ -93,12 +79,12 @@ static void water_lifts_what_is_held(void **unused)
         skv_body_def def = box(0.2f, 0.1f, 0.3f, cases[k].y, 500);
         def.angle = cases[k].angle;
         def.fixed = true;
-        skv_body_id id = add(world, &def);
+        skv_body_id id = fixture_add_body(world, &def);
         assert_int_equal(skv_world_settle(world, NULL), SKV_OK);
         fixture_run(world, 120);
         double share = lift(world, id, 60);
         assert_true(share > (double)cases[k].least && share < (double)cases[k].most);
-        skv_body body = look(world, id);
+        skv_body body = fixture_body(world, id);
         assert_near((double)body.y, (double)cases[k].y, 1e-7);
         assert_near((double)body.angle, (double)def.angle, 1e-7);
         skv_world_destroy(world);
@@ -111,7 +97,7 @@ static double height(skv_world *world, skv_body_id id, int frames, double *jitte
     double sum = 0, squares = 0;
     for (int f = 0; f < frames; f++) {
         fixture_run(world, 1);
-        skv_body body = look(world, id);
+        skv_body body = fixture_body(world, id);
         sum += (double)body.y;
         squares += (double)(body.vx * body.vx + body.vy * body.vy);
     }
@@ -125,14 +111,14 @@ static void check_draught(float density)
     const double width = 1.2, long_ = 0.3, high = 0.1;
     skv_world *world = make_pool(SKV_SOLVER_FAST, 12, (float)width, 0.2f);
     skv_body_def def = box((float)long_, (float)high, (float)width / 2, 0.21f, density);
-    skv_body_id id = add(world, &def);
+    skv_body_id id = fixture_add_body(world, &def);
     assert_int_equal(skv_world_settle(world, NULL), SKV_OK);
     fixture_run(world, 480);
     double jitter, bottom = height(world, id, 240, &jitter) - high / 2;
     double s = (double)SPACING, water = skv_world_particle_count(world) * s * s;
     double level = (water - long_ * bottom) / (width - long_);
     assert_near(level - bottom, high * (double)density / 1000, 0.001);
-    assert_near((double)look(world, id).angle, 0, 0.02);
+    assert_near((double)fixture_body(world, id).angle, 0, 0.02);
     assert_true(jitter < 0.02);
     skv_world_destroy(world);
 }
@@ -178,11 +164,11 @@ static void momentum_stays(void **unused)
         skv_body_def def = box(0.08f, 0.05f, 0.78f, 0.44f, 300);
         def.vx = 0.5f;
         def.spin = 3;
-        add(world, &def);
+        fixture_add_body(world, &def);
         def.x = 0.85f;
         def.y = 0.48f;
         def.vx = -0.3f;
-        add(world, &def);
+        fixture_add_body(world, &def);
         double before[3], after[3];
         momentum_of(world, before);
         double scale = 300 * 0.08 * 0.05 * (0.5 + 0.3), turning = 0.08 * scale;
@@ -203,7 +189,7 @@ static void walls_and_bodies_hold_bodies(void **unused)
     skv_body_id stack[3];
     for (int k = 0; k < 3; k++) {
         skv_body_def def = box(0.1f, 0.1f, 0.3f, 0.055f + 0.105f * (float)k, 2000);
-        stack[k] = add(world, &def);
+        stack[k] = fixture_add_body(world, &def);
     }
     skv_body_def ball = skv_default_body_def();
     ball.shape = skv_circle(0, 0, 0.04f);
@@ -211,14 +197,14 @@ static void walls_and_bodies_hold_bodies(void **unused)
     ball.y = 0.5f;
     ball.vx = -20;
     ball.vy = -30;
-    skv_body_id thrown = add(world, &ball);
+    skv_body_id thrown = fixture_add_body(world, &ball);
     for (int f = 0; f < 180; f++) {
         fixture_run(world, 1);
-        skv_body body = look(world, thrown);
+        skv_body body = fixture_body(world, thrown);
         assert_true(body.x > 0.038f && body.x < 0.562f && body.y > 0.038f && body.y < 0.762f);
     }
     for (int k = 0; k < 3; k++) {
-        skv_body body = look(world, stack[k]);
+        skv_body body = fixture_body(world, stack[k]);
         assert_true(fabsf(body.y - (0.05f + 0.1f * (float)k)) < 0.002f * (float)(k + 1));
     }
     skv_world_destroy(world);
@@ -229,9 +215,9 @@ static void heavy_bodies_sink_and_rest(void **unused)
     (void)unused;
     skv_world *world = make_pool(SKV_SOLVER_FAST, 0, 0.6f, 0.3f);
     skv_body_def def = box(0.1f, 0.06f, 0.3f, 0.4f, 2500);
-    skv_body_id id = add(world, &def);
+    skv_body_id id = fixture_add_body(world, &def);
     fixture_run(world, 240);
-    skv_body body = look(world, id);
+    skv_body body = fixture_body(world, id);
     assert_near((double)body.y, 0.03, 0.002);
     assert_near((double)body.vy, 0, 0.01);
     assert_int_equal(skv_world_stats(world).escaped, 0);
@@ -251,12 +237,12 @@ static void bodies_lie_on_the_floor(void **unused)
             fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, cases[k].spacing, 1);
         skv_world *world = make_tank(&def, 0.6f, 0.4f);
         skv_body_def body = box(cases[k].width, cases[k].height, 0.3f, 0.2f, cases[k].density);
-        skv_body_id id = add(world, &body);
+        skv_body_id id = fixture_add_body(world, &body);
         assert_int_equal(skv_world_settle(world, NULL), SKV_OK);
         fixture_run(world, 180);
-        skv_body lies = look(world, id);
+        skv_body lies = fixture_body(world, id);
         fixture_run(world, 180);
-        skv_body rests = look(world, id);
+        skv_body rests = fixture_body(world, id);
         assert_near((double)rests.y, (double)cases[k].height / 2, 0.002);
         assert_near((double)rests.angle, 0, 0.02);
         assert_near((double)rests.x, (double)lies.x, 0.001);
@@ -276,9 +262,9 @@ static void light_bodies_leave_the_floor(void **unused)
     for (int k = 0; k < 3; k++) {
         skv_world *world = make_pool(SKV_SOLVER_FAST, 0, 0.8f, 0.4f);
         skv_body_def def = box(0.2f, 0.1f, 0.4f, 0.051f, cases[k].density);
-        skv_body_id id = add(world, &def);
+        skv_body_id id = fixture_add_body(world, &def);
         fixture_run(world, cases[k].frames);
-        float y = look(world, id).y;
+        float y = fixture_body(world, id).y;
         assert_true(y > cases[k].least && y < cases[k].most);
         skv_world_destroy(world);
     }
@@ -291,12 +277,12 @@ static void put_two(skv_world *world)
     def.angle = 0.1f;
     def.vx = 0.4f;
     def.spin = -1;
-    add(world, &def);
+    fixture_add_body(world, &def);
     def.shape = skv_circle(0, 0, 0.06f);
     def.x = 0.42f;
     def.y = 0.2f;
     def.vy = -0.5f;
-    add(world, &def);
+    fixture_add_body(world, &def);
 }
 
 static void rows_agree_with_the_reference(void **unused)
@@ -390,7 +376,7 @@ static void a_body_that_is_held_is_a_wall(void **unused)
         skv_lab *lab;
         skv_body_id id = 0;
         if (k == 0)
-            id = add(world, &held);
+            id = fixture_add_body(world, &held);
         else
             draw_box(world);
         fixture_fill(world, 0, 0, 0.6f, 0.4f);
@@ -514,7 +500,7 @@ static void bodies_come_and_go(void **unused)
     assert_int_equal(skv_world_add_body(world, &def, &first, &removed, NULL), SKV_OK);
     assert_true(removed > 0.8 * 0.02 / (double)(SPACING * SPACING));
     assert_int_equal(skv_world_particle_count(world), count - removed);
-    skv_body body = look(world, first);
+    skv_body body = fixture_body(world, first);
     assert_near((double)body.x, 0.5 / 3, 1e-6);
     assert_near((double)body.area, 0.02, 1e-6);
     assert_near((double)body.mass, 10, 1e-4);
@@ -523,15 +509,15 @@ static void bodies_come_and_go(void **unused)
     assert_int_equal(body.corners, 3);
     assert_int_equal(skv_world_add_particle(world, 0.15f, 0.15f, 0, 0, NULL), SKV_ERROR_VALUE);
     def.shape = skv_swept_circle(0.4f, 0.2f, 0.5f, 0.2f, 0.03f);
-    second = add(world, &def);
-    assert_near((double)look(world, second).area, 0.1 * 0.06 + 3.14159265 * 0.0009, 2e-5);
+    second = fixture_add_body(world, &def);
+    assert_near((double)fixture_body(world, second).area, 0.1 * 0.06 + 3.14159265 * 0.0009, 2e-5);
     assert_true(skv_world_remove_body(world, first));
     assert_false(skv_world_body(world, first, &body));
     assert_int_equal(body.corners, 0);
-    assert_int_equal(look(world, second).id, second);
+    assert_int_equal(fixture_body(world, second).id, second);
     assert_int_equal(skv_world_add_particle(world, 0.15f, 0.15f, 0, 0, NULL), SKV_OK);
     fixture_run(world, 10);
-    assert_true(add(world, &def) > second);
+    assert_true(fixture_add_body(world, &def) > second);
     skv_world_destroy(world);
 }
 
@@ -541,11 +527,11 @@ static void bodies_wake_water(void **unused)
     (void)unused;
     skv_world *world = fixture_sleeping_pool(0.02f, 1);
     skv_body_def def = box(0.1f, 0.1f, 0.4f, 0.6f, 800);
-    skv_body_id id = add(world, &def);
+    skv_body_id id = fixture_add_body(world, &def);
     fixture_run(world, 60);
     assert_true(skv_world_awake_count(world) > 0);
-    assert_true((double)look(world, id).y < 0.4);
-    assert_true((double)look(world, id).y > 0.1);
+    assert_true((double)fixture_body(world, id).y < 0.4);
+    assert_true((double)fixture_body(world, id).y > 0.1);
     skv_world_destroy(world);
 }
 
@@ -559,7 +545,7 @@ static void bodies_leave_through_open_sides(void **unused)
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
     skv_body_def falling = box(0.1f, 0.1f, 0.4f, 0.2f, 800);
-    add(world, &falling);
+    fixture_add_body(world, &falling);
     fixture_run(world, 60);
     assert_int_equal(skv_world_body_count(world), 0);
     skv_world_destroy(world);

@@ -51,16 +51,7 @@ static skv_body_id add(skv_world *world, float y, float density)
     def.x = WIDTH / 2;
     def.y = y;
     def.density = density;
-    skv_body_id id;
-    assert_int_equal(skv_world_add_body(world, &def, &id, NULL, NULL), SKV_OK);
-    return id;
-}
-
-static skv_body look(const skv_world *world, skv_body_id id)
-{
-    skv_body body;
-    assert_true(skv_world_body(world, id, &body));
-    return body;
+    return fixture_add_body(world, &def);
 }
 
 /* How much of a body lies in the lower of two fluids, by the level that the volume gives, on
@@ -73,7 +64,7 @@ static double share_below(skv_world *world, skv_body_id id, int lower, double *a
     *angle = 0;
     for (int f = 0; f < frames; f++) {
         fixture_run(world, 1);
-        skv_body body = look(world, id);
+        skv_body body = fixture_body(world, id);
         bottom += ((double)body.y - height / 2) / frames;
         *angle += (double)body.angle / frames;
     }
@@ -115,7 +106,7 @@ static void a_fluid_alone_moves_bodies_by_its_ratio(void **unused)
         fill(world, 0, 0.3f, k ? BESIDE : 0);
         skv_body_id id = add(world, (float)height / 2 + 0.001f, k ? 2000 : 500);
         fixture_run(world, 5);
-        moved[k] = look(world, id);
+        moved[k] = fixture_body(world, id);
         assert_int_equal(skv_world_fluid_stats(world, k ? 0 : BESIDE).particles, 0);
         skv_world_destroy(world);
     }

@@ -53,16 +53,7 @@ static skv_body_id add(skv_world *world, float x, float y, float density)
     def.x = x;
     def.y = y;
     def.density = density;
-    skv_body_id id;
-    assert_int_equal(skv_world_add_body(world, &def, &id, NULL, NULL), SKV_OK);
-    return id;
-}
-
-static skv_body look(const skv_world *world, skv_body_id id)
-{
-    skv_body body;
-    assert_true(skv_world_body(world, id, &body));
-    return body;
+    return fixture_add_body(world, &def);
 }
 
 static skv_hand grasp(const skv_world *world, float x, float y)
@@ -105,16 +96,16 @@ static void bodies_follow_and_fly_on(void **unused)
         hand.vy = 1;
         for (int f = 0; f < 15; f++) {
             hold(world, &hand, 1);
-            skv_body body = look(world, id);
+            skv_body body = fixture_body(world, id);
             double behind = hypot((double)(body.x - hand.x), (double)(body.y - hand.y));
             assert_true(f < 6 || behind < 0.02);
         }
         let_go(world);
-        skv_body before = look(world, id);
+        skv_body before = fixture_body(world, id);
         assert_near((double)before.vx, 2, 0.15);
         assert_near((double)before.vy, 1, 0.25);
         fixture_run(world, 6);
-        skv_body after = look(world, id);
+        skv_body after = fixture_body(world, id);
         assert_near((double)after.vx, (double)before.vx, 1e-3);
         assert_near((double)after.vy, (double)before.vy - 0.1 * EARTH, 1e-2);
         assert_near((double)(after.x - before.x), 0.1 * (double)before.vx, 1e-3);
@@ -132,7 +123,7 @@ static void what_is_held_hangs_still(void **unused)
     hand.friction = 10;
     for (int f = 0; f < 240; f++)
         hold(world, &hand, 1);
-    skv_body body = look(world, id);
+    skv_body body = fixture_body(world, id);
     assert_near((double)body.x, 0.64, 1e-3);
     /* Its weight stretches the spring. */
     double sag = EARTH / (double)(FOLLOW * FOLLOW) / (1 + 1000.0 / 1900);
@@ -149,11 +140,11 @@ static void what_is_held_hangs_still(void **unused)
         if (f == 35)
             hand.vy = 0;
     }
-    body = look(world, id);
+    body = fixture_body(world, id);
     assert_near((double)body.y, 0.2, 0.01);
     let_go(world);
     fixture_run(world, 90);
-    assert_true((double)look(world, id).y > 0.33);
+    assert_true((double)fixture_body(world, id).y > 0.33);
     skv_world_destroy(world);
 }
 
@@ -178,7 +169,7 @@ static void walls_hold_what_is_held(void **unused)
             hand.vx = way > speed / 60 ? speed * x / way : 0;
             hand.vy = way > speed / 60 ? speed * y / way : 0;
             hold(world, &hand, 1);
-            skv_body body = look(world, id);
+            skv_body body = fixture_body(world, id);
             if (k == 3)
                 print_message("%d: %g %g  v %g %g spin %g sub %d\n", f, (double)body.x,
                               (double)body.y, (double)body.vx, (double)body.vy, (double)body.spin,
@@ -213,7 +204,7 @@ static void hands_share_a_body(void **unused)
         hands[1].vy = f < 60 ? 0.06f : 0;
         hold(world, hands, 2);
     }
-    skv_body body = look(world, id);
+    skv_body body = fixture_body(world, id);
     assert_near((double)body.angle, atan(0.06 / 0.04), 0.05);
     assert_near((double)body.x, 0.6, 0.01);
     assert_true(hypot((double)body.vx, (double)body.vy) < 1e-3 && fabs((double)body.spin) < 0.01);
@@ -255,8 +246,8 @@ static skv_world *make_busy(int threads, skv_instruction_set set)
 /* Stirs with the one and the other from frame to frame. */
 static void stir(skv_world *world, int from, int to)
 {
-    skv_hand hands[2] = {grasp(world, look(world, 1).x, look(world, 1).y),
-                         grasp(world, look(world, 2).x, look(world, 2).y)};
+    skv_hand hands[2] = {grasp(world, fixture_body(world, 1).x, fixture_body(world, 1).y),
+                         grasp(world, fixture_body(world, 2).x, fixture_body(world, 2).y)};
     for (int f = from; f < to; f++) {
         hands[0].x = 0.3f + 0.004f * (float)f;
         hands[0].y = f % 30 < 15 ? 0.2f : 0.3f;
@@ -337,9 +328,7 @@ static skv_body_id add_plate(skv_world *world, float x, float height)
     def.shape = skv_box(-0.025f, -0.1f, 0.025f, height);
     def.x = x;
     def.fixed = true;
-    skv_body_id id;
-    assert_int_equal(skv_world_add_body(world, &def, &id, NULL, NULL), SKV_OK);
-    return id;
+    return fixture_add_body(world, &def);
 }
 
 static int count_left(const skv_world *world, float x)
@@ -359,20 +348,21 @@ static void what_is_fixed_is_moved(void **unused)
     skv_world *world = make_tank(1, SKV_ISA_BEST, 0.3f, false);
     skv_body_id id = add_plate(world, 0.3f, 0.6f);
     fixture_run(world, 30);
-    assert_true(look(world, id).x == 0.3f);
+    assert_true(fixture_body(world, id).x == 0.3f);
     int left = count_left(world, 0.3f);
     skv_hand hand = grasp(world, 0.3f, 0.5f);
     hand.vx = 0.3f;
     for (int f = 0; f < 60; f++) {
         hold(world, &hand, 1);
-        skv_body body = look(world, id);
+        skv_body body = fixture_body(world, id);
         assert_true(fabsf(body.x - hand.x) < 0.02f && fabsf(body.y - 0.25f) < 0.002f);
         assert_true(body.angle == 0);
     }
     let_go(world);
-    skv_body body = look(world, id);
+    skv_body body = fixture_body(world, id);
     fixture_run(world, 30);
-    assert_true(fabsf(look(world, id).x - body.x) < 1e-6f && look(world, id).vx == 0);
+    assert_true(fabsf(fixture_body(world, id).x - body.x) < 1e-6f &&
+                fixture_body(world, id).vx == 0);
     assert_near((double)body.x, 0.6, 0.02);
     assert_true(abs(count_left(world, body.x) - left) <= left / 50);
     assert_int_equal(skv_world_stats(world).escaped, 0);
@@ -397,9 +387,9 @@ static void what_is_fixed_crushes_nothing(void **unused)
             hand.vx = f < 60 ? 1.5f : 0;
             hold(world, &hand, 1);
             for (int i = 0; i < 2 && k; i++)
-                assert_true(look(world, loose[i]).x < 1.2f);
+                assert_true(fixture_body(world, loose[i]).x < 1.2f);
         }
-        skv_body body = look(world, id);
+        skv_body body = fixture_body(world, id);
         assert_true(body.x > 0.65f && body.x < 1.08f);
         assert_true(abs(count_left(world, body.x) - left) <= left / 50);
         skv_stats stats = skv_world_stats(world);
@@ -422,21 +412,21 @@ static void what_is_pinned_and_fixed_is_turned(void **unused)
     skv_body_id id;
     assert_int_equal(skv_world_add_body(world, &def, &id, NULL, NULL), SKV_OK);
     fixture_run(world, 10);
-    assert_true(look(world, id).angle == 0);
+    assert_true(fixture_body(world, id).angle == 0);
     skv_hand hand = grasp(world, 0.69f, 0.2f);
     for (int f = 0; f < 60; f++) {
         hand.vx = -0.2f;
         hand.vy = 0.3f;
         hold(world, &hand, 1);
     }
-    assert_near((double)look(world, id).angle, atan2(0.3, 0.09), 0.1);
-    assert_near((double)look(world, id).pin_x, 0.4, 1e-6);
+    assert_near((double)fixture_body(world, id).angle, atan2(0.3, 0.09), 0.1);
+    assert_near((double)fixture_body(world, id).pin_x, 0.4, 1e-6);
     assert_int_equal(skv_world_copy(world, NULL, &copy, NULL), SKV_OK);
     skv_world *both[2] = {world, copy};
     for (int i = 0; i < 2; i++) {
         let_go(both[i]);
         fixture_run(both[i], 5);
-        assert_true(look(both[i], id).spin == 0);
+        assert_true(fixture_body(both[i], id).spin == 0);
     }
     assert_true(skv_world_hash(copy) == skv_world_hash(world));
     skv_world_destroy(world);

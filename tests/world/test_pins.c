@@ -58,22 +58,6 @@ static skv_body_def wheel(float x, float y)
     return def;
 }
 
-static skv_body_id add(skv_world *world, const skv_body_def *def)
-{
-    skv_body_id id;
-    skv_error error = {0};
-    if (skv_world_add_body(world, def, &id, NULL, &error) != SKV_OK)
-        fail_msg("%s", error.text);
-    return id;
-}
-
-static skv_body look(const skv_world *world, skv_body_id id)
-{
-    skv_body body;
-    assert_true(skv_world_body(world, id, &body));
-    return body;
-}
-
 /* How far a body whose pin was so far from its centre of mass, in its own axes, is off its pin, m.
  */
 static double off_pin(const skv_body *body, double at_x, double at_y)
@@ -97,12 +81,12 @@ static void pendulums_swing_as_they_should(void **unused)
         def.y = (float)(0.6 - above[k] * cos(start));
         def.pin_y = 0.6f;
         def.angle = (float)start;
-        skv_body_id id = add(world, &def);
+        skv_body_id id = fixture_add_body(world, &def);
         double before = start, first = 0, last = 0;
         int passes = 0;
         for (int f = 1; f <= 600; f++) {
             fixture_run(world, 1);
-            skv_body body = look(world, id);
+            skv_body body = fixture_body(world, id);
             double angle = (double)body.angle;
             if (before * angle < 0) {
                 last = f - angle / (angle - before);
@@ -115,8 +99,8 @@ static void pendulums_swing_as_they_should(void **unused)
         double square = (width * width + height * height) / 12 + above[k] * above[k];
         double theory = 2 * PI * sqrt(square / (EARTH * above[k])) * (1 + start * start / 16);
         assert_near(period, theory, 0.003 * theory);
-        assert_near((double)look(world, id).inertia, 500 * 0.018 * (square - above[k] * above[k]),
-                    1e-5);
+        assert_near((double)fixture_body(world, id).inertia,
+                    500 * 0.018 * (square - above[k] * above[k]), 1e-5);
         skv_world_destroy(world);
     }
 }
@@ -130,17 +114,17 @@ static void motors_reach_their_speed(void **unused)
     skv_body_def def = wheel(0.6f, 0.4f);
     def.motor_speed = 8;
     def.motor_torque = 0.4f;
-    skv_body_id id = add(world, &def);
-    double inertia = (double)look(world, id).inertia;
+    skv_body_id id = fixture_add_body(world, &def);
+    double inertia = (double)fixture_body(world, id).inertia;
     int frames = (int)(60 * inertia * 8 / 0.4 + 0.5);
     const int half = frames / 2;
     fixture_run(world, half);
-    assert_near((double)look(world, id).spin, 0.4 / inertia * half / 60, 0.01);
+    assert_near((double)fixture_body(world, id).spin, 0.4 / inertia * half / 60, 0.01);
     fixture_run(world, frames);
-    assert_near((double)look(world, id).spin, 8, 1e-4);
+    assert_near((double)fixture_body(world, id).spin, 8, 1e-4);
     assert_int_equal(skv_world_set_body_motor(world, id, 0, 0.4f, NULL), SKV_OK);
     fixture_run(world, 2 * frames);
-    assert_near((double)look(world, id).spin, 0, 1e-4);
+    assert_near((double)fixture_body(world, id).spin, 0, 1e-4);
     skv_world_destroy(world);
 
     /* A plank whose weight, 500 * 0.012 kg/m at 0.15 m, asks for 8.8 N. */
@@ -150,9 +134,10 @@ static void motors_reach_their_speed(void **unused)
         def.pin_x = 0.6f;
         def.motor_torque = k ? 9.5f : 8;
         def.motor_speed = 1;
-        id = add(world, &def);
+        id = fixture_add_body(world, &def);
         fixture_run(world, 60);
-        assert_true(k ? look(world, id).angle > 0.5f : look(world, id).angle < -0.5f);
+        assert_true(k ? fixture_body(world, id).angle > 0.5f
+                      : fixture_body(world, id).angle < -0.5f);
         skv_world_destroy(world);
     }
 
@@ -160,9 +145,9 @@ static void motors_reach_their_speed(void **unused)
     def = wheel(0.6f, 0.2f);
     def.motor_speed = 5;
     def.motor_torque = 50;
-    id = add(world, &def);
+    id = fixture_add_body(world, &def);
     fixture_run(world, 120);
-    assert_near((double)look(world, id).spin, 5, 0.1);
+    assert_near((double)fixture_body(world, id).spin, 5, 0.1);
     assert_true(skv_world_stats(world).kinetic_energy > 1);
     skv_world_destroy(world);
 }
@@ -173,7 +158,7 @@ static void water_turns_a_wheel(void **unused)
     (void)unused;
     skv_world *world = make_tank(1, SKV_ISA_BEST, 0, -9.81f);
     skv_body_def def = wheel(0.6f, 0.4f);
-    skv_body_id id = add(world, &def);
+    skv_body_id id = fixture_add_body(world, &def);
     skv_emitter jet = {0};
     jet.x = 0.69f;
     jet.y = 0.75f;
@@ -181,9 +166,9 @@ static void water_turns_a_wheel(void **unused)
     jet.width = 0.05f;
     assert_int_equal(skv_world_set_emitters(world, &jet, 1, NULL), SKV_OK);
     fixture_run(world, 60);
-    double began = (double)look(world, id).angle;
+    double began = (double)fixture_body(world, id).angle;
     fixture_run(world, 120);
-    skv_body body = look(world, id);
+    skv_body body = fixture_body(world, id);
     double spin = ((double)body.angle - began) / 2, fastest = sqrt(4 + 2 * EARTH * 0.35) / 0.09;
     assert_true(spin < -0.2 * fastest && spin > -fastest);
     assert_true(off_pin(&body, 0, 0) < 1e-6);
@@ -198,13 +183,13 @@ static void nothing_draws_a_body_off_its_pin(void **unused)
     skv_world *world = make_tank(1, SKV_ISA_BEST, 0.3f, -9.81f);
     skv_body_def def = plank(0.06f, 0.3f, 0.2f, 0.3f);
     def.pin_y = 0.42f;
-    skv_body_id id = add(world, &def);
+    skv_body_id id = fixture_add_body(world, &def);
     skv_body_def brick = skv_default_body_def();
     brick.x = 0.25f;
     brick.y = 0.7f;
     brick.density = 7850;
     brick.vy = -8;
-    skv_body_id falling = add(world, &brick);
+    skv_body_id falling = fixture_add_body(world, &brick);
     skv_hand hand = skv_default_hand();
     hand.attraction = 300;
     hand.follow = 40;
@@ -216,7 +201,7 @@ static void nothing_draws_a_body_off_its_pin(void **unused)
             assert_true(skv_world_grasp(world, 0.2f, 0.2f, 0, &hand));
         assert_int_equal(skv_world_set_hands(world, &hand, f < 180 ? 1 : 0, NULL), SKV_OK);
         fixture_run(world, 1);
-        skv_body body = look(world, id), other = look(world, falling);
+        skv_body body = fixture_body(world, id), other = fixture_body(world, falling);
         assert_true(off_pin(&body, 0, -0.12) < 1e-6);
         assert_true(fabsf(body.spin) < 60);
         deepest = fmin(deepest, (double)other.y - 0.05);
@@ -239,21 +224,21 @@ static void a_flap_hangs_at_a_wall(void **unused)
         skv_world *world = make_tank(1, SKV_ISA_BEST, 0, -9.81f);
         skv_body_def def = plank(0.3f, 0.03f, k ? 0.15f : 0.16f, 0.4f);
         def.pin_x = k ? 0 : 0.02f;
-        skv_body_id id = add(world, &def);
+        skv_body_id id = fixture_add_body(world, &def);
         fixture_run(world, 20);
-        assert_true(look(world, id).angle < -0.2f);
+        assert_true(fixture_body(world, id).angle < -0.2f);
         skv_hand hand = skv_default_hand(); /* it stops its swinging */
         hand.x = k ? 0.25f : 0.02f;
         hand.y = k ? 0.3f : 0.15f;
         hand.attraction = 300;
         hand.follow = 40;
-        skv_body body = look(world, id);
+        skv_body body = fixture_body(world, id);
         assert_true(skv_world_grasp(world, body.x, body.y, 0, &hand));
         assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
         fixture_run(world, 60);
         assert_int_equal(skv_world_set_hands(world, NULL, 0, NULL), SKV_OK);
         fixture_run(world, 120);
-        body = look(world, id);
+        body = fixture_body(world, id);
         assert_true(k ? body.angle < -0.2f && body.angle > -0.8f
                       : fabs((double)body.angle + PI / 2) < 0.1);
         skv_world_destroy(world);
@@ -267,7 +252,7 @@ static void the_fluid_is_not_told_of_the_pin(void **unused)
     skv_world *world = fixture_blob(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0);
     skv_body_def def = plank(0.08f, 0.04f, 0.78f, 0.44f);
     def.spin = 4;
-    skv_body_id id = add(world, &def);
+    skv_body_id id = fixture_add_body(world, &def);
     double s = (double)skv_world_spacing(world), mass = 1000 * s * s, sum[2] = {0}, given[2] = {0};
     for (int sign = -1; sign <= 1; sign += 2) {
         skv_particles p = skv_world_particles(world);
@@ -277,7 +262,7 @@ static void the_fluid_is_not_told_of_the_pin(void **unused)
         }
         for (int f = 0; sign < 0 && f < 60; f++) {
             fixture_run(world, 1);
-            skv_body body = look(world, id);
+            skv_body body = fixture_body(world, id);
             given[0] += (double)body.force_x / 60;
             given[1] += (double)body.force_y / 60;
         }
@@ -294,11 +279,11 @@ static skv_world *make_busy(int threads, skv_instruction_set set)
     skv_body_def def = wheel(0.4f, 0.3f);
     def.motor_speed = -6;
     def.motor_torque = 3;
-    add(world, &def);
+    fixture_add_body(world, &def);
     def = plank(0.06f, 0.3f, 0.9f, 0.3f);
     def.pin_y = 0.42f;
     def.angle = 1;
-    add(world, &def);
+    fixture_add_body(world, &def);
     return world;
 }
 
@@ -323,7 +308,7 @@ static void snapshots_hold_pins(void **unused)
     skv_world *world = make_busy(1, SKV_ISA_BEST), *copy;
     fixture_run(world, 20);
     assert_int_equal(skv_world_copy(world, NULL, &copy, NULL), SKV_OK);
-    skv_body body = look(copy, 1);
+    skv_body body = fixture_body(copy, 1);
     assert_true(body.pinned && body.motor_speed == -6 && body.motor_torque == 3);
     assert_true(body.pin_x == 0.4f && body.pin_y == 0.3f);
     fixture_run(world, 20);
@@ -376,7 +361,7 @@ static void what_is_no_pin_is_refused(void **unused)
     refuse(world, &def, no_pin);
 
     skv_error error = {0};
-    skv_body_id id = add(world, &good);
+    skv_body_id id = fixture_add_body(world, &good);
     assert_int_equal(skv_world_set_body_motor(world, id, 1001, 1, &error), SKV_ERROR_VALUE);
     assert_string_equal(error.text, too_much);
     assert_int_equal(skv_world_set_body_motor(world, 9, 1, 1, &error), SKV_ERROR_VALUE);
@@ -384,7 +369,7 @@ static void what_is_no_pin_is_refused(void **unused)
     skv_body_def loose = skv_default_body_def();
     loose.y = 0.2f;
     loose.x = 0.2f;
-    skv_body_id other = add(world, &loose);
+    skv_body_id other = fixture_add_body(world, &loose);
     assert_int_equal(skv_world_set_body_motor(world, other, 1, 1, &error), SKV_ERROR_VALUE);
     assert_string_equal(error.text, no_pin);
     assert_int_equal(skv_world_set_body_motor(world, other, 1, 0, &error), SKV_OK);
@@ -399,12 +384,12 @@ static void what_is_pinned_is_put_and_set(void **unused)
     skv_world *world = make_tank(1, SKV_ISA_BEST, 0, 0);
     skv_body_def def = plank(0.3f, 0.04f, 0.75f, 0.4f);
     def.pin_x = 0.6f;
-    skv_body_id id = add(world, &def);
+    skv_body_id id = fixture_add_body(world, &def);
     assert_int_equal(skv_world_set_body_velocity(world, id, 3, 3, 2, NULL), SKV_OK);
-    assert_near((double)look(world, id).vx, 0, 1e-6);
-    assert_near((double)look(world, id).vy, 0.3, 1e-6);
+    assert_near((double)fixture_body(world, id).vx, 0, 1e-6);
+    assert_near((double)fixture_body(world, id).vy, 0.3, 1e-6);
     assert_int_equal(skv_world_set_body_pose(world, id, 0.5f, 0.3f, (float)PI / 2, NULL), SKV_OK);
-    skv_body body = look(world, id);
+    skv_body body = fixture_body(world, id);
     assert_near((double)body.pin_x, 0.5, 1e-6);
     assert_near((double)body.pin_y, 0.15, 1e-6);
     assert_near((double)body.y, 0.3, 1e-6);
@@ -413,9 +398,9 @@ static void what_is_pinned_is_put_and_set(void **unused)
     world = make_tank(1, SKV_ISA_BEST, 0.3f, -9.81f);
     def.fixed = true;
     def.spin = -1;
-    id = add(world, &def);
+    id = fixture_add_body(world, &def);
     fixture_run(world, 60);
-    body = look(world, id);
+    body = fixture_body(world, id);
     assert_near((double)body.angle, -1, 1e-5);
     assert_true(off_pin(&body, 0.15, 0) < 1e-6);
     skv_world_destroy(world);
