@@ -34,6 +34,7 @@ typedef struct cli_run {
     double step_seconds;  /* wall time inside skv_world_step */
     int64_t steps_before; /* that the world had taken before this run */
     output_file csv, trace, png, snapshot;
+    series_bodies bodies; /* of the csv */
     output_video video;
     /* Pictures; null without --png and --video. */
     skv_offscreen *offscreen;
@@ -199,7 +200,7 @@ static skv_result open_run(cli_run *run, skv_error *error)
         if (!options->quiet && run->scene)
             print_notices(run->scene);
         if (options->csv)
-            series_head(&run->csv, run->world);
+            series_head(&run->csv, run->world, run->scene, &run->bodies);
         if (options->trace)
             trace_head(&run->trace);
     }
@@ -221,7 +222,7 @@ static skv_result record(cli_run *run, skv_error *error)
         skv_packing packing;
         result = skv_world_packing(run->world, &packing, error);
         if (!result) {
-            series_row(&run->csv, run->world, &packing, now->time);
+            series_row(&run->csv, run->world, &run->bodies, &packing, now->time);
             result = output_file_check(&run->csv, error);
         }
     }
@@ -313,11 +314,10 @@ static json_t *list_bodies(const cli_run *run)
     }
     for (int i = 0; skv_world_body_at(run->world, i, &body); i++) {
         char number[32];
-        snprintf(number, sizeof number, "body %u", (unsigned)body.id);
-        const char *name = run->scene ? skv_scene_body_name(run->scene, (int)body.id - 1) : NULL;
+        const char *name = body_name(run->scene, body.id, number);
         double under = survey ? skv_survey_submerged(survey, &body) : NAN;
         json_t *told =
-            json_pack("{so so so so so so so so}", "name", output_text(name ? name : number), "x",
+            json_pack("{so so so so so so so so}", "name", output_text(name), "x",
                       output_number((double)body.x), "y", output_number((double)body.y), "angle",
                       output_number((double)body.angle), "vx", output_number((double)body.vx), "vy",
                       output_number((double)body.vy), "spin", output_number((double)body.spin),

@@ -28,9 +28,16 @@ static bool has_several(const skv_world *world)
     return skv_world_liquid(world, 1) != NULL;
 }
 
-/* The head of a fluid's column: in quotes, with those of its name doubled, if a reader of tables
- * would else take the name for more than one. */
-static void fluid_head(output_file *file, const char *name, const char *column)
+const char *body_name(const skv_scene *scene, skv_body_id id, char number[32])
+{
+    const char *name = scene ? skv_scene_body_name(scene, (int)id - 1) : NULL;
+    snprintf(number, 32, "body %u", (unsigned)id);
+    return name ? name : number;
+}
+
+/* The head of a column of a fluid or a body: in quotes, with those of its name doubled, if a reader
+ * of tables would else take the name for more than one. */
+static void named_head(output_file *file, const char *name, const char *column)
 {
     const char *quote = strpbrk(name, ",\"") ? "\"" : "";
     fprintf(file->stream, ",%s", quote);
@@ -39,20 +46,31 @@ static void fluid_head(output_file *file, const char *name, const char *column)
     fprintf(file->stream, ".%s%s", column, quote);
 }
 
-void series_head(output_file *file, const skv_world *world)
+void series_head(output_file *file, const skv_world *world, const skv_scene *scene,
+                 series_bodies *bodies)
 {
     static const char *const columns[] = {"particles", "kinetic_energy", "centre_x", "centre_y"};
+    static const char *const of_bodies[] = {"x", "y", "angle", "vx", "vy", "spin"};
     fputs("t,particles,kinetic_energy,potential_energy,momentum_x,momentum_y,rms_speed,max_speed,"
           "volume_ratio,centre_x,centre_y",
           file->stream);
     const skv_liquid *liquid;
     for (int i = 0; has_several(world) && (liquid = skv_world_liquid(world, i)); i++)
         for (size_t k = 0; k < sizeof columns / sizeof *columns; k++)
-            fluid_head(file, liquid->name, columns[k]);
+            named_head(file, liquid->name, columns[k]);
+    skv_body body;
+    for (bodies->count = 0; skv_world_body_at(world, bodies->count, &body); bodies->count++) {
+        char number[32];
+        const char *name = body_name(scene, body.id, number);
+        bodies->id[bodies->count] = body.id;
+        for (size_t k = 0; k < sizeof of_bodies / sizeof *of_bodies; k++)
+            named_head(file, name, of_bodies[k]);
+    }
     fputc('\n', file->stream);
 }
 
-void series_row(output_file *file, const skv_world *world, const skv_packing *packing, double time)
+void series_row(output_file *file, const skv_world *world, const series_bodies *bodies,
+                const skv_packing *packing, double time)
 {
     skv_stats all = skv_world_stats(world);
     fprintf(file->stream, "%.9g,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", time,
@@ -65,6 +83,14 @@ void series_row(output_file *file, const skv_world *world, const skv_packing *pa
             fprintf(file->stream, ",%.9g,%.9g", one.centre_x, one.centre_y);
         else
             fputs(",,", file->stream);
+    }
+    for (int i = 0; i < bodies->count; i++) {
+        skv_body body;
+        if (skv_world_body(world, bodies->id[i], &body))
+            fprintf(file->stream, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", (double)body.x, (double)body.y,
+                    (double)body.angle, (double)body.vx, (double)body.vy, (double)body.spin);
+        else
+            fputs(",,,,,,", file->stream);
     }
     fputc('\n', file->stream);
 }

@@ -381,6 +381,36 @@ static void test_columns_of_fluids(void **state)
     json_decref(object);
 }
 
+/* Each body has columns of its own, too, which stay empty once it has left through an open side. */
+static void test_columns_of_bodies(void **state)
+{
+    file_write(*state, "bodies.json",
+               "{\"particles\": 300, \"water\": [{\"shape\": \"box\", \"y1\": 0.2}], "
+               "\"world\": {\"open\": {\"right\": true}}, \"bodies\": [{\"name\": \"cork\", "
+               "\"shape\": \"circle\", \"x\": 0.5, \"y\": 0.5, \"radius\": 0.06}, {\"shape\": "
+               "\"circle\", \"x\": 1.4, \"y\": 0.7, \"radius\": 0.06, \"vx\": 5}]}");
+    json_t *object = RUN_JSON(*state, "bodies.json", "--seconds", "0.25", "--csv", "b.csv");
+    char *text = file_read(*state, "b.csv");
+    assert_non_null(strstr(text,
+                           ",centre_y,cork.x,cork.y,cork.angle,cork.vx,cork.vy,cork.spin,"
+                           "body 2.x,body 2.y,body 2.angle,body 2.vx,body 2.vy,body 2.spin\n"));
+    const char *first = next_line(text), *last = text, *empty = ",,,,,,\n";
+    double row[23];
+    assert_int_equal(read_row(first, row, 23), 23);
+    assert_true(fabs(row[11] - 0.5) < 1e-6 && fabs(row[17] - 1.4) < 1e-6 && row[20] == 5);
+    for (const char *line = first; *line; line = next_line(line))
+        last = line;
+    assert_int_equal(read_row(last, row, 17), 17); /* those that are not empty, before the end */
+    assert_string_equal(last + strlen(last) - strlen(empty), empty);
+    static const char *const keys[] = {"x", "y", "angle", "vx", "vy", "spin"};
+    const json_t *bodies = json_object_get(object, "bodies");
+    assert_int_equal(json_array_size(bodies), 1);
+    for (size_t k = 0; k < 6; k++)
+        assert_true(fabs(row[11 + k] - number(json_array_get(bodies, 0), keys[k])) < 1e-6);
+    free(text);
+    json_decref(object);
+}
+
 /* Each fluid is told of, in the result and in the trace, and a link and a state keep it. */
 static void test_fluids(void **state)
 {
@@ -447,6 +477,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_series, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_tables_on_stdout, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_columns_of_fluids, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_columns_of_bodies, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_fluids, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_summary, folder_setup, folder_teardown),
     };
