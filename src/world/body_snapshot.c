@@ -30,12 +30,12 @@ static double *pin(skv_rigid *r, int which)
     return numbers[which];
 }
 
-enum { FIXED = 1, PINNED = 2, HELD = 4 };
+enum { IS_FIXED = 1, IS_PINNED = 2, IS_HELD = 4 };
 
 static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
 {
-    uint64_t id = r->id,
-             held = (r->fixed ? FIXED : 0u) | (r->pinned ? PINNED : 0u) | (r->held ? HELD : 0u);
+    uint64_t id = r->id, held = (r->fixed ? IS_FIXED : 0u) | (r->pinned ? IS_PINNED : 0u) |
+                                (r->held ? IS_HELD : 0u);
     skv_exchange(port, &id, 4);
     r->id = (skv_body_id)id;
     exchange_outline(port, outline);
@@ -45,9 +45,9 @@ static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
     skv_exchange_float(port, &r->friction);
     skv_exchange_float(port, &r->restitution);
     skv_exchange(port, &held, 1);
-    r->fixed = held & FIXED;
-    r->pinned = held & PINNED;
-    r->held = held & HELD;
+    r->fixed = held & IS_FIXED;
+    r->pinned = held & IS_PINNED;
+    r->held = held & IS_HELD;
     if (!r->pinned)
         return;
     for (int i = 0; i < PIN; i++)
