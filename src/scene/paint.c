@@ -35,6 +35,17 @@ enum { WRONG = SKV_PAINTS };
 /* In a painting that is being read: the place belongs to a flat area of oil or of a body. What else
  * is yellow or brown, as edges between green and red are, was not meant. */
 #define FLAT_AREA 0x80
+/* There, too: how near a place is to a flat area of a body, from BLURRED + 1 steps within one down
+ * to none. */
+#define NEAR_STEP 0x10
+#define NEARNESS  0x70
+
+/* Where there are no bodies a picture with brown is not read to the end: web/core/no_fluids.c. */
+#ifdef SKV_WITHOUT_BODIES
+enum { BODIES = 0 };
+#else
+enum { BODIES = 1 };
+#endif
 
 typedef struct colour {
     int r, g, b;
@@ -152,21 +163,6 @@ static size_t index_of(const skv_image *image, int x, int y)
     return (size_t)(image->height - 1 - y) * (size_t)image->width + (size_t)x;
 }
 
-/* Without bodies a picture with brown is not read to the end: web/core/no_fluids.c. */
-#ifndef SKV_WITHOUT_BODIES
-static bool is_near_body(place p)
-{
-    for (int i = 0; i < (2 * BLURRED + 1) * (2 * BLURRED + 1); i++) {
-        int x = p.x + i % (2 * BLURRED + 1) - BLURRED, y = p.y + i / (2 * BLURRED + 1) - BLURRED;
-        if (x >= 0 && y >= 0 && x < p.image->width && y < p.image->height &&
-            p.paint[index_of(p.image, x, y)] & FLAT_AREA &&
-            classify(colour_at(p.image, x, y)) == SKV_PAINT_BODY)
-            return true;
-    }
-    return false;
-}
-#endif
-
 /* A pixel's meaning, but that yellow and brown count in flat areas alone, and near a brown one red
  * in pure ones: it lies between brown and blue, and JPEGs have it beside brown. */
 static int class_at(place p, int x, int y)
@@ -176,12 +172,11 @@ static int class_at(place p, int x, int y)
     if ((class == SKV_PAINT_OIL || class == SKV_PAINT_BODY) &&
         !(p.paint[index_of(p.image, x, y)] & FLAT_AREA))
         return WRONG;
-#ifndef SKV_WITHOUT_BODIES
     place at = {p.image, p.paint, x, y};
     bool pale = chroma(own) < PURE * highest(own) || own.g - own.b > BROWNISH * chroma(own);
-    if (class == SKV_PAINT_DRAIN && is_near_body(at) && (pale || !is_meant(at, class)))
+    if (BODIES && class == SKV_PAINT_DRAIN && p.paint[index_of(p.image, x, y)] & NEARNESS &&
+        (pale || !is_meant(at, class)))
         return WRONG;
-#endif
     return class;
 }
 
@@ -303,18 +298,46 @@ static uint8_t uniform_share(place p, int class)
     return class == SKV_PAINT_NONE && light ? 255 : 0;
 }
 
-/* Marks the places of flat areas of yellow and brown, as large as what is meant. */
-static void mark_flat(const skv_image *image, uint8_t *paint)
+/* Marks the places of flat areas of yellow and brown, as large as what is meant; returns whether
+ * any is brown. */
+static bool mark_flat(const skv_image *image, uint8_t *paint)
 {
+    bool brown = false;
     for (int y = 0; y + MEANT <= image->height; y++)
         for (int x = 0; x + MEANT <= image->width; x++) {
             int class = classify(colour_at(image, x, y));
             if ((class != SKV_PAINT_OIL && class != SKV_PAINT_BODY) ||
                 !is_block((place){image, paint, x, y}, class, x, y))
                 continue;
+            int mark = FLAT_AREA | (class == SKV_PAINT_BODY ? (BLURRED + 1) * NEAR_STEP : 0);
+            brown |= class == SKV_PAINT_BODY;
             for (int i = 0; i < MEANT * MEANT; i++)
-                paint[index_of(image, x + i % MEANT, y + i / MEANT)] |= FLAT_AREA;
+                paint[index_of(image, x + i % MEANT, y + i / MEANT)] |= (uint8_t)mark;
         }
+    return brown;
+}
+
+/* Makes a place a step less near than what is nearest around it. */
+static void come_near(place p, uint8_t *paint)
+{
+    uint8_t *own = &paint[index_of(p.image, p.x, p.y)];
+    FOR_NEIGHBOURS(p, x, y)
+    {
+        int nearness = (paint[index_of(p.image, x, y)] & NEARNESS) - NEAR_STEP;
+        if (nearness > (*own & NEARNESS))
+            *own = (uint8_t)((*own & ~NEARNESS) | nearness);
+    }
+}
+
+/* Spreads nearness: there and back over the picture. */
+static void mark_near(const skv_image *image, uint8_t *paint)
+{
+    const int last_x = image->width - 1, last_y = image->height - 1;
+    for (int back = 0; back < 2; back++)
+        for (int y = 0; y <= last_y; y++)
+            for (int x = 0; x <= last_x; x++)
+                come_near((place){image, paint, back ? last_x - x : x, back ? last_y - y : y},
+                          paint);
 }
 
 static skv_result read_pixels(const skv_image *image, const char *label, skv_painting *painting,
@@ -349,10 +372,12 @@ skv_result skv_paint_read(const skv_image *image, const char *label, skv_paintin
     skv_result result =
         room ? SKV_OK : skv_fail(error, SKV_ERROR_MEMORY, "%s: out of memory", label);
     if (room) {
-        mark_flat(image, painting->paint);
+        bool brown = mark_flat(image, painting->paint);
+        if (BODIES && brown)
+            mark_near(image, painting->paint);
         result = read_pixels(image, label, painting, error);
         for (size_t i = 0; i < pixels; i++)
-            painting->paint[i] &= (uint8_t)~FLAT_AREA;
+            painting->paint[i] &= (uint8_t)~(FLAT_AREA | NEARNESS);
     }
     if (result != SKV_OK)
         skv_painting_free(painting);
