@@ -88,34 +88,10 @@ typedef struct side {
     int x, y;
 } side;
 
-static int compare(side a, side b)
+static int compare_sides(const void *first, const void *second)
 {
-    return a.y != b.y ? (a.y < b.y ? -1 : 1) : a.x < b.x ? -1 : a.x > b.x;
-}
-
-/* Heap sort: whatever order they come in, it takes n log n. */
-static void sink(side *list, int at, int count)
-{
-    for (int child = 2 * at + 1; child < count; at = child, child = 2 * at + 1) {
-        child += child + 1 < count && compare(list[child], list[child + 1]) < 0;
-        if (compare(list[at], list[child]) >= 0)
-            return;
-        side kept = list[at];
-        list[at] = list[child];
-        list[child] = kept;
-    }
-}
-
-static void sort(side *list, int count)
-{
-    for (int i = count / 2 - 1; i >= 0; i--)
-        sink(list, i, count);
-    for (int i = count - 1; i > 0; i--) {
-        side kept = list[0];
-        list[0] = list[i];
-        list[i] = kept;
-        sink(list, 0, i);
-    }
+    const side *a = first, *b = second;
+    return a->y != b->y ? (a->y < b->y ? -1 : 1) : a->x < b->x ? -1 : a->x > b->x;
 }
 
 /* The sides that run up or down, row by row and from left to right; their number, or -1. */
@@ -133,7 +109,7 @@ static int list_sides(const border *b, side **sides)
         for (int y = low; y < high; y++)
             (*sides)[count++] = (side){from.x, y};
     }
-    sort(*sides, (int)count);
+    qsort(*sides, count, sizeof **sides, compare_sides);
     return (int)count;
 }
 
