@@ -19,6 +19,8 @@ const skv_world_def *fixture_host(int threads);
 
 /* Fills a box and returns how many particles were added; fails the test on any error. */
 int fixture_fill(skv_world *world, float x0, float y0, float x1, float y1);
+/* The same with another fluid than the first. */
+int fixture_fill_with(skv_world *world, float x0, float y0, float x1, float y1, int fluid);
 
 /* A closed tank of 1.6 x 0.9 m without particles; fails the test on any error. */
 skv_world *fixture_tank(skv_law law, float spacing, int threads);
@@ -80,8 +82,10 @@ fixture_saved fixture_save(const skv_world *world, bool with_terrain);
 /* Makes its checksum right again, so that a mutation gets past it. */
 void fixture_seal(fixture_saved saved);
 
-/* Fails the test unless a run gives the same hash on any threads and instruction set. */
-void fixture_expect_same_bits(uint64_t (*run)(int threads, skv_instruction_set set));
+/* Makes a world and lets it run; fails the test unless it then has the same hash on any threads and
+ * instruction set. */
+typedef skv_world *fixture_run_of(int threads, skv_instruction_set set);
+void fixture_expect_same_bits(fixture_run_of *run);
 
 /* Puts a body into the world; and what is told of one. Both fail the test if there is none. */
 skv_body_id fixture_add_body(skv_world *world, const skv_body_def *def);

@@ -25,24 +25,13 @@ skv_world_def jelly_def(const float *numbers, skv_solver_kind solver, float spac
     return def;
 }
 
-void jelly_fill(skv_world *world, float x0, float y0, float x1, float y1, int fluid)
-{
-    skv_fill_def f = skv_default_fill_def();
-    f.x0 = x0;
-    f.y0 = y0;
-    f.x1 = x1;
-    f.y1 = y1;
-    f.fluid = fluid;
-    assert_int_equal(skv_world_fill(world, &f, NULL, NULL), SKV_OK);
-}
-
 skv_world *jelly_block(const skv_world_def *def, float y)
 {
     skv_world *world;
     skv_error error;
     if (skv_world_create(def, &world, &error) != SKV_OK)
         fail_msg("%s", error.text);
-    jelly_fill(world, 0.8f - JELLY_SIDE / 2, y, 0.8f + JELLY_SIDE / 2, y + JELLY_SIDE, 1);
+    fixture_fill_with(world, 0.8f - JELLY_SIDE / 2, y, 0.8f + JELLY_SIDE / 2, y + JELLY_SIDE, 1);
     return world;
 }
 
@@ -63,8 +52,8 @@ skv_world *jelly_medley(skv_solver_kind solver, int threads, skv_instruction_set
     skv_world *world;
     assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
     for (int i = 0; i < 3; i++)
-        jelly_fill(world, 0.1f + 0.5f * (float)i, 0.4f, 0.3f + 0.5f * (float)i, 0.6f, 1 + i);
-    jelly_fill(world, 0, 0, 1.6f, 0.2f, 0);
+        fixture_fill_with(world, 0.1f + 0.5f * (float)i, 0.4f, 0.3f + 0.5f * (float)i, 0.6f, 1 + i);
+    fixture_fill_with(world, 0, 0, 1.6f, 0.2f, 0);
     skv_drain drain = {.area = skv_box(0, 0, 0.05f, 0.05f), .rate = 0.05f};
     assert_int_equal(skv_world_set_drains(world, &drain, 1, NULL), SKV_OK);
     return world;

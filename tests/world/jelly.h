@@ -13,9 +13,6 @@ extern const float jelly_numbers[3], clay_numbers[3], goo_numbers[3];
 /* A tank's definition with one fluid of these numbers beside water. */
 skv_world_def jelly_def(const float *numbers, skv_solver_kind solver, float spacing);
 
-/* Fills a box with a fluid. */
-void jelly_fill(skv_world *world, float x0, float y0, float x1, float y1, int fluid);
-
 /* A block of the first fluid beside water in the middle of the tank, its floor at y. */
 skv_world *jelly_block(const skv_world_def *def, float y);
 

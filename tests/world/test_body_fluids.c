@@ -33,16 +33,6 @@ static skv_world *make(float density, int substeps)
     return world;
 }
 
-static void fill(skv_world *world, float y0, float y1, int fluid)
-{
-    skv_fill_def fill = skv_default_fill_def();
-    fill.y0 = y0;
-    fill.x1 = WIDTH;
-    fill.y1 = y1;
-    fill.fluid = fluid;
-    assert_int_equal(skv_world_fill(world, &fill, NULL, NULL), SKV_OK);
-}
-
 static skv_body_id add(skv_world *world, float y, float density)
 {
     skv_body_def def = skv_default_body_def();
@@ -75,8 +65,8 @@ static double share_below(skv_world *world, skv_body_id id, int lower, double *a
 static void check_between(float density, int lower, float body, double tolerance)
 {
     skv_world *world = make(density, 12);
-    fill(world, 0, 0.2f, lower);
-    fill(world, 0.2f, 0.38f, !lower);
+    fixture_fill_with(world, 0, 0, WIDTH, 0.2f, lower);
+    fixture_fill_with(world, 0, 0.2f, WIDTH, 0.38f, !lower);
     skv_body_id id = add(world, 0.21f, body);
     assert_int_equal(skv_world_settle(world, NULL), SKV_OK);
     fixture_run(world, 420);
@@ -103,7 +93,7 @@ static void a_fluid_alone_moves_bodies_by_its_ratio(void **unused)
     skv_body moved[2];
     for (int k = 0; k < 2; k++) {
         skv_world *world = make(4000, 0);
-        fill(world, 0, 0.3f, k ? BESIDE : 0);
+        fixture_fill_with(world, 0, 0, WIDTH, 0.3f, k ? BESIDE : 0);
         skv_body_id id = add(world, (float)height / 2 + 0.001f, k ? 2000 : 500);
         fixture_run(world, 5);
         moved[k] = fixture_body(world, id);

@@ -35,16 +35,6 @@ static skv_world *make(const skv_world_def *def)
     return world;
 }
 
-static void fill(skv_world *world, float x0, float x1, int fluid)
-{
-    skv_fill_def fill = skv_default_fill_def();
-    fill.x0 = x0;
-    fill.x1 = x1;
-    fill.y1 = 0.6f;
-    fill.fluid = fluid;
-    assert_int_equal(skv_world_fill(world, &fill, NULL, NULL), SKV_OK);
-}
-
 static int count_of(const skv_world *world, int fluid)
 {
     return skv_world_fluid_stats(world, fluid).particles;
@@ -74,7 +64,7 @@ static void a_world_lists_its_fluids(void **unused)
     skv_world_destroy(world);
     def = make_def(SKV_SOLVER_FAST, 0);
     world = make(&def);
-    fill(world, 0, 0.4f, 0);
+    fixture_fill_with(world, 0, 0, 0.4f, 0.6f, 0);
     assert_int_equal(skv_world_frame(world).fluid_count, 1);
     assert_null(skv_world_particles(world).fluid);
     assert_int_equal(count_of(world, 0), skv_world_particle_count(world));
@@ -162,9 +152,9 @@ static void sums_are_weighed(void **unused)
     skv_world_def def = make_def(SKV_SOLVER_FAST, 1);
     def.liquids[0].density = 4000;
     skv_world *world = make(&def);
-    fill(world, 0, 0.4f, 0);
+    fixture_fill_with(world, 0, 0, 0.4f, 0.6f, 0);
     int light = skv_world_particle_count(world);
-    fill(world, 0.8f, 1.2f, 1);
+    fixture_fill_with(world, 0.8f, 0, 1.2f, 0.6f, 1);
     int heavy = skv_world_particle_count(world) - light;
     assert_int_equal(skv_world_add_velocity(world, 0, light, 1, 0, NULL), SKV_OK);
     assert_int_equal(skv_world_add_velocity(world, light, heavy, 0, -2, NULL), SKV_OK);
@@ -197,9 +187,9 @@ static void reach_by_all_ways(skv_world *worlds[4], const skv_world_def *def,
 {
     for (int i = 0; i < 4; i++) {
         worlds[i] = make(i == 2 ? other : def);
-        fill(worlds[i], 0, 0.3f, i == 1 ? 0 : 2);
-        fill(worlds[i], 0.3f, 0.5f, 1);
-        fill(worlds[i], 0.5f, 0.8f, 0);
+        fixture_fill_with(worlds[i], 0, 0, 0.3f, 0.6f, i == 1 ? 0 : 2);
+        fixture_fill_with(worlds[i], 0.3f, 0, 0.5f, 0.6f, 1);
+        fixture_fill_with(worlds[i], 0.5f, 0, 0.8f, 0.6f, 0);
     }
     skv_particles p = skv_world_particles(worlds[0]);
     assert_int_equal(skv_world_set_fluids(worlds[1], 0, p.count, p.fluid, NULL), SKV_OK);
@@ -278,7 +268,7 @@ static void substeps_go_by_the_most_viscous(void **unused)
     assert_int_equal(substeps, skv_world_substeps_per_frame(all));
     for (int i = 0; i < 2; i++) {
         skv_world *world = i ? all : thick;
-        fill(world, 0, 0.3f, 0);
+        fixture_fill_with(world, 0, 0, 0.3f, 0.6f, 0);
         fixture_run(world, 60); /* it is still, and takes no fewer than that */
         assert_true(skv_world_substeps_per_frame(world) >= substeps - 1);
         skv_world_destroy(world);
@@ -296,9 +286,9 @@ static void one_density_needs_no_masses(void **unused)
     skv_world *world = make(&def);
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
     skv_constants constants = skv_world_make_constants(world);
-    fill(world, 0, 0.4f, 2);
+    fixture_fill_with(world, 0, 0, 0.4f, 0.6f, 2);
     assert_null(skv_world_describe_step(world, &constants, forces).particles.mass);
-    fill(world, 0.4f, 0.5f, 1);
+    fixture_fill_with(world, 0.4f, 0, 0.5f, 0.6f, 1);
     const float *mass = skv_world_describe_step(world, &constants, forces).particles.mass;
     assert_true(mass[0] == 1 && mass[skv_world_particle_count(world) - 1] == 0.8f);
     assert_null(skv_world_describe_step(world, &constants, forces).particles.drag);
@@ -306,9 +296,9 @@ static void one_density_needs_no_masses(void **unused)
     def.liquids[0].density = 1000;
     def.liquids[1].viscosity = 0.02f;
     world = make(&def);
-    fill(world, 0, 0.4f, 1);
+    fixture_fill_with(world, 0, 0, 0.4f, 0.6f, 1);
     assert_null(skv_world_describe_step(world, &constants, forces).particles.drag);
-    fill(world, 0.4f, 0.5f, 2);
+    fixture_fill_with(world, 0.4f, 0, 0.5f, 0.6f, 2);
     mass = skv_world_describe_step(world, &constants, forces).particles.mass;
     const float *drag = skv_world_describe_step(world, &constants, forces).particles.drag;
     assert_true(mass[0] == 1 && drag[0] == 0 && drag[skv_world_particle_count(world) - 1] > 0);
@@ -320,10 +310,10 @@ static void particles_are_of_a_fluid(void **unused)
     (void)unused;
     skv_world_def def = make_def(SKV_SOLVER_FAST, 2);
     skv_world *world = make(&def);
-    fill(world, 0, 0.4f, 2);
+    fixture_fill_with(world, 0, 0, 0.4f, 0.6f, 2);
     int first = skv_world_particle_count(world);
     assert_int_equal(skv_world_add_particle(world, 1.2f, 0.8f, 0, 0, NULL), SKV_OK);
-    fill(world, 0.8f, 1, 1);
+    fixture_fill_with(world, 0.8f, 0, 1, 0.6f, 1);
     int all = skv_world_particle_count(world);
     assert_int_equal(count_of(world, 2), first);
     assert_int_equal(count_of(world, 0), 1);
@@ -361,8 +351,8 @@ static void a_name_moves_nothing(void **unused)
         skv_world_def one = make_def((skv_solver_kind)solver, 0);
         skv_world_def several = make_def((skv_solver_kind)solver, 2);
         skv_world *plain = make(&one), *mixed = make(&several);
-        fill(plain, 0, 0.4f, 0);
-        fill(mixed, 0, 0.4f, 2);
+        fixture_fill_with(plain, 0, 0, 0.4f, 0.6f, 0);
+        fixture_fill_with(mixed, 0, 0, 0.4f, 0.6f, 2);
         assert_true(skv_world_hash(plain) != skv_world_hash(mixed));
         fixture_run(plain, 20);
         fixture_run(mixed, 20);
@@ -385,7 +375,7 @@ static void a_fluid_goes_with_its_particle(void **unused)
     (void)unused;
     skv_world_def def = make_def(SKV_SOLVER_FAST, 4);
     skv_world *world = make(&def);
-    fill(world, 0, 0.4f, 0);
+    fixture_fill_with(world, 0, 0, 0.4f, 0.6f, 0);
     int all = skv_world_particle_count(world);
     uint8_t *fluids = malloc((size_t)all);
     for (int i = 0; i < all; i++)
@@ -425,7 +415,7 @@ static void a_change_wakes(void **unused)
     def.fluid.viscosity_linear = 30;
     def.fluid.spacing = 0.06f;
     skv_world *world = make(&def);
-    fill(world, 0, 1.6f, 1);
+    fixture_fill_with(world, 0, 0, 1.6f, 0.6f, 1);
     for (int i = 0; i < 3600 && skv_world_awake_count(world) > 0; i++)
         fixture_run(world, 1);
     assert_int_equal(skv_world_awake_count(world), 0);
@@ -454,8 +444,8 @@ static void fluids_that_no_world_has_are_refused(void **unused)
     (void)unused;
     skv_world_def several = make_def(SKV_SOLVER_FAST, 2), single = make_def(SKV_SOLVER_FAST, 0);
     skv_world *world = make(&several), *other = make(&single);
-    fill(world, 0, 0.4f, 0);
-    fill(other, 0, 0.2f, 0);
+    fixture_fill_with(world, 0, 0, 0.4f, 0.6f, 0);
+    fixture_fill_with(other, 0, 0, 0.2f, 0.6f, 0);
     fixture_mix_fluids(world);
     const skv_emitter emitter = {.x = 0.3f, .y = 0.4f, .vy = -1, .width = 0.1f, .fluid = 2};
     assert_int_equal(skv_world_set_emitters(world, &emitter, 1, NULL), SKV_OK);
