@@ -96,7 +96,7 @@ SKV_API skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id,
                                                float spin, skv_error *error);
 
 /** Sets the motor of a pinned body that is not fixed, in the ranges of skv_body_def. Fails with
- * SKV_ERROR_VALUE (a number out of range, or no such body). */
+ * SKV_ERROR_VALUE (a number out of range, no such body, or a motor where it would turn nothing). */
 SKV_API skv_result skv_world_set_body_motor(skv_world *world, skv_body_id id, float speed,
                                             float torque, skv_error *error);
 

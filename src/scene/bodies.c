@@ -6,13 +6,14 @@
 #include "base/memory.h"
 #include "scene/painted_bodies.h"
 #include "scene/shapes.h"
+#include "world/bodies.h"
 #include "world/body_shape.h"
 
 #include <string.h>
 
 /* kg/m^2 of the sheet, in the order of the registry's choices: cork, pine and ice at 0 C, brick and
  * steel as tables have them. */
-static const float densities[] = {240, 500, 917, 1900, 7850};
+static const float densities[] = {240, 500, 917, 1900, SKV_STEEL};
 
 typedef struct builder {
     const skv_draft *draft;

@@ -228,12 +228,8 @@ void skv_bodies_feel(skv_world *world, double dt)
         r->felt.x += x;
         r->felt.y += y;
         r->felt.moment += moment;
-        if (r->fixed) {
-            skv_rigid_push(r, x, y, moment);
-            continue;
-        }
-        if (r->pinned) {
-            double weight = dt * r->mass;
+        if (r->fixed || r->pinned) {
+            double weight = r->fixed ? 0 : dt * r->mass;
             skv_rigid_push(r, x + weight * (double)world->gravity_x,
                            y + weight * (double)world->gravity_y, moment);
             continue;

@@ -162,7 +162,7 @@ void skv_bodies_press_films(const skv_world *world, double dt);
 void skv_bodies_take_hold(skv_world *world);
 void skv_bodies_follow_hands(skv_world *world, double dt);
 /* A fixed body is moved as if it were of steel, at least, kg/m^2. */
-#define SKV_STEEL 7850.0
+#define SKV_STEEL 7850.0f
 
 /* body_contacts.c: lets no body move into the terrain or another in the next `dt`. */
 void skv_bodies_solve_contacts(const skv_world *world, double dt);

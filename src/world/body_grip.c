@@ -77,7 +77,7 @@ static void pull(skv_rigid *r, const skv_hand *hand, double density, double dt)
     if (r->fixed)
         cut(&hand_x, &hand_y, FIXED_MOST);
     double vx = r->vx - r->spin * ry - hand_x, vy = r->vy + r->spin * rx - hand_y;
-    double own = r->fixed ? skv_max((double)r->density, SKV_STEEL) : (double)r->density;
+    double own = r->fixed ? skv_max((double)r->density, (double)SKV_STEEL) : (double)r->density;
     double share = 1 + density / own, turns = dt * follow;
     if (r->fixed)
         strength *= density / (density + own);

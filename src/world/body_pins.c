@@ -23,7 +23,7 @@ static void hang(skv_rigid *r)
 void skv_rigid_derive(skv_rigid *r)
 {
     const skv_outline *o = &r->shape->outline;
-    double density = r->fixed ? skv_max((double)r->density, SKV_STEEL) : (double)r->density;
+    double density = r->fixed ? skv_max((double)r->density, (double)SKV_STEEL) : (double)r->density;
     r->mass = density * o->area;
     r->inertia = density * o->inertia;
     r->cos = skv_cos(r->angle);

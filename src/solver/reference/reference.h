@@ -95,8 +95,9 @@ skv_pass skv_pass_viscosity;
 
 /* Unlike pairs of which the heavier particle lies above turn about each other: solver/turn.h. In
  * dx, dy. */
-skv_pass skv_pass_push;
 skv_pass skv_pass_turn;
+/* Unlike pairs push each other apart by the stronger of their fluids' pushes. In dx, dy. */
+skv_pass skv_pass_push;
 
 /* Algorithm 8: the velocity is the displacement of the substep over its time. */
 skv_pass skv_pass_velocity;
