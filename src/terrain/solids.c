@@ -111,38 +111,41 @@ static void add_up(const skv_boundary *b, bool images, skv_walls_met *met)
 
 void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_walls_met *met)
 {
-    const float h = (float)b->walls->radius;
+    const float h = (float)b->walls->radius, near = h * b->per_unit;
+    float wx = x, wy = y, nearest = INFINITY;
+    skv_boundary_to_world(b, &wx, &wy);
+    const bool clear = skv_wall_map_is_clear(b->walls, wx, wy);
     met->count = 0;
-    skv_part_of_walls *part = met->part;
-    *part = (skv_part_of_walls){0};
-    met->count += meet(b, images, &met->distance, h * b->per_unit, x, y, part);
-    skv_boundary_to_world(b, &x, &y);
-    for (int k = 0; k < count_of(b); k++) {
+    if (!clear) {
+        met->part[0] = (skv_part_of_walls){0};
+        met->count += meet(b, images, &nearest, near, x, y, &met->part[0]);
+    }
+    for (int k = 0; k < count_of(b) && met->count < SKV_MOST_PARTS; k++) {
         const skv_solid *s = &b->solids->solid[k];
-        const float least = s->reach + 2 * h, dx = x - s->now.x, dy = y - s->now.y;
+        const float least = s->reach + 2 * h, dx = wx - s->now.x, dy = wy - s->now.y;
         if (dx * dx + dy * dy > least * least) {
-            met->distance = skv_minf(met->distance, 2 * h * b->per_unit); /* a bound */
+            nearest = skv_minf(nearest, 2 * near); /* a bound */
             continue;
         }
-        float away = outside(s, x, y) * b->per_unit;
-        if (!(away < h * b->per_unit)) {
-            met->distance = away < met->distance ? away : met->distance;
+        float distance, away = outside(s, wx, wy) * b->per_unit;
+        if (!(away < near)) {
+            nearest = skv_minf(nearest, away);
             continue;
         }
-        if (met->count == SKV_MOST_PARTS)
-            break;
-        float lx = x, ly = y, distance;
+        float lx = wx, ly = wy;
         skv_solid_enter(s, &s->now, &lx, &ly);
-        part = &met->part[met->count];
+        skv_part_of_walls *part = &met->part[met->count];
         *part = (skv_part_of_walls){.solid = k + 1};
         if (meet(s->shape, images, &distance, h, lx, ly, part)) {
             turn_part(b, s, part);
-            part->film = film_at(b, s, x, y);
             met->count++;
         }
-        distance *= b->per_unit;
-        met->distance = distance < met->distance ? distance : met->distance;
+        nearest = skv_minf(nearest, distance * b->per_unit);
     }
+    /* The terrain is farther than h then, and asked only if nothing else is nearer. */
+    if (clear && !(nearest < near))
+        nearest = skv_minf(nearest, skv_distance_at(b->terrain, wx, wy) * b->per_unit);
+    met->distance = nearest;
     add_up(b, images, met);
 }
 
@@ -179,8 +182,17 @@ void skv_solids_way(const skv_boundary *b, const skv_walls_met *met, float x, fl
     *dy = way_y * b->per_unit;
 }
 
-void skv_solids_share(const skv_walls_met *met, float by_slope, float by_rest, float by_near,
-                      float dx, float dy, float share[SKV_MOST_PARTS][2])
+float skv_solids_film(const skv_boundary *b, int solid, float x, float y)
+{
+    if (solid == 0)
+        return 0;
+    skv_boundary_to_world(b, &x, &y);
+    return film_at(b, &b->solids->solid[solid - 1], x, y);
+}
+
+void skv_solids_share(const skv_boundary *b, const skv_walls_met *met, float x, float y,
+                      float by_slope, float by_rest, float by_near, float dx, float dy,
+                      float share[SKV_MOST_PARTS][2])
 {
     float weight[SKV_MOST_PARTS], over_x = dx, over_y = dy;
     find_weights(met, weight);
@@ -197,20 +209,13 @@ void skv_solids_share(const skv_walls_met *met, float by_slope, float by_rest, f
     }
     /* What lies in a film the terrain bears. */
     for (int k = 1; k < met->count && met->part[0].solid == 0; k++) {
+        float film = skv_solids_film(b, met->part[k].solid, x, y);
         for (int axis = 0; axis < 2; axis++) {
-            float borne = met->part[k].film * share[k][axis];
+            float borne = film * share[k][axis];
             share[k][axis] -= borne;
             share[0][axis] += borne;
         }
     }
-}
-
-float skv_solids_film(const skv_boundary *b, int solid, float x, float y)
-{
-    if (solid == 0)
-        return 0;
-    skv_boundary_to_world(b, &x, &y);
-    return film_at(b, &b->solids->solid[solid - 1], x, y);
 }
 
 static void note_cut(const skv_boundary *b, skv_cuts *cuts, int solid, float dx, float dy)

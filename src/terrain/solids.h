@@ -47,7 +47,6 @@ typedef struct skv_part_of_walls {
     int solid;
     float distance; /* D of this one alone */
     float nx, ny, r, rn, f1x, f1y, f2x, f2y;
-    float film; /* share of what it gives that the terrain bears instead */
 } skv_part_of_walls;
 
 /* A gap so narrow between a body and a wall is a film, which bears the pressure at its ends
@@ -99,11 +98,12 @@ static inline skv_image_sample skv_image_of_part(const skv_part_of_walls *p)
 void skv_solids_way(const skv_boundary *boundary, const skv_walls_met *met, float x, float y,
                     float *dx, float *dy);
 
-/* Shares out what the walls give a particle: (dx, dy), of which by its size each part has a known
- * push of `by_slope` times its share of D's slope, `by_rest` times its F1 and `by_near` times its
- * F2; what is over goes by the sizes of the shares. */
-void skv_solids_share(const skv_walls_met *met, float by_slope, float by_rest, float by_near,
-                      float dx, float dy, float share[SKV_MOST_PARTS][2]);
+/* Shares out what the walls give a particle at (x, y), where it has met them: (dx, dy), of which by
+ * its size each part has a known push of `by_slope` times its share of D's slope, `by_rest` times
+ * its F1 and `by_near` times its F2; what is over goes by the sizes of the shares. */
+void skv_solids_share(const skv_boundary *boundary, const skv_walls_met *met, float x, float y,
+                      float by_slope, float by_rest, float by_near, float dx, float dy,
+                      float share[SKV_MOST_PARTS][2]);
 
 /* How much of what stops a particle at (x, y) beside solid number `solid` the terrain bears,
  * because it lies in a film between the two. */

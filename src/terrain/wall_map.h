@@ -144,6 +144,13 @@ static inline int32_t skv_wall_find(const skv_wall_map *map, float x, float y,
     return number;
 }
 
+/* True only if no wall is within h of a point. Any finite point. */
+static inline bool skv_wall_map_is_clear(const skv_wall_map *map, float x, float y)
+{
+    skv_wall_place place;
+    return skv_wall_find(map, x, y, &place) == SKV_WALL_AIR;
+}
+
 /* A block's values there, bilinear. */
 static inline void skv_wall_mix(const skv_wall_block *b, const skv_wall_place *place,
                                 float values[SKV_WALL_MAPS])

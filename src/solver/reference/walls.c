@@ -65,8 +65,8 @@ void skv_book_push(skv_reference *f, int i, double out, double lambda, double ne
     double rest = lambda;
     if (f->constants->images)
         rest += SKV_NEAR_WEIGHT * (double)f->constants->residual_share * near_lambda;
-    skv_solids_share(&met, (float)out, (float)rest, (float)near_lambda, (float)dx, (float)dy,
-                     share);
+    skv_solids_share(f->boundary, &met, (float)f->x[i], (float)f->y[i], (float)out, (float)rest,
+                     (float)near_lambda, (float)dx, (float)dy, share);
     for (int k = 1; k < met.count; k++) {
         double part_x = (double)share[k][0], part_y = (double)share[k][1];
         book(f, i, met.part[k].solid, part_x, part_y);

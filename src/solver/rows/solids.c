@@ -121,7 +121,8 @@ void skv_rows_book_push(const skv_rows *rows, const skv_near_wall *wall, bool im
     skv_walls_met met;
     float share[SKV_MOST_PARTS][2];
     skv_solids_meet(boundary, images, x, y, &met);
-    skv_solids_share(&met, made.by_slope, made.by_rest, made.by_near, dx, dy, share);
+    skv_solids_share(boundary, &met, x, y, made.by_slope, made.by_rest, made.by_near, dx, dy,
+                     share);
     for (int k = 0; k < met.count; k++)
         book(rows, boundary, met.part[k].solid, wall->particle, x, y, share[k][0], share[k][1],
              walls);
