@@ -179,7 +179,7 @@ skv_result skv_world_add_body(skv_world *world, const skv_body_def *def, skv_bod
     if (result == SKV_OK)
         result = skv_world_begin_removal(world, world->state.count, error);
     if (result == SKV_OK)
-        result = skv_body_shape_create(world, &outline, &shape, error);
+        result = skv_body_shape_create(world, world->bodies, &outline, &shape, error);
     if (result != SKV_OK)
         return result;
     skv_rigid *r = &world->bodies->body[world->bodies->count++];

@@ -5,6 +5,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/bodies.h"
 
 #include <math.h>
 #include <string.h>
@@ -265,8 +266,37 @@ static void place_rim(skv_body_shape *shape, double spacing)
     }
 }
 
-skv_result skv_body_shape_create(const skv_world *world, const skv_outline *outline,
-                                 skv_body_shape **out, skv_error *error)
+/* Gives a shape that has a picture the walls of another with the same: places round the outlines of
+ * equal shapes differently, but hardly any pixel. One map is still in the cache where several are
+ * not. Returns whether there is one. */
+static bool borrow_walls(skv_body_shape *shape, const skv_bodies *others)
+{
+    for (int k = 0; others && k < others->count; k++) {
+        skv_body_shape *had = others->body[k].shape;
+        if (had->terrain->hash != shape->terrain->hash)
+            continue;
+        skv_terrain_destroy(shape->terrain);
+        had->owners++;
+        shape->lender = had;
+        shape->terrain = had->terrain;
+        shape->walls = had->walls;
+        return true;
+    }
+    return false;
+}
+
+static skv_result make_walls(skv_body_shape *shape, const skv_world *world, skv_error *error)
+{
+    skv_result result =
+        skv_wall_map_create(shape->terrain, world->h, world->fluid.spacing,
+                            skv_law_kernel(world->fluid.law), world->pool, &shape->walls, error);
+    if (result == SKV_OK && skv_has_images(&world->fluid))
+        result = skv_wall_map_add_images(shape->walls, shape->terrain, world->pool, error);
+    return result;
+}
+
+skv_result skv_body_shape_create(const skv_world *world, const skv_bodies *others,
+                                 const skv_outline *outline, skv_body_shape **out, skv_error *error)
 {
     skv_body_shape *shape = skv_calloc(1, sizeof *shape);
     *out = NULL;
@@ -275,12 +305,8 @@ skv_result skv_body_shape_create(const skv_world *world, const skv_outline *outl
     shape->owners = 1;
     shape->outline = *outline;
     skv_result result = make_terrain(shape, world, error);
-    if (result == SKV_OK)
-        result = skv_wall_map_create(shape->terrain, world->h, world->fluid.spacing,
-                                     skv_law_kernel(world->fluid.law), world->pool, &shape->walls,
-                                     error);
-    if (result == SKV_OK && skv_has_images(&world->fluid))
-        result = skv_wall_map_add_images(shape->walls, shape->terrain, world->pool, error);
+    if (result == SKV_OK && !borrow_walls(shape, others))
+        result = make_walls(shape, world, error);
     if (result != SKV_OK) {
         skv_body_shape_destroy(shape);
         return result;
@@ -303,7 +329,11 @@ void skv_body_shape_destroy(skv_body_shape *shape)
 {
     if (!shape || --shape->owners > 0)
         return;
-    skv_wall_map_destroy(shape->walls);
-    skv_terrain_destroy(shape->terrain);
+    if (shape->lender) {
+        skv_body_shape_destroy(shape->lender);
+    } else {
+        skv_wall_map_destroy(shape->walls);
+        skv_terrain_destroy(shape->terrain);
+    }
     skv_free(shape);
 }

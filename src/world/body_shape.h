@@ -20,8 +20,9 @@ typedef struct skv_outline {
 enum { SKV_MOST_RIM = 400 };
 
 typedef struct skv_body_shape {
-    int owners; /* bodies of one world */
+    int owners; /* bodies of one world, and shapes that have its walls */
     skv_outline outline;
+    struct skv_body_shape *lender; /* whose the picture and the walls are; null: its own */
     skv_terrain *terrain; /* its picture, with the centre of mass at (middle_x, middle_y) */
     skv_wall_map *walls;
     skv_boundary boundary;
@@ -38,10 +39,11 @@ skv_result skv_outline_check(const skv_outline *outline, float spacing, skv_erro
 skv_result skv_outline_make(const skv_area *area, float spacing, skv_outline *outline,
                             skv_error *error);
 
-/* Makes the walls of an outline for a world's fluid. The first owner gives it up by destroying it.
- */
-skv_result skv_body_shape_create(const skv_world *world, const skv_outline *outline,
-                                 skv_body_shape **shape, skv_error *error);
+/* Makes the walls of an outline for a world's fluid, or takes those of one of its `others` whose
+ * picture is the same. The first owner gives it up by destroying it. */
+skv_result skv_body_shape_create(const skv_world *world, const struct skv_bodies *others,
+                                 const skv_outline *outline, skv_body_shape **shape,
+                                 skv_error *error);
 void skv_body_shape_destroy(skv_body_shape *shape);
 
 #endif

@@ -110,9 +110,9 @@ skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
     return SKV_OK;
 }
 
-/* A shape of that outline: one that the world has, or a new one. */
-static skv_result find_shape(const skv_world *world, const skv_outline *o, skv_body_shape **shape,
-                             skv_error *error)
+/* A shape of that outline: one that the world has, or a new one beside those of a list. */
+static skv_result find_shape(const skv_world *world, const skv_bodies *list, const skv_outline *o,
+                             skv_body_shape **shape, skv_error *error)
 {
     for (int k = 0; k < skv_world_has_bodies(world); k++) {
         skv_body_shape *had = world->bodies->body[k].shape;
@@ -123,7 +123,7 @@ static skv_result find_shape(const skv_world *world, const skv_outline *o, skv_b
             return SKV_OK;
         }
     }
-    return skv_body_shape_create(world, o, shape, error);
+    return skv_body_shape_create(world, list, o, shape, error);
 }
 
 skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
@@ -142,7 +142,7 @@ skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies
         skv_outline outline = {0};
         exchange_body(&port, r, &outline);
         skv_outline_measure(&outline);
-        skv_result result = find_shape(world, &outline, &r->shape, error);
+        skv_result result = find_shape(world, b, &outline, &r->shape, error);
         if (result != SKV_OK) {
             skv_bodies_destroy(b);
             return result;
