@@ -155,7 +155,9 @@ skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
 skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
                            skv_error *error);
 
-/* body_film.c: the pressure of films between bodies and walls acts on these for `dt`. */
+/* body_film.c: whether films between bodies and walls may ask for pressures; these act on the
+ * bodies for `dt`. */
+bool skv_bodies_may_have_films(const skv_world *world);
 void skv_bodies_press_films(const skv_world *world, double dt);
 
 /* body_grip.c: hands take hold and let go; they pull at what they hold for `dt`, and move on. */

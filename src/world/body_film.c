@@ -48,16 +48,21 @@ static void look(const skv_world *world, rim *all, int k)
                                 skv_facing(nx, ny, (float)(y / length), (float)(-x / length)));
 }
 
-/* Whether part of it is so near to a wall, and part of it is not. */
-static bool place_rim(const skv_world *world, const skv_rigid *r, rim *all)
+/* Whether part of it may be so near to a wall. */
+static bool may_have_film(const skv_world *world, const skv_rigid *r)
 {
-    const skv_body_shape *shape = r->shape;
     float reach = skv_film_reach(world->fluid.spacing);
     float middle = skv_distance_at(world->terrain, (float)r->x, (float)r->y);
-    if (middle > (float)shape->outline.reach + reach)
+    return !(middle > (float)r->shape->outline.reach + reach);
+}
+
+/* Whether part of it is, and part of it is not. */
+static bool place_rim(const skv_world *world, const skv_rigid *r, rim *all)
+{
+    if (!may_have_film(world, r))
         return false;
     int open = 0;
-    all->count = shape->rims;
+    all->count = r->shape->rims;
     for (int k = 0; k < all->count; k++) {
         double x0, y0, x1, y1;
         skv_rigid_rim(r, k, &x0, &y0);
@@ -144,6 +149,14 @@ static void press(const skv_world *world, skv_rigid *r, const rim *all, double d
         double push = pressure * dt;
         skv_rigid_press(r, -push * all->along_y[k], push * all->along_x[k], all->x[k], all->y[k]);
     }
+}
+
+bool skv_bodies_may_have_films(const skv_world *world)
+{
+    bool may = false;
+    for (int k = 0; k < world->bodies->count; k++)
+        may = may || may_have_film(world, &world->bodies->body[k]);
+    return may;
 }
 
 void skv_bodies_press_films(const skv_world *world, double dt)

@@ -55,7 +55,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
 }
 
 /* Takes some substeps, `time` seconds in all; what sleeps stays. `ungauged`: others follow before
- * anybody asks for pressures. */
+ * anybody asks for pressures, unless films between bodies and walls do. */
 static skv_result take_substeps(skv_world *world, int substeps, float time, bool ungauged,
                                 skv_error *error)
 {
@@ -63,7 +63,6 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, bool
     skv_solver_step step = skv_world_describe_step(world, &world->constants, forces);
     const skv_solver_type *solver = world->solver->type;
     step.substeps = substeps;
-    step.ungauged = ungauged;
     skv_result result = solver->reserve(world->solver, &step, error);
     if (result != SKV_OK)
         return result;
@@ -74,6 +73,7 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, bool
         return result;
     if (bodies)
         skv_bodies_move(world, (double)world->constants.dt);
+    step.ungauged = ungauged = ungauged && !(bodies && skv_bodies_may_have_films(world));
     bool partial, moves = skv_sleep_plan(world, time, &partial) > 0;
     step.particles.part = partial ? world->state.part : NULL;
     step.solid_given = bodies ? world->bodies->given : NULL;
@@ -137,9 +137,9 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
 {
     bool open = skv_terrain_open_sides(world->terrain) != 0;
     bool flows = has_flow(&world->acting);
-    bool asks = flows || world->before_substep || skv_world_has_bodies(world); /* for pressures */
-    bool one_by_one = open || asks || skv_world_is_springy(world) || world->air ||
-                      world->solver->type->most_substeps < count;
+    bool asks = flows || world->before_substep; /* for pressures */
+    bool one_by_one = open || asks || skv_world_has_bodies(world) || skv_world_is_springy(world) ||
+                      world->air || world->solver->type->most_substeps < count;
     int at_once = one_by_one ? 1 : count;
     double time = at_once / (60.0 * world->substeps); /* gravity may change them on the way */
     skv_pool_go(world->pool);
@@ -153,8 +153,8 @@ static skv_result advance(skv_world *world, int count, int *done, skv_error *err
         if (open && result == SKV_OK)
             result = skv_events_reserve(&world->events, world->state.count, error);
         if (result == SKV_OK)
-            result = take_substeps(world, at_once, (float)time,
-                                   world->air && !asks && *done + at_once < count, error);
+            result =
+                take_substeps(world, at_once, (float)time, !asks && *done + at_once < count, error);
         if (result != SKV_OK)
             return result;
         if (open) {
