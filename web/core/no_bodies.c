@@ -128,6 +128,12 @@ void skv_bodies_move(skv_world *world, double dt)
     (void)world, (void)dt;
 }
 
+bool skv_bodies_may_have_films(const skv_world *world)
+{
+    (void)world;
+    return false;
+}
+
 void skv_bodies_feel(skv_world *world, double dt)
 {
     (void)world, (void)dt;
