@@ -140,6 +140,57 @@ static skv_result find_painted(const skv_draft *draft, skv_scene *scene, const c
     return skv_draft_fail(draft, origin, "world.picture", error, result, "%s", cause.text);
 }
 
+/* ---- In the fluid ---------------------------------------------------------------------------- */
+
+bool skv_water_is_covered(const skv_water *water, float x, float y)
+{
+    for (int i = 0; i < water->cover_count; i++)
+        if (skv_shape_contains(&water->covers[i], (double)x, (double)y))
+            return true;
+    return false;
+}
+
+/* What a body covers in the scene, in room for the points of its polygon. */
+static skv_shape cover_of(const skv_scene_body *body, float spacing, double *points)
+{
+    skv_outline outline;
+    skv_outline_make(&body->def.shape, spacing, &outline, NULL); /* it has gone well before */
+    double c = skv_cos((double)body->angle), s = skv_sin((double)body->angle);
+    double x = body->def.pinned ? (double)body->def.pin_x : outline.middle_x;
+    double y = body->def.pinned ? (double)body->def.pin_y : outline.middle_y;
+    for (int i = 0; i < outline.corners; i++) {
+        double dx = outline.corner[i][0] + outline.middle_x - x;
+        double dy = outline.corner[i][1] + outline.middle_y - y;
+        points[2 * i] = x + c * dx - s * dy;
+        points[2 * i + 1] = y + s * dx + c * dy;
+    }
+    skv_shape shape = {.kind = SKV_SHAPE_POLYGON, .points = points, .point_count = outline.corners};
+    skv_shape_set_bounds(&shape);
+    return shape;
+}
+
+/* Notes which bodies lie where fluid may be. */
+static skv_result cover_water(skv_scene *scene, skv_error *error)
+{
+    enum { NUMBERS = 2 * SKV_MAX_CORNERS };
+    skv_water *w = &scene->water;
+    if (scene->body_count == 0)
+        return SKV_OK;
+    w->covers = skv_calloc((size_t)scene->body_count, sizeof *w->covers + NUMBERS * sizeof(double));
+    if (!w->covers)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for the bodies");
+    double *points = (double *)(w->covers + scene->body_count);
+    for (int i = 0; i < scene->body_count; i++, points += NUMBERS) {
+        skv_shape cover = cover_of(&scene->bodies[i], scene->def.fluid.spacing, points);
+        if (cover.x0 < (double)w->x1 && cover.x1 > (double)w->x0 && cover.y0 < (double)w->y1 &&
+            cover.y1 > (double)w->y0)
+            w->covers[w->cover_count++] = cover;
+    }
+    return SKV_OK;
+}
+
+/* ---- All of them ----------------------------------------------------------------------------- */
+
 skv_result skv_scene_build_bodies(const skv_draft *draft, const char *picture, skv_scene *scene,
                                   skv_error *error)
 {
@@ -163,8 +214,12 @@ skv_result skv_scene_build_bodies(const skv_draft *draft, const char *picture, s
         scene->body_count = i + 1;
     }
     skv_free(shapes);
-    return result == SKV_OK && painted ? find_painted(draft, scene, picture, error) : result;
+    if (result == SKV_OK && painted)
+        result = find_painted(draft, scene, picture, error);
+    return result == SKV_OK ? cover_water(scene, error) : result;
 }
+
+/* ---- In a world ------------------------------------------------------------------------------ */
 
 static void turn_about_pin(skv_body_def *def, float angle)
 {

@@ -4,8 +4,8 @@
 
 #include "scene/scene_data.h"
 
-/* Makes them, when the scene's size and spacing are known: those that are listed, and those that
- * are painted in the picture of that name. */
+/* Makes them, when the scene's size, water and spacing are known: those that are listed, and those
+ * that are painted in the picture of that name. The water gets what they cover of it. */
 skv_result skv_scene_build_bodies(const skv_draft *draft, const char *picture, skv_scene *scene,
                                   skv_error *error);
 

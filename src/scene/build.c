@@ -11,14 +11,12 @@
 #include "scene/fluids.h"
 #include "scene/lay.h"
 #include "scene/notes.h"
-#include "scene/raster.h"
 #include "scene/scene_data.h"
 #include "scene/shapes.h"
 #include "scene/taps.h"
+#include "scene/walls.h"
 #include "terrain/wall_map.h"
 #include "world/parameters.h"
-
-#define THINNEST_WALL 1.2 /* pixels */
 
 /* Everything a building function needs. */
 typedef struct builder {
@@ -236,44 +234,6 @@ static skv_result build_list(builder *c, skv_list id, skv_shape **shapes, int *c
     return result;
 }
 
-/* No wall is lost between pixels: the thinnest that leaves solid all along itself, wherever and at
- * whatever angle it lies. */
-static void thicken_walls(skv_scene *scene)
-{
-    double least = THINNEST_WALL * scene->pixel_size;
-    int count = 0, last = 0;
-    for (int i = 0; i < scene->solid_count; i++) {
-        if (!scene->solids[i].carve && skv_shape_thicken(&scene->solids[i], least)) {
-            count++;
-            last = i;
-        }
-    }
-    char text[32];
-    skv_format_number(least, text);
-    if (count == 1)
-        skv_scene_note(scene, "solid[%d] is made %s m thick, the least that holds water", last,
-                       text);
-    else if (count > 1)
-        skv_scene_note(scene, "%d thin shapes are made %s m thick, the least that holds water",
-                       count, text);
-}
-
-/* Draws the shapes, unless that would take very long. */
-static skv_result draw_walls(builder *c)
-{
-    skv_scene *scene = c->scene;
-    int last =
-        skv_raster_too_much(scene->solids, scene->solid_count, scene->height, scene->pixel_size);
-    if (last == scene->solid_count)
-        return skv_raster_solids(scene->solids, scene->solid_count, scene->width, scene->height,
-                                 scene->pixel_size, scene->coverage, c->error);
-    const skv_shape_values *shapes = c->draft->values.list[SKV_LIST_SOLID].shapes;
-    return skv_draft_fail(c->draft, shapes[last].origin, "solid", c->error, SKV_ERROR_LIMIT,
-                          "its lines are too long for pixels so small: all pieces together may go "
-                          "through %d rows of pixels; choose larger pixels or fewer points",
-                          SKV_RASTER_MOST_ROWS);
-}
-
 static bool has_air(const skv_scene *scene)
 {
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
@@ -299,9 +259,8 @@ static skv_result build_walls(builder *c)
     if (result == SKV_OK)
         result =
             build_list(c, SKV_LIST_WATER, &scene->water.shapes, &scene->water.shape_count, &points);
-    thicken_walls(scene);
     if (result == SKV_OK && scene->solid_count > 0)
-        result = draw_walls(c);
+        result = skv_scene_draw_walls(c->draft, scene, c->error);
     if (result != SKV_OK)
         return result;
     if (!has_air(scene)) {
@@ -486,6 +445,14 @@ static skv_result build_particles(builder *c)
     return result;
 }
 
+/* Bodies that lie in fluid take its place: what is left is measured anew. As many particles in less
+ * room lie closer, so the bodies are as fit as they were. */
+static skv_result make_room(builder *c)
+{
+    skv_result result = skv_lay_measure(&c->scene->water, c->scene->terrain, c->error);
+    return result == SKV_OK && c->scene->particles > 0 ? build_particles(c) : result;
+}
+
 /* Whether a world can have these walls beside so fine a fluid, while little has been made. */
 static skv_result check_walls(const builder *c, const skv_terrain *terrain)
 {
@@ -567,6 +534,8 @@ static skv_result build(builder *c, skv_image *picture)
         result = check_walls(c, terrain);
     if (result == SKV_OK)
         result = skv_scene_build_bodies(c->draft, c->picture_label, c->scene, c->error);
+    if (result == SKV_OK && c->scene->water.cover_count > 0)
+        result = make_room(c);
     c->scene->settle = c->value[SKV_F_SETTLE].number != 0.0;
     c->scene->air = (float)(1000 * c->draft->values.air_pressure.number);
     if (result == SKV_OK)

@@ -1,11 +1,11 @@
 /* Laying fluid: each of so many particles gets its share of the area that is drawn.
  *
- * Lines are drawn through the fluid, and each is cut into stretches where walls and the fluid's own
- * edges cross it. The lines of a row of particles, a row being as high as the hexagonal lattice's,
- * make a band, and what hangs together of it is a part. A part holds as many particles as its area
- * has room for. What remains of one is carried on to the part above: so each vessel gets its
- * own mass, however narrow it is. Within a part the particles divide the area from left to right
- * evenly, and begin a quarter or three quarters of a particle after the wall, as fits the row
+ * Lines are drawn through the fluid, and each is cut into stretches where walls, bodies and the
+ * fluid's own edges cross it. The lines of a row of particles, a row being as high as the hexagonal
+ * lattice's, make a band, and what hangs together of it is a part. A part holds as many particles
+ * as its area has room for. What remains of one is carried on to the part above: so each vessel
+ * gets its own mass, however narrow it is. Within a part the particles divide the area from left to
+ * right evenly, and begin a quarter or three quarters of a particle after the wall, as fits the row
  * below.
  *
  * Invariant: the places depend on water, terrain, spacing and number alone. They are as many as
@@ -76,7 +76,7 @@ static int fluid_at(const skv_water *water, float x, float y)
 
 static bool is_drawn(scanner *scan, float x, float y)
 {
-    return skv_water_inside(x, y, &scan->water) &&
+    return skv_water_inside(x, y, &scan->water) && !skv_water_is_covered(&scan->water, x, y) &&
            (scan->fluid == ANY || fluid_at(&scan->water, x, y) == scan->fluid);
 }
 

@@ -24,6 +24,7 @@ void skv_scene_destroy(skv_scene *scene)
     skv_free(scene->water.shapes);
     skv_free(scene->points);
     skv_free(scene->bodies);
+    skv_free(scene->water.covers);
     for (int i = 0; i < SKV_MAX_FILES; i++)
         skv_free(scene->files[i]);
     for (int i = 0; i < SKV_MAX_NOTICES; i++)
@@ -103,11 +104,12 @@ skv_result skv_scene_fill(const skv_scene *scene, skv_world *world, skv_error *e
 {
     SKV_ASSERT_OR(scene != NULL && world != NULL, SKV_ERROR_VALUE);
     skv_water water = scene->water; /* the callback's user pointer is not constant */
-    skv_result result = scene->particles > 0 ? add_fluid(scene, world, error) : SKV_OK;
+    /* Bodies come first: one that comes into fluid takes out what lies in it. */
+    skv_result result = skv_scene_add_bodies(scene, world, error);
+    if (result == SKV_OK && scene->particles > 0)
+        result = add_fluid(scene, world, error);
     if (result == SKV_OK)
         result = tend_fluid(scene, world, error);
-    if (result == SKV_OK)
-        result = skv_scene_add_bodies(scene, world, error);
     if (result == SKV_OK)
         result = skv_scene_set_acting(scene, world, error);
     if (result == SKV_OK)

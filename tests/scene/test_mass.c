@@ -1,5 +1,5 @@
 /* As much fluid as is drawn: in vessels of any shape, of many particles and few, by their number
- * and by their spacing; and beside either wall alike.
+ * and by their spacing, also beside bodies that lie in it; and beside either wall alike.
  *
  * Vessels are as wide as three spacings or wider. What their drawn area is stands beside each, as
  * geometry has it. */
@@ -41,6 +41,12 @@ static const vessel vessels[] = {
      "{\"shape\": \"circle\", \"x\": 0.5, \"y\": 0.5, \"radius\": 0.2}, "
      "{\"shape\": \"circle\", \"x\": 1.1, \"y\": 0.4, \"radius\": 0.1}",
      3.14159265358979 * 0.05},
+    {"bodies half in, turned, and all below", "",
+     "{\"shape\": \"box\", \"y1\": 0.45}], \"bodies\": ["
+     "{\"shape\": \"box\", \"x0\": 0.3, \"x1\": 0.5, \"y0\": 0.35, \"y1\": 0.55}, "
+     "{\"shape\": \"box\", \"x0\": 0.7, \"x1\": 0.9, \"y0\": 0.1, \"y1\": 0.2, \"angle\": 1}, "
+     "{\"shape\": \"circle\", \"x\": 1.3, \"y\": 0.2, \"radius\": 0.1, \"fixed\": true}",
+     1.6 * 0.45 - 0.2 * 0.1 - 0.2 * 0.1 - 3.14159265358979 * 0.01},
 };
 enum { VESSELS = sizeof vessels / sizeof *vessels };
 

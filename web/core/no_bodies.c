@@ -42,6 +42,12 @@ skv_result skv_scene_add_bodies(const skv_scene *scene, skv_world *world, skv_er
     return SKV_OK;
 }
 
+bool skv_water_is_covered(const skv_water *water, float x, float y)
+{
+    (void)water, (void)x, (void)y;
+    return false;
+}
+
 skv_result skv_bodies_draw(skv_strokes *strokes, const skv_overlay_scene *scene, skv_error *error)
 {
     (void)strokes, (void)scene, (void)error;
