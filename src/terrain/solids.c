@@ -20,6 +20,29 @@ static float outside(const skv_solid *s, float x, float y)
     return length_of(x - s->now.x, y - s->now.y) - s->reach;
 }
 
+/* The strip of a place; the first and the last go on without end. */
+static int strip_of(const skv_solids *solids, float x)
+{
+    return (int)skv_clamp((x - solids->low) * solids->strips_a_metre, 0, SKV_STRIPS - 1);
+}
+
+void skv_solids_arrange(skv_solids *solids, float h)
+{
+    float low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < solids->count; k++) {
+        low = skv_minf(low, solids->solid[k].now.x);
+        high = skv_maxf(high, solids->solid[k].now.x);
+    }
+    solids->low = low - h;
+    solids->strips_a_metre = SKV_STRIPS / (high - low + 2 * h);
+    memset(solids->beside, 0, sizeof solids->beside);
+    for (int k = 0; k < solids->count; k++) {
+        float x = solids->solid[k].now.x, far = solids->solid[k].reach + 2 * h;
+        for (int at = strip_of(solids, x - far); at <= strip_of(solids, x + far); at++)
+            solids->beside[at] |= (uint64_t)1 << k;
+    }
+}
+
 /* The share of a film between the terrain and a solid at a place in m: of what is narrow, where the
  * two face each other. */
 static float film_at(const skv_boundary *b, const skv_solid *s, float x, float y)
@@ -112,7 +135,8 @@ static void add_up(const skv_boundary *b, bool images, skv_walls_met *met)
 void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_walls_met *met)
 {
     const float h = (float)b->walls->radius, near = h * b->per_unit;
-    float wx = x, wy = y, nearest = INFINITY;
+    const skv_solids *solids = b->solids;
+    float wx = x, wy = y, nearest = solids ? 2 * near : INFINITY; /* a bound */
     skv_boundary_to_world(b, &wx, &wy);
     const bool clear = skv_wall_map_is_clear(b->walls, wx, wy);
     met->count = 0;
@@ -120,13 +144,13 @@ void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_w
         met->part[0] = (skv_part_of_walls){0};
         met->count += meet(b, images, &nearest, near, x, y, &met->part[0]);
     }
-    for (int k = 0; k < count_of(b) && met->count < SKV_MOST_PARTS; k++) {
-        const skv_solid *s = &b->solids->solid[k];
+    uint64_t left = solids ? solids->beside[strip_of(solids, wx)] : 0;
+    for (; left && met->count < SKV_MOST_PARTS; left &= left - 1) {
+        const int k = __builtin_ctzll(left);
+        const skv_solid *s = &solids->solid[k];
         const float least = s->reach + 2 * h, dx = wx - s->now.x, dy = wy - s->now.y;
-        if (dx * dx + dy * dy > least * least) {
-            nearest = skv_minf(nearest, 2 * near); /* a bound */
+        if (dx * dx + dy * dy > least * least)
             continue;
-        }
         float distance, away = outside(s, wx, wy) * b->per_unit;
         if (!(away < near)) {
             nearest = skv_minf(nearest, away);

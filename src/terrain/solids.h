@@ -16,7 +16,8 @@
 #include "terrain/image_distance.h"
 
 enum {
-    SKV_MOST_SOLIDS = 64, /* beside the terrain */
+    SKV_MOST_SOLIDS = 64, /* beside the terrain: a bit each */
+    SKV_STRIPS = 128,     /* that they are looked for in */
     SKV_MOST_PARTS = 6    /* that one particle meets at once; more are passed over */
 };
 
@@ -39,7 +40,13 @@ typedef struct skv_solids {
     skv_solid solid[SKV_MOST_SOLIDS];
     float spacing; /* of the fluid, m */
     skv_image_law law;
+    /* Strips along the world's x from `low` on, m: which solids may be within two radii of each. */
+    float low, strips_a_metre;
+    uint64_t beside[SKV_STRIPS];
 } skv_solids;
+
+/* Finds the strips for solids that lie where they are `now`, and a smoothing radius. */
+void skv_solids_arrange(skv_solids *solids, float h);
 
 /* What one solid is to a particle: with walls by images its share of D's slope (nx, ny) and the
  * rest of R and F1; else R, Rn, F1 and F2. */

@@ -104,6 +104,7 @@ void skv_bodies_show(skv_world *world)
         };
         b->shown[k] = tell(b, r);
     }
+    skv_solids_arrange(&b->solids, world->h);
     world->boundary.solids = b->count ? &b->solids : NULL;
 }
 
