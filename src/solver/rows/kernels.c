@@ -49,7 +49,8 @@ static void prepare(const skv_rows *s, int row, const skv_constants *c)
     memset(s->beside + begin / TILE, 0, (size_t)(end - begin) / TILE);
 }
 
-/* The walls at a particle; returns the distance. Once for all: each copy is a kilobyte. */
+/* The walls at a particle, with room for all; returns the distance. Once for all: each copy is a
+ * kilobyte. */
 static __attribute__((noinline)) float sample_wall(const skv_row_particles *p, int i,
                                                    const skv_constants *c,
                                                    const skv_boundary *boundary, skv_near_wall *to)
@@ -100,12 +101,10 @@ static void sample(const skv_rows *s, int row, const skv_constants *c, const skv
         if (!any_closer(p, eight, 1))
             continue;
         for (int i = eight; i < eight + ROW_LANES && i < end; i++) {
-            skv_near_wall wall;
-            if (p->clearance[i] >= 1 || !sample_one(s, i, c, boundary, &wall))
-                continue;
-            if (used < samples->room)
-                samples->sample[used] = wall;
-            used++;
+            skv_near_wall spare[ROW_MOST_WALLS];
+            skv_near_wall *wall = used < samples->room ? &samples->sample[used] : spare;
+            if (p->clearance[i] < 1 && sample_one(s, i, c, boundary, wall))
+                used += skv_near_walls(wall);
         }
     }
     samples->used = used <= samples->room ? used : -1;
@@ -123,13 +122,15 @@ V8_INLINE void for_walls(const skv_rows *s, int row, const skv_constants *c,
     const skv_row_particles *p = &s->set[s->current];
     int begin = s->row_start[row], used = samples->used;
     int count = used < 0 ? s->row_end[row] - begin : used;
-    for (int n = 0; n < count; n++) {
-        skv_near_wall taken;
+    for (int n = 0, walls = 1; n < count; n += walls) {
+        skv_near_wall taken[ROW_MOST_WALLS], *wall = taken;
         if (used < 0 && (p->clearance[begin + n] >= 1 || (c->images && s->image[begin + n] >= 1)))
             continue;
         if (used < 0)
-            sample_wall(p, begin + n, c, boundary, &taken);
-        act(s, used < 0 ? &taken : &samples->sample[n], c, context);
+            sample_wall(p, begin + n, c, boundary, wall);
+        else
+            walls = skv_near_walls(wall = &samples->sample[n]);
+        act(s, wall, c, context);
     }
 }
 

@@ -126,20 +126,28 @@ typedef struct skv_row_kept {
     int used;     /* blocks of the row kept now; -1: it had no room and is computed again */
 } skv_row_kept;
 
-/* A wall sample of a particle near a wall. */
+/* A wall sample of a particle near a wall. Where several are one wall, those of each follow it. */
 typedef struct skv_near_wall {
     int particle;
-    int solid; /* whose the wall is, terrain/solids.h; -1: several are one wall here */
+    int solid; /* whose the wall is, terrain/solids.h; below 0: of so many */
     union {
         skv_wall_sample wall;
         skv_image_sample image; /* with walls by images */
     } at;
 } skv_near_wall;
 
+enum { ROW_MOST_WALLS = 1 + SKV_MOST_PARTS };
+
+/* How many lie at a sample. */
+static inline int skv_near_walls(const skv_near_wall *wall)
+{
+    return wall->solid < 0 ? 1 - wall->solid : 1;
+}
+
 /* Where those of one row are kept between the sampling and the update. */
 typedef struct skv_row_samples {
     skv_near_wall *sample;
-    int room;
+    int room; /* with SKV_MOST_PARTS more behind it */
     int used; /* -1: not all found a place, and all are taken again */
 } skv_row_samples;
 

@@ -132,7 +132,8 @@ static int fullest_row(const skv_rows *rows)
 static skv_result reserve_kept(skv_rows *rows, skv_error *error)
 {
     size_t a_block = FLOATS_A_BLOCK * sizeof(float);
-    int fullest = fullest_row(rows), most = (int)(MOST_KEPT / ROW_KEPT_SLOTS / a_block);
+    int fullest = fullest_row(rows), apart = fullest + SKV_MOST_PARTS,
+        most = (int)(MOST_KEPT / ROW_KEPT_SLOTS / a_block);
     int blocks = (fullest / ROW_TILE + 1) * BLOCKS_A_TILE + 2 * FLOATS_A_BLOCK;
     blocks = blocks < most ? blocks : most;
     for (int t = 0; t < rows->thread_room; t++) {
@@ -141,7 +142,7 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
             continue;
         size_t floats = (size_t)blocks * FLOATS_A_BLOCK;
         size_t bytes = ROW_KEPT_SLOTS * floats * sizeof(float) +
-                       ROW_SAMPLE_SLOTS * (size_t)fullest * sizeof(skv_near_wall);
+                       ROW_SAMPLE_SLOTS * (size_t)apart * sizeof(skv_near_wall);
         float *memory = skv_calloc(bytes, 1);
         if (!memory)
             return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for kept pairs");
@@ -150,7 +151,7 @@ static skv_result reserve_kept(skv_rows *rows, skv_error *error)
         for (int slot = 0; slot < ROW_KEPT_SLOTS; slot++, memory += floats)
             own->kept[slot] = (skv_row_kept){.pairs = memory, .room = blocks};
         skv_near_wall *samples = (skv_near_wall *)(void *)memory;
-        for (int slot = 0; slot < ROW_SAMPLE_SLOTS; slot++, samples += fullest)
+        for (int slot = 0; slot < ROW_SAMPLE_SLOTS; slot++, samples += apart)
             own->samples[slot] = (skv_row_samples){samples, fullest, 0};
         rows->memory.kept = (bytes + sizeof own->walls) * (size_t)rows->thread_room;
     }

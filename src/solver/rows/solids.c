@@ -43,16 +43,46 @@ void skv_rows_expect_solids(const skv_rows *rows, int row, const skv_boundary *b
     }
 }
 
+/* A part of what walls are, as a sample and back. */
+static skv_near_wall sample_of(const skv_part_of_walls *part, bool images, int particle)
+{
+    skv_near_wall wall = {.particle = particle, .solid = part->solid};
+    if (images)
+        wall.at.image = skv_image_of_part(part);
+    else
+        wall.at.wall = skv_sums_of(part);
+    return wall;
+}
+
+static skv_part_of_walls part_of(const skv_near_wall *wall, bool images)
+{
+    const skv_image_sample *image = &wall->at.image;
+    const skv_wall_sample *sums = &wall->at.wall;
+    return images ? (skv_part_of_walls){.solid = wall->solid,
+                                        .distance = image->distance,
+                                        .nx = image->nx,
+                                        .ny = image->ny,
+                                        .f1x = image->f1x,
+                                        .f1y = image->f1y}
+                  : (skv_part_of_walls){.solid = wall->solid,
+                                        .distance = 1,
+                                        .f1x = sums->f1x,
+                                        .f1y = sums->f1y,
+                                        .f2x = sums->f2x,
+                                        .f2y = sums->f2y};
+}
+
 float skv_rows_sample_solids(const skv_boundary *boundary, bool images, float x, float y,
                              skv_near_wall *to)
 {
     skv_walls_met met;
     skv_solids_meet(boundary, images, x, y, &met);
-    to->solid = met.sum.solid;
-    if (images)
-        to->at.image = skv_image_of_part(&met.sum);
-    else
-        to->at.wall = skv_sums_of(&met.sum);
+    to[0] = sample_of(&met.sum, images, to->particle);
+    if (met.count < 2)
+        return met.distance;
+    to->solid = -met.count;
+    for (int k = 0; k < met.count; k++)
+        to[1 + k] = sample_of(&met.part[k], images, to->particle);
     return met.distance;
 }
 
@@ -65,29 +95,24 @@ static void place_of(const skv_rows *rows, int i, const skv_constants *c, float 
     *y = p->y[i] + lag * p->v[i];
 }
 
-/* What particle i has been sampled beside; met anew only if that are several. */
-static void meet_again(const skv_near_wall *wall, const skv_constants *c,
-                       const skv_boundary *boundary, float x, float y, skv_walls_met *met)
+/* Samples what particle i is beside. */
+static void sample_particle(const skv_rows *rows, int i, const skv_constants *c,
+                            const skv_boundary *boundary, skv_near_wall all[ROW_MOST_WALLS])
 {
-    if (wall->solid < 0) {
-        skv_solids_meet(boundary, c->images, x, y, met);
-        return;
-    }
-    const skv_image_sample *image = &wall->at.image;
-    const skv_wall_sample *sums = &wall->at.wall;
-    met->count = 1;
-    met->part[0] = (skv_part_of_walls){.solid = wall->solid, .distance = 1};
-    if (c->images) {
-        met->part[0].distance = image->distance;
-        met->part[0].nx = image->nx;
-        met->part[0].ny = image->ny;
-        met->part[0].f1x = image->f1x;
-        met->part[0].f1y = image->f1y;
-    } else {
-        met->part[0].f1x = sums->f1x;
-        met->part[0].f1y = sums->f1y;
-    }
-    met->sum = met->part[0];
+    float x, y;
+    place_of(rows, i, c, &x, &y);
+    all->particle = i;
+    skv_rows_sample_solids(boundary, c->images, x, y, all);
+}
+
+/* What a particle has been sampled beside. */
+static void recall(const skv_near_wall *wall, bool images, skv_walls_met *met)
+{
+    const skv_near_wall *part = wall->solid < 0 ? wall + 1 : wall;
+    met->count = wall->solid < 0 ? -wall->solid : 1;
+    met->sum = part_of(wall, images);
+    for (int k = 0; k < met->count; k++)
+        met->part[k] = part_of(&part[k], images);
 }
 
 void skv_rows_way_of_walls(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
@@ -96,7 +121,7 @@ void skv_rows_way_of_walls(const skv_rows *rows, const skv_near_wall *wall, cons
     float x, y;
     skv_walls_met met;
     place_of(rows, wall->particle, c, &x, &y);
-    meet_again(wall, c, boundary, x, y, &met);
+    recall(wall, c->images, &met);
     skv_solids_way(boundary, &met, x, y, dx, dy);
 }
 
@@ -126,7 +151,7 @@ void skv_rows_book_push(const skv_rows *rows, const skv_near_wall *wall, bool im
     }
     skv_walls_met met;
     float share[SKV_MOST_PARTS][2];
-    skv_solids_meet(boundary, images, x, y, &met);
+    recall(wall, images, &met);
     skv_solids_share(boundary, &met, x, y, made.by_slope, made.by_rest, made.by_near, dx, dy,
                      share);
     for (int k = 0; k < met.count; k++)
@@ -150,13 +175,11 @@ void skv_rows_book_cuts(const skv_rows *rows, const skv_boundary *boundary, int 
 }
 
 static void book_turn(const skv_rows *rows, const skv_near_wall *wall, const skv_constants *c,
-                      const skv_boundary *boundary, skv_row_given *walls)
+                      skv_row_given *walls)
 {
-    float x, y;
-    int i = wall->particle;
+    const int i = wall->particle;
     skv_walls_met met;
-    place_of(rows, i, c, &x, &y);
-    meet_again(wall, c, boundary, x, y, &met);
+    recall(wall, c->images, &met);
     float flat = c->images ? c->image_gradient * skv_flat_slope(met.sum.distance) : 0;
     for (int k = 0; k < met.count; k++) {
         const skv_part_of_walls *part = &met.part[k];
@@ -180,14 +203,18 @@ void skv_rows_book_turns(const skv_rows *rows, int row, const skv_constants *c,
                          const skv_boundary *boundary, const skv_row_samples *samples,
                          skv_row_given *walls)
 {
-    for (int n = 0; n < samples->used; n++)
+    for (int n = 0; n < samples->used; n += skv_near_walls(&samples->sample[n]))
         if (samples->sample[n].solid != 0 && turns(rows, samples->sample[n].particle))
-            book_turn(rows, &samples->sample[n], c, boundary, walls);
+            book_turn(rows, &samples->sample[n], c, walls);
     /* Those that found no place are met anew. */
     const skv_row_particles *p = &rows->set[rows->current];
-    for (int i = rows->row_start[row]; samples->used < 0 && i < rows->row_end[row]; i++)
-        if (p->clearance[i] < 1 && turns(rows, i))
-            book_turn(rows, &(skv_near_wall){.particle = i, .solid = -1}, c, boundary, walls);
+    for (int i = rows->row_start[row]; samples->used < 0 && i < rows->row_end[row]; i++) {
+        if (p->clearance[i] >= 1 || !turns(rows, i))
+            continue;
+        skv_near_wall all[ROW_MOST_WALLS];
+        sample_particle(rows, i, c, boundary, all);
+        book_turn(rows, all, c, walls);
+    }
 }
 
 void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
@@ -201,8 +228,9 @@ void skv_rows_touch_solids(const skv_rows *rows, int i, const skv_constants *c,
     if (!(depth > 0))
         return;
     if (solid) {
-        const skv_near_wall all = {.particle = i, .solid = -1};
-        skv_rows_way_of_walls(rows, &all, c, boundary, &way_x, &way_y);
+        skv_near_wall all[ROW_MOST_WALLS];
+        sample_particle(rows, i, c, boundary, all);
+        skv_rows_way_of_walls(rows, all, c, boundary, &way_x, &way_y);
     }
     float slide = (p->v[i] - way_y) * nx - (p->u[i] - way_x) * ny;
     float rub = c->friction * slide, push = c->softness * depth;

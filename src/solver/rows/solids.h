@@ -10,7 +10,7 @@
  * while these move. */
 void skv_rows_expect_solids(const skv_rows *rows, int row, const skv_boundary *boundary);
 
-/* Samples the walls at (x, y); returns the distance. */
+/* Samples the walls at (x, y), each of several after their sum; returns the distance. */
 float skv_rows_sample_solids(const skv_boundary *boundary, bool images, float x, float y,
                              skv_near_wall *to);
 
