@@ -20,19 +20,13 @@ void skv_rows_expect_solids(const skv_rows *rows, int row, const skv_boundary *b
 {
     const skv_row_particles *p = &rows->set[rows->current];
     const int begin = rows->row_start[row], end = rows->row_end[row];
-    float low = INFINITY, high = -INFINITY;
-    for (int i = begin; i < end; i++) {
+    for (int i = begin; i < end; i++)
         p->clearance[i] = p->clearance[i] < FREE ? p->clearance[i] : FREE;
-        low = p->y[i] < low ? p->y[i] : low;
-        high = p->y[i] > high ? p->y[i] : high;
-    }
     for (int k = 0; k < boundary->solids->count; k++) {
         const skv_solid *solid = &boundary->solids->solid[k];
         float x, y, near = (solid->reach + skv_solid_way(solid)) * boundary->per_unit;
         const float most = (near + FREE) * (near + FREE);
         middle_of(boundary, solid, &x, &y);
-        if (low - y > near + FREE || y - high > near + FREE)
-            continue; /* of the whole row */
         for (int i = begin; i < end; i++) {
             float dx = p->x[i] - x, dy = p->y[i] - y, square = dx * dx + dy * dy;
             if (square >= most)
