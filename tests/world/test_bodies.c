@@ -519,6 +519,27 @@ static void bodies_come_and_go(void **unused)
     skv_world_destroy(world);
 }
 
+/* Bodies of the same picture have the same walls: what is drawn elsewhere, too, and when the one
+ * that came first goes. Nothing tells them from those that have walls of their own. */
+static void bodies_share_walls(void **unused)
+{
+    (void)unused;
+    uint64_t hash[2];
+    for (int alike = 0; alike < 2; alike++) {
+        skv_world *world = make_pool(SKV_SOLVER_FAST, 0, 0.6f, 0.4f);
+        skv_body_def def = box(alike ? 0.1f : 0.12f, 0.1f, 0.3f, 0.7f, 500);
+        skv_body_id first = fixture_add_body(world, &def);
+        def = skv_default_body_def();
+        def.shape = skv_box(0.25f, 0.38f, 0.35f, 0.48f);
+        fixture_add_body(world, &def);
+        assert_true(skv_world_remove_body(world, first));
+        fixture_run(world, 30);
+        hash[alike] = skv_world_hash(world);
+        skv_world_destroy(world);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
 /* Sleeping water wakes by a body, and one that moves keeps it awake. */
 static void bodies_wake_water(void **unused)
 {
@@ -565,6 +586,7 @@ int main(void)
         cmocka_unit_test(snapshots_hold_bodies),
         cmocka_unit_test(what_is_no_body_is_refused),
         cmocka_unit_test(bodies_come_and_go),
+        cmocka_unit_test(bodies_share_walls),
         cmocka_unit_test(bodies_wake_water),
         cmocka_unit_test(bodies_leave_through_open_sides),
     };
