@@ -74,6 +74,9 @@ typedef struct skv_liquid {
      * between two such fluids the stronger counts. 20 makes the line between oil and water short,
      * 100 holds drops of oil together; 0, the default: nothing but weight parts them. */
     float interface_push;
+    /** m/s^2, 0..500, as in skv_fluid_def, calibrated law: how strongly its own surface draws
+     * together; -1, the default: as the first fluid's. */
+    float cohesion;
 } skv_liquid;
 
 /** A liquid like the default fluid, which still needs a name of its own; and the same for binders

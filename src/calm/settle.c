@@ -20,6 +20,7 @@
 #include "base/memory.h"
 #include "calm/regions.h"
 #include "world/air.h"
+#include "world/liquids.h"
 #include "world/springs.h"
 
 #include <math.h>
@@ -311,6 +312,7 @@ skv_result skv_world_settle_drawn(skv_world *world, skv_inside *inside, void *us
     settling s = {.world = world, .fluid = skv_ramp_fluid(&world->fluid, &world->ramp)};
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
+    s.fluid.cohesion = skv_world_most_cohesion(world);
     s.work = measure_work(world);
     float *numbers = skv_calloc((2 + BEGINNINGS) * count, sizeof *numbers);
     world->busy = SKV_READ;

@@ -126,6 +126,8 @@ static const skv_field fields[FIELDS] = {
                "how fast they do; 0: it stays elastic")
     OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_INTERFACE, "fluids[].interface_push", "m/s^2", 0, 400, "0",
                "pushes it and other fluids apart: 20 for short lines, 100 for drops")
+    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_COHESION, "fluids[].cohesion", "m/s^2", 0, 500, "",
+               "surface tension of its own; else fluid.cohesion")
     LINE_FIELDS(SKV_F_SOLID, "solid[]")
     OWN_FLAG(SKV_F_SOLID + SKV_SOLID_CARVE, "solid[].carve", "false",
              "cut the shape out of the solid before it in the list")

@@ -68,6 +68,8 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
     liquid->yield = (float)value[SKV_LIQUID_YIELD].number;
     liquid->plasticity = (float)value[SKV_LIQUID_PLASTICITY].number;
     liquid->interface_push = (float)value[SKV_LIQUID_INTERFACE].number;
+    if (value[SKV_LIQUID_COHESION].origin.source != SKV_FROM_DEFAULT)
+        liquid->cohesion = (float)value[SKV_LIQUID_COHESION].number;
     if (name == NULL)
         return fail(draft, index, SKV_LIQUID_NAME, "is missing; water and emitters need it", error);
     skv_format(liquid->name, sizeof liquid->name, "%s", name);
@@ -84,6 +86,7 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
                 : wrong == SKV_LIQUID_WRONG_MODULUS    ? SKV_LIQUID_SHEAR_MODULUS
                 : wrong == SKV_LIQUID_WRONG_PLASTICITY ? SKV_LIQUID_PLASTICITY
                 : wrong == SKV_LIQUID_WRONG_INTERFACE  ? SKV_LIQUID_INTERFACE
+                : wrong == SKV_LIQUID_WRONG_COHESION   ? SKV_LIQUID_COHESION
                                                        : SKV_LIQUID_NAME,
                 complaint, error);
 }

@@ -50,10 +50,11 @@ typedef struct skv_solver_particles {
     /* sigma of its linear viscosity times `mass`, 1/s; where there is `mass`. Null: the constants'
      * times `mass`. */
     const float *drag;
-    /* Numbers of their fluids, and those by number, of which `interface_push` counts alone. Null:
-     * no fluid pushes others. */
+    /* Numbers of their fluids, if one of the following is there. By number: */
     const uint8_t *fluid;
-    const skv_liquid *liquids;
+    const skv_liquid
+        *liquids;          /* of which `interface_push` counts alone; null: none pushes others */
+    const float *cohesion; /* over the constants' cohesion, above 0; null: all 1 */
     const uint32_t *id;
     const uint8_t *part; /* skv_part; null: all move */
 } skv_solver_particles;

@@ -17,7 +17,8 @@ void skv_liquids_follow(skv_world *world)
                                      .name = SKV_FIRST_FLUID,
                                      .density = world->fluid.density,
                                      .viscosity = world->fluid.viscosity,
-                                     .color = SKV_NO_COLOR};
+                                     .color = SKV_NO_COLOR,
+                                     .cohesion = world->fluid.cohesion};
     skv_world_weigh(world);
 }
 
@@ -36,6 +37,7 @@ void skv_world_weigh(skv_world *world)
         skv_fluid_def fluid = fluid_with(world, world->liquids[i].viscosity);
         world->sigmas[i] = (float)skv_linear_viscosity(&fluid);
     }
+    skv_world_share_cohesion(world);
     for (int i = 0; s->several && i < s->count; i++) {
         s->mass[i] = skv_mass_of(world, s->fluid[i]);
         s->drag[i] = skv_drag_of(world, s->fluid[i]);
@@ -52,24 +54,27 @@ double skv_world_contrast(const skv_world *world)
     return (double)(most / least);
 }
 
-static skv_fluid_def most_viscous(const skv_world *world)
+/* ... and with the most viscous one's, and the greatest cohesion. */
+static skv_fluid_def most_demanding(const skv_world *world)
 {
     float most = world->fluid.viscosity;
     for (int i = 1; i < world->fluid_count; i++)
         most = skv_maxf(most, world->liquids[i].viscosity);
-    return fluid_with(world, most);
+    skv_fluid_def fluid = fluid_with(world, most);
+    fluid.cohesion = skv_world_most_cohesion(world);
+    return fluid;
 }
 
 int skv_world_substep_rule(const skv_world *world, double load)
 {
-    skv_fluid_def fluid = most_viscous(world);
+    skv_fluid_def fluid = most_demanding(world);
     int needed = skv_substep_rule(&fluid, load), springs = skv_springs_rule(world);
     return needed > springs ? needed : springs;
 }
 
 int skv_world_warm_substeps(const skv_world *world, int cold)
 {
-    skv_fluid_def fluid = most_viscous(world);
+    skv_fluid_def fluid = most_demanding(world);
     int warm = skv_warm_substeps(&fluid, cold), springs = skv_springs_rule(world);
     return warm > springs ? warm : springs < cold ? springs : cold;
 }

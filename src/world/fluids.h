@@ -17,8 +17,9 @@ void skv_world_weigh(skv_world *world);
 /* The greatest density of its fluids over the least: 1 for one fluid. */
 double skv_world_contrast(const skv_world *world);
 
-/* How many substeps of the rule bear a load, the most viscous fluid and the stiffest springs of the
- * list; and how many are as stiff as so many of these, if they start warm. */
+/* How many substeps of the rule bear a load, and the most viscous fluid, the greatest cohesion and
+ * the stiffest springs of the list; and how many are as stiff as so many of these, if they start
+ * warm. */
 int skv_world_substep_rule(const skv_world *world, double load);
 int skv_world_warm_substeps(const skv_world *world, int cold);
 

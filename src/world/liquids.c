@@ -21,6 +21,13 @@ const uint32_t skv_liquid_cookie = SKV_COOKIE(LIQUID_COOKIE, skv_liquid);
 /* m/s^2: layers are calm with so much, and drops gain nothing from more than 100. */
 #define MOST_INTERFACE 400.0
 
+/* m/s^2, as the field of fluid.cohesion allows. */
+#define MOST_COHESION 500.0
+
+/* Of the greatest cohesion, of who has none: less than rounding, but a gradient that has been
+ * multiplied by it can be had back. */
+#define LEAST_COHESION 0x1p-24f
+
 /* Densities over the first fluid's. A layer of 0.01 lies calm on water, 0.002 flies apart; 20 is
  * more than mercury has. */
 #define LEAST_RATIO 0.01
@@ -79,6 +86,11 @@ skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char 
         complaint = "is out of range; allowed is 0..400 m/s^2";
         wrong = SKV_LIQUID_WRONG_INTERFACE;
     }
+    if (!complaint && liquid->cohesion != SKV_AS_FIRST &&
+        !skv_within((double)liquid->cohesion, 0, MOST_COHESION)) {
+        complaint = "is out of range; allowed is 0..500 m/s^2, and -1 for that of the first fluid";
+        wrong = SKV_LIQUID_WRONG_COHESION;
+    }
     if (!complaint)
         complaint = skv_springs_complain(liquid, &wrong);
     if (!complaint)
@@ -89,9 +101,9 @@ skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char 
 
 skv_result skv_check_liquids(const skv_world_def *def, skv_error *error)
 {
-    static const char *const members[] = {"",          "name",       "density",
-                                          "viscosity", "color",      "shear_modulus",
-                                          "yield",     "plasticity", "interface_push"};
+    static const char *const members[] = {
+        "",      "name",       "density",        "viscosity", "color", "shear_modulus",
+        "yield", "plasticity", "interface_push", "cohesion"};
     if (def->liquid_count < 0 || def->liquid_count >= SKV_MAX_FLUIDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "fluids: %d beside the first; allowed is 0..%d",
                         def->liquid_count, SKV_MAX_FLUIDS - 1);
@@ -121,9 +133,49 @@ bool skv_world_has_interfaces(const skv_world *world)
     return false;
 }
 
-const uint8_t *skv_world_pushed(const skv_world *world)
+bool skv_world_has_cohesions(const skv_world *world)
 {
-    return world->state.several && skv_world_has_interfaces(world) ? world->state.fluid : NULL;
+    for (int i = 1; i < world->fluid_count; i++)
+        if (world->liquids[i].cohesion != SKV_AS_FIRST)
+            return true;
+    return false;
+}
+
+static float cohesion_of(const skv_world *world, int fluid)
+{
+    float own = world->liquids[fluid].cohesion;
+    return own == SKV_AS_FIRST ? world->fluid.cohesion : own;
+}
+
+float skv_world_most_cohesion(const skv_world *world)
+{
+    float most = world->fluid.cohesion;
+    for (int i = 1; i < world->fluid_count; i++)
+        most = skv_maxf(most, cohesion_of(world, i));
+    return most;
+}
+
+void skv_world_share_cohesion(skv_world *world)
+{
+    const float most = skv_world_most_cohesion(world);
+    world->cohesions_differ = false;
+    for (int i = 0; i < world->fluid_count; i++) {
+        float own = cohesion_of(world, i);
+        world->cohesions[i] = own < most ? skv_maxf(own / most, LEAST_COHESION) : 1;
+        world->cohesions_differ |= own < most;
+    }
+}
+
+void skv_world_tell_fluids(const skv_world *world, skv_solver_particles *particles)
+{
+    if (!world->state.several)
+        return;
+    if (skv_world_has_interfaces(world))
+        particles->liquids = world->liquids;
+    if (world->cohesions_differ)
+        particles->cohesion = world->cohesions;
+    if (particles->liquids || particles->cohesion)
+        particles->fluid = world->state.fluid;
 }
 
 /* ---- Snapshots ------------------------------------------------------------------------------- */
@@ -178,6 +230,10 @@ bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras 
         }
         if (extras.interfaces)
             skv_exchange_float(port, &liquid->interface_push);
+        if (extras.cohesions)
+            skv_exchange_float(port, &liquid->cohesion);
+        else if (port->from)
+            liquid->cohesion = SKV_AS_FIRST;
     }
     return sane && skv_check_liquids(def, NULL) == SKV_OK;
 }

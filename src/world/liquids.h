@@ -4,6 +4,7 @@
 
 #include "base/bytes.h"
 #include "skvalp/world.h"
+#include "solver/solver.h"
 
 /* The cookie of skv_liquid. */
 extern const uint32_t skv_liquid_cookie;
@@ -13,6 +14,9 @@ extern const uint32_t skv_liquid_cookie;
 
 /* The color of a fluid that has none of its own. */
 enum { SKV_NO_COLOR = -1 };
+
+/* The cohesion of a fluid that has the first one's. */
+enum { SKV_AS_FIRST = -1 };
 
 /* Whether the fluids of a definition may be one world's; a message names the first that may not. */
 skv_result skv_check_liquids(const skv_world_def *def, skv_error *error);
@@ -27,7 +31,8 @@ typedef enum skv_liquid_member {
     SKV_LIQUID_WRONG_MODULUS,
     SKV_LIQUID_WRONG_YIELD,
     SKV_LIQUID_WRONG_PLASTICITY,
-    SKV_LIQUID_WRONG_INTERFACE
+    SKV_LIQUID_WRONG_INTERFACE,
+    SKV_LIQUID_WRONG_COHESION
 } skv_liquid_member;
 
 /* The first wrong value of a fluid beside those before it in a definition's list, and in `text`
@@ -42,17 +47,26 @@ void skv_exchange_contents(skv_port *port, int *dye, int *fluid);
 
 /* What is said of a fluid beside what all have. */
 typedef struct skv_liquid_extras {
-    bool springs, interfaces;
+    bool springs, interfaces, cohesions;
 } skv_liquid_extras;
 
 /* Writes or reads the further fluids of a definition, with these extras or without; false if they
  * are none. */
 bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras extras);
 
-/* Whether a fluid of a world pushes others apart. */
+/* Whether a fluid of a world pushes others apart; and whether one beside the first has a cohesion
+ * of its own. */
 bool skv_world_has_interfaces(const skv_world *world);
+bool skv_world_has_cohesions(const skv_world *world);
 
-/* The fluids of its particles, if one does; else null. */
-const uint8_t *skv_world_pushed(const skv_world *world);
+/* The greatest cohesion of a world's fluids, m/s^2: what its constants are made for. */
+float skv_world_most_cohesion(const skv_world *world);
+
+/* Notes what share of that each has. */
+void skv_world_share_cohesion(skv_world *world);
+
+/* Tells a solver of which fluids particles are, and what these do that it has to know by fluid: if
+ * one pushes others, or they differ in cohesion. */
+void skv_world_tell_fluids(const skv_world *world, skv_solver_particles *particles);
 
 #endif

@@ -205,7 +205,8 @@ skv_liquid skv_default_liquid(void)
     return (skv_liquid){.cookie = skv_liquid_cookie,
                         .density = fluid.density,
                         .viscosity = fluid.viscosity,
-                        .color = SKV_NO_COLOR};
+                        .color = SKV_NO_COLOR,
+                        .cohesion = SKV_AS_FIRST};
 }
 
 void skv_liquid_init(skv_liquid *def, size_t size)

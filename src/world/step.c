@@ -7,6 +7,7 @@
 #include "world/emitters.h"
 #include "world/flow.h"
 #include "world/fluids.h"
+#include "world/liquids.h"
 #include "world/remove.h"
 #include "world/springs.h"
 
@@ -21,6 +22,7 @@
 skv_constants skv_world_make_constants(const skv_world *world)
 {
     skv_fluid_def fluid = skv_ramp_fluid(&world->fluid, &world->ramp);
+    fluid.cohesion = skv_world_most_cohesion(world);
     skv_constants constants = skv_make_constants(&fluid, 1.0f / 60 / (float)world->substeps);
     skv_set_stiffness(&constants, skv_load_stiffness(world));
     return constants;
@@ -30,7 +32,7 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
                                         skv_external_force forces[SKV_SOLVER_MOST_FORCES])
 {
     const skv_state *s = &world->state;
-    return (skv_solver_step){
+    skv_solver_step step = {
         .particles = {.count = s->count,
                       .x = s->x,
                       .y = s->y,
@@ -41,8 +43,6 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
                       .warm_lambda = s->warm_lambda,
                       .mass = skv_world_masses(world),
                       .drag = skv_world_drags(world),
-                      .fluid = skv_world_pushed(world),
-                      .liquids = world->liquids,
                       .id = s->id},
         .constants = constants,
         .gravity_x = world->gravity_x,
@@ -52,6 +52,8 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
         .substeps = 1,
         .pool = world->pool,
     };
+    skv_world_tell_fluids(world, &step.particles);
+    return step;
 }
 
 /* Takes some substeps, `time` seconds in all; what sleeps stays. `ungauged`: others follow before

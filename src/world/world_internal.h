@@ -33,6 +33,8 @@ struct skv_world {
     skv_fluid_def fluid;                /* as it was set; skv_ramp_fluid: what acts */
     skv_liquid liquids[SKV_MAX_FLUIDS]; /* all fluids; the first follows `fluid` */
     float sigmas[SKV_MAX_FLUIDS];       /* of their linear viscosity, 1/s */
+    float cohesions[SKV_MAX_FLUIDS];    /* their cohesions over the greatest of the list, above 0 */
+    bool cohesions_differ;
     int fluid_count;
     skv_ramp ramp;
     skv_terrain *terrain;

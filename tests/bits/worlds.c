@@ -26,6 +26,7 @@ typedef struct world_kind {
     bool bodies;  /* a box and a circle, which hands hold and let go */
     bool air;     /* that is caught below walls and bodies */
     bool springs; /* a block of jelly and one of clay, which fall into it */
+    bool fluids;  /* the same of two that push others, one of more and one of no cohesion */
 } world_kind;
 
 static int limited(int value)
@@ -137,6 +138,13 @@ static const world_kind kinds[] = {
      .fill_x1 = 1,
      .fill_y1 = 0.125f,
      .springs = true},
+    {.name = "fluids/images", .fill_x1 = 1, .fill_y1 = 0.125f, .images = true, .fluids = true},
+    {.name = "fluids/reference",
+     .solver = SKV_SOLVER_REFERENCE,
+     .fill_x1 = 1,
+     .fill_y1 = 0.125f,
+     .images = true,
+     .fluids = true},
     {.name = "air/bodies",
      .paint = paint_shelves,
      .fill_x1 = 0.5f,
@@ -202,7 +210,20 @@ static void list_springy(skv_world_def *def)
     }
 }
 
-static void fill_springy(skv_world *world)
+static void list_fluids(skv_world_def *def)
+{
+    def->liquid_count = 2;
+    for (int i = 0; i < 2; i++) {
+        skv_liquid *liquid = &def->liquids[i];
+        *liquid = skv_default_liquid();
+        liquid->name[0] = (char)('a' + i);
+        liquid->density = i ? 900 : 13600;
+        liquid->interface_push = i ? 50 : 0;
+        liquid->cohesion = i ? 0 : 300;
+    }
+}
+
+static void fill_blocks(skv_world *world)
 {
     for (int i = 0; i < 2; i++) {
         skv_fill_def fill = skv_default_fill_def();
@@ -229,6 +250,8 @@ static skv_world *make_world(const world_kind *kind, int threads)
     def.instruction_set = chosen;
     if (kind->springs)
         list_springy(&def);
+    if (kind->fluids)
+        list_fluids(&def);
     skv_world *world = NULL;
     if (!def.terrain)
         return NULL;
@@ -240,8 +263,8 @@ static skv_world *make_world(const world_kind *kind, int threads)
     fill.x1 = kind->fill_x1;
     fill.y1 = kind->fill_y1;
     skv_world_fill(world, &fill, NULL, NULL);
-    if (kind->springs)
-        fill_springy(world);
+    if (kind->springs || kind->fluids)
+        fill_blocks(world);
     int added = skv_world_particle_count(world);
     /* A part in motion, and a pair in one place. */
     skv_world_add_velocity(world, added / 2, added / 4, 1.5f, 0.75f, NULL);

@@ -62,6 +62,7 @@ static skv_world *make_world(fuzz_input *in)
     for (int i = 0; i < def.liquid_count; i++) {
         def.liquids[i] = skv_default_liquid();
         def.liquids[i].name[0] = (char)('a' + i);
+        def.liquids[i].cohesion = i ? 0 : -1;
     }
     def.sleep = fuzz_byte(in) % 2;
     def.solver = fuzz_byte(in) % 4 ? SKV_SOLVER_FAST : SKV_SOLVER_REFERENCE;

@@ -12,7 +12,7 @@
 #define SCENE(oil, more)                                                                           \
     "{\n\"particles\": 300,\n"                                                                     \
     "\"fluids\": [{\"name\": \"oil\", \"density\": 1000" oil "},\n{\"name\": \"red "               \
-    "\xc3\xb6l\", \"color\": \"#fF8000\"}],\n"                                                     \
+    "\xc3\xb6l\", \"color\": \"#fF8000\", \"cohesion\": 0.5}],\n"                                  \
     "\"water\": [{\"shape\": \"box\", \"y1\": 0.2},\n"                                             \
     "{\"shape\": \"box\", \"y0\": 0.2, \"y1\": 0.3, \"fluid\": \"oil\", \"dye\": \"rose\"},\n"     \
     "{\"shape\": \"circle\", \"x\": 0.8, \"y\": 0.6, \"radius\": 0.1, \"fluid\": \"red "           \
@@ -33,6 +33,8 @@ static void fluids_arrive(void **unused)
     assert_string_equal(skv_world_liquid(world, 0)->name, "water");
     assert_string_equal(skv_world_liquid(world, 1)->name, "oil");
     assert_int_equal(skv_world_liquid(world, 1)->color, -1);
+    assert_true(skv_world_liquid(world, 1)->cohesion == -1);
+    assert_true(skv_world_liquid(world, 2)->cohesion == 0.5f);
     assert_string_equal(skv_world_liquid(world, 2)->name, "red \xc3\xb6l");
     assert_int_equal(skv_world_liquid(world, 2)->color, 0xff8000);
     assert_true(skv_world_liquid(world, 2)->density == 1000);
@@ -99,7 +101,7 @@ static void expect_refused(const char *text, const char *path, const char *value
 }
 
 /* Which of them is told of the name, not of what was set. */
-enum { MISSING_NAME = 20 };
+enum { MISSING_NAME = 22 };
 
 static void what_is_wrong_is_told(void **unused)
 {
@@ -137,6 +139,9 @@ static void what_is_wrong_is_told(void **unused)
          "1e+09 is out of range; allowed is a number from 0 to 100 1/s"},
         {"fluids[1].interface_push", "401",
          "401 is out of range; allowed is a number from 0 to 400 m/s^2"},
+        {"fluids[0].cohesion", "500.5",
+         "500.5 is out of range; allowed is a number from 0 to 500 m/s^2"},
+        {"fluids[0].cohesion", "-1", "-1 is out of range; allowed is a number from 0 to 500 m/s^2"},
         {"fluids[1].plasticity", "2", "needs springs that give way; add a shear_modulus, Pa"},
         {"fluids[0].density", "9",
          "is 9 kg/m^2; allowed is 0.01 to 20 times that of the first fluid, 10..20000 kg/m^2"},

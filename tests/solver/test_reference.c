@@ -36,6 +36,8 @@ static const skv_fluid_def *fluid_of(skv_law law, bool images)
 static skv_constants constants;
 static float place_x[N], place_y[N];
 static uint32_t id[N];
+static uint8_t fluid[N];
+static const float cohesion[] = {1, 0.125f, 0.5f};
 static const skv_boundary no_walls;
 
 /* Particles about a spacing apart, some much closer, displaced and pressed at random; with images
@@ -60,7 +62,7 @@ static void randomise(skv_reference *f, bool images)
     }
 }
 
-/* Weightless, and pairs do not lag behind. */
+/* Weightless, of three cohesions, and pairs do not lag behind. */
 static skv_reference *make(skv_law law, bool images, uint32_t seed)
 {
     static float zero[N];
@@ -80,8 +82,12 @@ static skv_reference *make(skv_law law, bool images, uint32_t seed)
     f->constants = &constants;
     f->count = N;
     f->boundary = &no_walls;
-    for (int i = 0; i < N; i++)
+    for (int i = 0; i < N; i++) {
         f->mass[i] = 1;
+        fluid[i] = (uint8_t)(i % 3);
+    }
+    f->fluid = fluid;
+    f->cohesion = cohesion;
     f->id = id;
     randomise(f, images);
     skv_neighbours_build(&f->neighbours, place_x, place_y, N, 1.02f * constants.h);
@@ -95,7 +101,7 @@ static void clear_displacements(skv_reference *f)
 }
 
 /* Of which displacements are the slope, per h: that of the densities, P and N being what they are,
- * or that of the gradients. */
+ * or that of the gradients, which have been multiplied by the cohesion of each particle's fluid. */
 typedef double energy(skv_reference *f);
 
 static double of_densities(skv_reference *f)
@@ -115,7 +121,8 @@ static double of_gradients(skv_reference *f)
     f->first = true;
     skv_pass_density(f);
     for (int i = 0; i < N; i++)
-        sum += f->gradient_x[i] * f->gradient_x[i] + f->gradient_y[i] * f->gradient_y[i];
+        sum += (f->gradient_x[i] * f->gradient_x[i] + f->gradient_y[i] * f->gradient_y[i]) /
+               (double)cohesion[fluid[i]];
     return (double)constants.tension_scale * sum / 2;
 }
 

@@ -6,6 +6,7 @@
 #include "scene/fluids.h"
 #include "solver/rows/rows_internal.h"
 #include "world/liquids.h"
+#include "world/world_internal.h"
 
 #include <string.h>
 
@@ -47,10 +48,25 @@ bool skv_world_has_interfaces(const skv_world *world)
     return false;
 }
 
-const uint8_t *skv_world_pushed(const skv_world *world)
+bool skv_world_has_cohesions(const skv_world *world)
 {
     (void)world;
-    return NULL;
+    return false;
+}
+
+float skv_world_most_cohesion(const skv_world *world)
+{
+    return world->fluid.cohesion;
+}
+
+void skv_world_share_cohesion(skv_world *world)
+{
+    (void)world;
+}
+
+void skv_world_tell_fluids(const skv_world *world, skv_solver_particles *particles)
+{
+    (void)world, (void)particles;
 }
 
 skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_error *error)

@@ -63,7 +63,7 @@ static void take_substep(skv_reference *f)
             run(f, VISCOSITY, skv_pass_viscosity); /* approaching pairs exchange impulses: 3 */
         if (f->first && f->massive)
             run(f, DISPLACEMENT, skv_pass_turn); /* what is light from below what is heavy */
-        if (f->first && f->fluid)
+        if (f->first && f->liquids)
             run(f, DISPLACEMENT, skv_pass_push); /* fluids from each other */
         run(f, DISPLACEMENT, skv_pass_divide);   /* what is heavy gives way less */
         if (f->last && (skv_resists_slip(c) || f->various))
@@ -101,6 +101,7 @@ static void load(skv_reference *f, const skv_solver_particles *p)
     f->massive = p->mass != NULL;
     f->fluid = p->fluid;
     f->liquids = p->liquids;
+    f->cohesion = p->cohesion;
     f->various = p->mass && p->drag;
     for (int i = 0; i < p->count; i++) {
         f->x[i] = (double)p->x[i];

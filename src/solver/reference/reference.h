@@ -36,8 +36,9 @@ typedef struct skv_reference {
     /* The particles, one element each. */
     int count;
     const uint32_t *id;
-    const uint8_t *fluid;      /* solver.h; null: no fluid pushes others */
-    const skv_liquid *liquids; /* solver.h */
+    const uint8_t *fluid;      /* solver.h */
+    const skv_liquid *liquids; /* solver.h; null: no fluid pushes others */
+    const float *cohesion;     /* solver.h; null: all have the constants' */
     double *x, *y;             /* position, m */
     double *vx, *vy;           /* velocity before and after the substep, m/s */
     double *clearance;         /* lower bound of the distance to the nearest wall, m */

@@ -62,6 +62,13 @@ static double find_hanging(const skv_reference *f, int i)
     return skv_min(-down / (sqrt(gx * gx + gy * gy) * (double)f->constants->tension_from), 1);
 }
 
+/* Of a particle's fluid, over the constants'. What is a surface's energy is its own fluid's, so
+ * unlike particles draw each other as much as the mean of what both do among their like. */
+static double cohesion_of(const skv_reference *f, int i)
+{
+    return f->cohesion ? (double)f->cohesion[f->fluid[i]] : 1;
+}
+
 /* Keeps of the gradient, for the tension, what exceeds the unevenness of the bulk. Only loose fluid
  * has a surface that matters: what was pressed in the last substep fades. */
 static void keep_gradient(skv_reference *f, int i, double gx, double gy)
@@ -77,8 +84,8 @@ static void keep_gradient(skv_reference *f, int i, double gx, double gy)
     f->gradient_y[i] = share * gy;
     if (c->images)
         f->hanging[i] = find_hanging(f, i);
-    f->gradient_x[i] *= f->mean_mass[i];
-    f->gradient_y[i] *= f->mean_mass[i];
+    f->gradient_x[i] *= f->mean_mass[i] * cohesion_of(f, i);
+    f->gradient_y[i] *= f->mean_mass[i] * cohesion_of(f, i);
 }
 
 /* From q^3 over mass, summed up over the neighbours, and q of the own image. */
@@ -132,7 +139,7 @@ static void find_calibrated(skv_reference *f, int i)
     /* Few neighbours do not draw together: no number of them could make up the density. */
     double held = (density - (double)c->cohesion_from) * (double)c->cohesion_slope;
     held = skv_min(skv_max(held, 0), 1);
-    double pull = (double)c->cohesion_scale * held * missing;
+    double pull = (double)c->cohesion_scale * cohesion_of(f, i) * held * missing;
     double crowd = (double)c->near_lambda_scale * skv_max(f->near_density[i] - share * density, 0);
     /* Its floor, the value in the bulk at rest, tames small groups, whose density hardly answers.
      */

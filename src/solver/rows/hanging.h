@@ -9,6 +9,18 @@
 /* Below this square gravity counts as none, h a substep squared. */
 #define SKV_NO_GRAVITY_SQUARED 1e-30f
 
+/* Cohesions of the fluids of eight particles at i in a row, over the constants'; of dummies that.
+ * One function: rarely needed. */
+static __attribute__((noinline)) v8 cohesions(const skv_rows *s, int row, int i)
+{
+    const int *number = s->set[s->current].number;
+    const skv_solver_particles *p = s->frame->particles;
+    float each[ROW_LANES];
+    for (int l = 0; l < ROW_LANES; l++)
+        each[l] = i + l < s->row_end[row] ? p->cohesion[p->fluid[number[i + l] & ~ROW_HELD]] : 1;
+    return v8_load(each);
+}
+
 /* One function: it is long, and rarely needed. */
 static __attribute__((noinline)) void add_forces(const skv_rows *s, float x, float y, float *u,
                                                  float *v)
@@ -49,6 +61,8 @@ static void find_hanging(const skv_rows *s, int row, const skv_constants *c)
             v8_add(v8_mul(v8_load(s->gradient_x + i), x), v8_mul(v8_load(s->gradient_y + i), y));
         if (skv_is_massive(s)) /* gradients are of the mean mass */
             down = v8_mul(down, v8_load(s->mean_lightness + i));
+        if (skv_has_cohesions(s)) /* and of their fluids' cohesion */
+            down = v8_div(down, cohesions(s, row, i));
         v8 up = v8_div(v8_sub(zero, down), v8_mul(size, bulk));
         v8_store(s->hanging + i, v8_min(v8_max(up, zero), one));
     }

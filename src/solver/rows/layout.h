@@ -262,7 +262,18 @@ static inline bool skv_has_pushed(const skv_rows *rows)
     (void)rows;
     return false;
 #else
-    return rows->frame->particles->fluid != NULL;
+    return rows->frame->particles->liquids != NULL;
+#endif
+}
+
+/* Whether fluids have cohesions of their own in this call. */
+static inline bool skv_has_cohesions(const skv_rows *rows)
+{
+#ifdef SKV_WITHOUT_FLUIDS
+    (void)rows;
+    return false;
+#else
+    return rows->frame->particles->cohesion != NULL;
 #endif
 }
 

@@ -65,9 +65,16 @@ V8_INLINE v8 of_mean_mass(const skv_rows *s, int i, v8 a)
     return skv_is_massive(s) ? v8_div(a, v8_load(s->mean_lightness + i)) : a;
 }
 
+/* What is of the constants' cohesion, of that of the fluids of eight particles at i in a row. */
+V8_INLINE v8 of_cohesion(const skv_rows *s, int row, int i, v8 a)
+{
+    return skv_has_cohesions(s) ? v8_mul(a, cohesions(s, row, i)) : a;
+}
+
 /* The gradient that the row's particles have collected, for the tension: what exceeds the
  * unevenness of the bulk, which fades with what has pressed them in the last substep. Of the mean
- * mass. In the sums' place; notes of each eight whether one has any, and where they are. */
+ * mass, and of the fluid's cohesion. In the sums' place; notes of each eight whether one has any,
+ * and where they are. */
 static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
 {
     const v8 zero = v8_set(0), one = v8_set(1), tiny = v8_set(TINY_SQUARED);
@@ -85,9 +92,10 @@ static void keep_gradient(const skv_rows *s, int row, const skv_constants *c)
             v8 loose = v8_max(v8_sub(one, pressed), zero);
             share = v8_mul(v8_div(v8_max(v8_sub(size, bulk), zero), size), loose);
         }
+        note_graded(s, row, eight, v8_any_below(zero, share));
+        share = of_cohesion(s, row, i, share);
         v8_store(s->gradient_x + i, of_mean_mass(s, i, v8_mul(share, gx)));
         v8_store(s->gradient_y + i, of_mean_mass(s, i, v8_mul(share, gy)));
-        note_graded(s, row, eight, v8_any_below(zero, share));
     }
 }
 
@@ -130,7 +138,8 @@ static void pressure_calibrated(const skv_rows *s, int row, bool later, const sk
         v8 close = v8_mul(near_lambda, crowded);
         v8 held = v8_min(v8_max(v8_mul(v8_sub(density, from), slope), zero), one);
         v8 response = v8_max(v8_mul(answer, density), floor);
-        v8 pulled = v8_add(v8_mul(pull, v8_mul(held, missing)), v8_mul(balance, close));
+        v8 own = of_cohesion(s, row, i, pull);
+        v8 pulled = v8_add(v8_mul(own, v8_mul(held, missing)), v8_mul(balance, close));
         v8 lambda = warm_lambda(s, i, later, c, excess, response);
         lambda = v8_sub(lambda, of_mean_mass(s, i, v8_div(pulled, response)));
         v8_store(s->lambda + i, lambda);
