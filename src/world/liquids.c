@@ -125,20 +125,14 @@ skv_result skv_check_fluid(int fluid, int fluids, skv_error *error)
                     fluids - 1);
 }
 
-bool skv_world_has_interfaces(const skv_world *world)
+unsigned skv_world_liquid_extras(const skv_world *world)
 {
-    for (int i = 1; i < world->fluid_count; i++)
-        if (world->liquids[i].interface_push > 0)
-            return true;
-    return false;
-}
-
-bool skv_world_has_cohesions(const skv_world *world)
-{
-    for (int i = 1; i < world->fluid_count; i++)
-        if (world->liquids[i].cohesion != SKV_AS_FIRST)
-            return true;
-    return false;
+    unsigned extras = skv_world_is_springy(world) ? SKV_WITH_SPRINGS : 0;
+    for (int i = 1; i < world->fluid_count; i++) {
+        extras |= world->liquids[i].interface_push > 0 ? SKV_WITH_INTERFACES : 0u;
+        extras |= world->liquids[i].cohesion != SKV_AS_FIRST ? SKV_WITH_COHESIONS : 0u;
+    }
+    return extras;
 }
 
 static float cohesion_of(const skv_world *world, int fluid)
@@ -170,7 +164,7 @@ void skv_world_tell_fluids(const skv_world *world, skv_solver_particles *particl
 {
     if (!world->state.several)
         return;
-    if (skv_world_has_interfaces(world))
+    if (skv_world_liquid_extras(world) & SKV_WITH_INTERFACES)
         particles->liquids = world->liquids;
     if (world->cohesions_differ)
         particles->cohesion = world->cohesions;
@@ -204,7 +198,7 @@ static bool exchange_name(skv_port *port, char name[SKV_FLUID_NAME])
     return true;
 }
 
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras extras)
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, unsigned extras)
 {
     uint64_t count = (uint64_t)def->liquid_count;
     skv_exchange(port, &count, 1);
@@ -223,14 +217,14 @@ bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras 
         skv_exchange_float(port, &liquid->viscosity);
         skv_exchange(port, &color, 4);
         liquid->color = color <= MOST_COLOR + 1 ? (int)color - 1 : MOST_COLOR + 1;
-        if (extras.springs) {
+        if (extras & SKV_WITH_SPRINGS) {
             skv_exchange_float(port, &liquid->shear_modulus);
             skv_exchange_float(port, &liquid->yield);
             skv_exchange_float(port, &liquid->plasticity);
         }
-        if (extras.interfaces)
+        if (extras & SKV_WITH_INTERFACES)
             skv_exchange_float(port, &liquid->interface_push);
-        if (extras.cohesions)
+        if (extras & SKV_WITH_COHESIONS)
             skv_exchange_float(port, &liquid->cohesion);
         else if (port->from)
             liquid->cohesion = SKV_AS_FIRST;

@@ -45,19 +45,19 @@ skv_result skv_check_fluid(int fluid, int fluids, skv_error *error);
 /* Writes or reads a dye and a fluid's number as one byte: the dye, and 16 times the number. */
 void skv_exchange_contents(skv_port *port, int *dye, int *fluid);
 
-/* What is said of a fluid beside what all have. */
-typedef struct skv_liquid_extras {
-    bool springs, interfaces, cohesions;
-} skv_liquid_extras;
+/* What a snapshot says of fluids beside what all have, if one has it: flags of the snapshot. */
+enum {
+    SKV_WITH_SPRINGS = 512,
+    SKV_WITH_INTERFACES = 2048, /* it pushes others apart */
+    SKV_WITH_COHESIONS = 8192,  /* of its own */
+    SKV_LIQUID_EXTRAS = SKV_WITH_SPRINGS | SKV_WITH_INTERFACES | SKV_WITH_COHESIONS
+};
 
-/* Writes or reads the further fluids of a definition, with these extras or without; false if they
- * are none. */
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras extras);
+/* Writes or reads the further fluids of a definition, with these extras; false if they are none. */
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, unsigned extras);
 
-/* Whether a fluid of a world pushes others apart; and whether one beside the first has a cohesion
- * of its own. */
-bool skv_world_has_interfaces(const skv_world *world);
-bool skv_world_has_cohesions(const skv_world *world);
+/* Those of a world's fluids. */
+unsigned skv_world_liquid_extras(const skv_world *world);
 
 /* The greatest cohesion of a world's fluids, m/s^2: what its constants are made for. */
 float skv_world_most_cohesion(const skv_world *world);

@@ -7,6 +7,7 @@
 #include "world/air.h"
 #include "world/bodies.h"
 #include "world/fluids.h"
+#include "world/liquids.h"
 #include "world/parameters.h"
 #include "world/snapshot.h"
 #include "world/springs.h"
@@ -80,7 +81,7 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
     if (result == SKV_OK && s->with_bodies)
         result = skv_bodies_load(world, s->bodies, &bodies, error);
     skv_springs *springs = NULL;
-    if (result == SKV_OK && s->with_springs)
+    if (result == SKV_OK && (s->liquid_extras & SKV_WITH_SPRINGS))
         result = skv_springs_load(s->springs, &springs, error);
     skv_air *air = NULL;
     if (result == SKV_OK && s->with_air)

@@ -25,20 +25,17 @@ enum {
     WITH_LOAD = 4,
     WITH_WARM = 8,
     WITH_NAMES = 16,
-    WITH_RAMP = 32,         /* of a world on its way, so that others are read by older libraries */
-    WITH_FLUIDS = 64,       /* of a world with several fluids, likewise */
-    WITH_BODIES = 128,      /* of a world that has had bodies, likewise */
-    WITH_HOLDS = 256,       /* of one whose hands hold some, likewise */
-    WITH_SPRINGS = 512,     /* of one with a fluid that has some, likewise */
-    WITH_AIR = 1024,        /* of one whose air pushes, likewise */
-    WITH_INTERFACES = 2048, /* of one with a fluid that pushes others, likewise */
-    WITH_COHESIONS = 8192   /* of one with a fluid of its own cohesion, likewise */
+    WITH_RAMP = 32,    /* of a world on its way, so that others are read by older libraries */
+    WITH_FLUIDS = 64,  /* of a world with several fluids, likewise; and SKV_LIQUID_EXTRAS */
+    WITH_BODIES = 128, /* of a world that has had bodies, likewise */
+    WITH_HOLDS = 256,  /* of one whose hands hold some, likewise */
+    WITH_AIR = 1024    /* of one whose air pushes, likewise */
 };
 
-static const skv_envelope kind = {
-    "snapshot", 'V', 1, 1,
-    WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM | WITH_NAMES | WITH_RAMP | WITH_FLUIDS |
-        WITH_BODIES | WITH_HOLDS | WITH_SPRINGS | WITH_AIR | WITH_INTERFACES | WITH_COHESIONS};
+static const skv_envelope kind = {"snapshot", 'V', 1, 1,
+                                  WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
+                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES |
+                                      WITH_HOLDS | WITH_AIR | SKV_LIQUID_EXTRAS};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -85,10 +82,7 @@ static void put_facts(skv_writer *w, const skv_world *world)
     }
     if (world->fluid_count > 1) {
         skv_world_def def = skv_world_describe(world);
-        skv_exchange_liquids(&(skv_port){.to = w}, &def,
-                             (skv_liquid_extras){skv_world_is_springy(world),
-                                                 skv_world_has_interfaces(world),
-                                                 skv_world_has_cohesions(world)});
+        skv_exchange_liquids(&(skv_port){.to = w}, &def, skv_world_liquid_extras(world));
     }
     skv_acting acting = world->acting;
     skv_exchange_acting(&(skv_port){.to = w}, &acting, world->fluid_count, NULL);
@@ -161,16 +155,13 @@ static void put_particles(skv_writer *w, const skv_world *world)
 static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *bytes)
 {
     skv_writer writer = {bytes, 0}, *w = &writer;
-    skv_envelope_put(w, &kind,
-                     WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
-                         (world->ramp.left > 0 ? WITH_RAMP : 0u) |
-                         (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
-                         (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
-                         (world->bodies ? WITH_BODIES : 0u) | (world->air ? WITH_AIR : 0u) |
-                         (skv_world_is_springy(world) ? WITH_SPRINGS : 0u) |
-                         (skv_world_has_interfaces(world) ? WITH_INTERFACES : 0u) |
-                         (skv_world_has_cohesions(world) ? WITH_COHESIONS : 0u) |
-                         (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
+    skv_envelope_put(
+        w, &kind,
+        WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
+            (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
+            (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
+            (world->bodies ? WITH_BODIES : 0u) | (world->air ? WITH_AIR : 0u) |
+            skv_world_liquid_extras(world) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
     put_facts(w, world);
@@ -227,11 +218,9 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_fluids = flags & WITH_FLUIDS;
     s->with_holds = flags & WITH_HOLDS;
     s->with_bodies = flags & WITH_BODIES;
-    s->with_springs = flags & WITH_SPRINGS;
-    s->with_interfaces = flags & WITH_INTERFACES;
-    s->with_cohesions = flags & WITH_COHESIONS;
+    s->liquid_extras = flags & SKV_LIQUID_EXTRAS;
     s->with_air = flags & WITH_AIR;
-    if ((s->with_springs || s->with_interfaces || s->with_cohesions) && !s->with_fluids)
+    if (s->liquid_extras && !s->with_fluids)
         return refuse(error, "it is damaged; take another copy");
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
                (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u);
@@ -313,9 +302,7 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     uint64_t stepped = skv_get(r, 4);
     bool loads = s->def.substeps >= 1 && read_load(r, s) && read_ramp(r, s) &&
                  (!s->with_fluids ||
-                  skv_exchange_liquids(
-                      &(skv_port){.from = r}, &s->def,
-                      (skv_liquid_extras){s->with_springs, s->with_interfaces, s->with_cohesions}));
+                  skv_exchange_liquids(&(skv_port){.from = r}, &s->def, s->liquid_extras));
     /* More substeps than a frame may have are never owed. */
     if (!skv_within(s->time, 0, 1e12) || steps > INT64_MAX / 2 || !skv_within(s->due, 0, 1000) ||
         !skv_within((double)s->filled, 0, 1e6) || !skv_within(s->watched, 0, 1e3) ||
@@ -334,7 +321,7 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     if (result == SKV_OK && s->with_bodies)
         result = skv_bodies_check(r, s->def.fluid.spacing, error);
     s->springs = *r;
-    if (result == SKV_OK && s->with_springs)
+    if (result == SKV_OK && (s->liquid_extras & SKV_WITH_SPRINGS))
         result =
             skv_springs_check(r, s->def.fluid.spacing * s->def.fluid.radius_ratio, &s->ends, error);
     s->air = *r;

@@ -10,8 +10,9 @@
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
     bool substeps_fixed, with_load, with_names, with_ramp, with_fluids, with_holds, with_bodies;
-    bool with_springs, with_interfaces, with_cohesions, with_air;
-    unsigned holds; /* of the particles' attributes: skv_saved */
+    bool with_air;
+    unsigned liquid_extras; /* liquids.h */
+    unsigned holds;         /* of the particles' attributes: skv_saved */
     skv_load load;
     skv_ramp ramp;
     float filled;

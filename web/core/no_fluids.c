@@ -36,22 +36,16 @@ void skv_exchange_contents(skv_port *port, int *dye, int *fluid)
     *fluid = (int)(byte >> 4);
 }
 
-bool skv_exchange_liquids(skv_port *port, skv_world_def *def, skv_liquid_extras extras)
+bool skv_exchange_liquids(skv_port *port, skv_world_def *def, unsigned extras)
 {
     (void)port, (void)def, (void)extras;
     return skv_want_more(NULL) == SKV_OK;
 }
 
-bool skv_world_has_interfaces(const skv_world *world)
+unsigned skv_world_liquid_extras(const skv_world *world)
 {
     (void)world;
-    return false;
-}
-
-bool skv_world_has_cohesions(const skv_world *world)
-{
-    (void)world;
-    return false;
+    return 0;
 }
 
 float skv_world_most_cohesion(const skv_world *world)
