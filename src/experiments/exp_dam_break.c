@@ -64,11 +64,21 @@ typedef struct column {
     double width, unit; /* m; of T, s */
 } column;
 
+/* Times are from the first sample on, when the wall vanishes. */
+static int read_front(const rig *s, const column *c, double *times, double *fronts)
+{
+    int count = skv_rig_history(s, c->gauge, 1, times, fronts, MAX_SAMPLES);
+    double start = count > 0 ? times[0] : 0;
+    for (int i = 0; i < count; i++)
+        times[i] -= start;
+    return count;
+}
+
 static void draw(const rig *s, const void *set_up, findings *found)
 {
     const column *c = set_up;
     double times[MAX_SAMPLES], fronts[MAX_SAMPLES];
-    int count = skv_rig_history(s, c->gauge, 1, times, fronts, MAX_SAMPLES);
+    int count = read_front(s, c, times, fronts);
     skv_plot_begin(&found->plot, "measured", SKV_CURVE_LINE);
     for (int i = 0; i < count; i++)
         skv_plot_point(&found->plot, times[i] / c->unit, fronts[i] / c->width);
@@ -88,7 +98,7 @@ static void measure(rig *s, findings *found)
     skv_rig_watch(s, watch + 1.0 / 60);
     skv_rig_draw(s);
     double times[MAX_SAMPLES], fronts[MAX_SAMPLES];
-    int count = skv_rig_history(s, c.gauge, 1, times, fronts, MAX_SAMPLES);
+    int count = read_front(s, &c, times, fronts);
     for (int i = 0; i < DAM_POINTS; i++)
         found->point[i] = front_at(times, fronts, count, skv_theory_dam[i].time * unit) / a;
     found->measured[1] = time_at(times, fronts, count, PASSED * a) / unit;

@@ -158,10 +158,8 @@ skv_result skv_rig_write(const rig *s, skv_write *write, void *user, skv_error *
     const rig_plan *plan = s->sketch;
     skv_setting list[MAX_OVERRIDES];
     int count = 0;
-    /* The number of particles says how far apart they are, also after a rebuild. */
     for (int i = 0; i < s->override_count; i++)
-        if (strcmp(s->overrides[i].path, "fluid.spacing") != 0)
-            list[count++] = (skv_setting){s->overrides[i].path, s->overrides[i].value};
+        list[count++] = (skv_setting){s->overrides[i].path, s->overrides[i].value};
     double particles = s->settings.common[PARAM_PARTICLES] * (plan->share > 0 ? plan->share : 1);
     return skv_plan_write(plan, &s->experiment->info, floor(particles), list, count, write, user,
                           error);
@@ -178,15 +176,6 @@ static void draw_outline(rig *s, const rig_plan *plan)
     s->result = SKV_STOPPED;
 }
 
-/* The spacing that the settings say, or that a world had which was built anew; else 0. */
-static double given_spacing(const rig *s)
-{
-    for (int i = 0; i < s->override_count; i++)
-        if (strcmp(s->overrides[i].path, "fluid.spacing") == 0)
-            return s->spacing;
-    return s->settings.spacing;
-}
-
 void skv_rig_build(rig *s, const rig_plan *plan)
 {
     if (!skv_rig_ok(s))
@@ -195,7 +184,7 @@ void skv_rig_build(rig *s, const rig_plan *plan)
         draw_outline(s, plan);
         return;
     }
-    skv_scene *scene = load(s, plan, given_spacing(s));
+    skv_scene *scene = load(s, plan, s->settings.spacing);
     skv_world *world = scene ? make_world(s, scene) : NULL;
     if (world) {
         skv_rig_keep(s, skv_scene_fill(scene, world, s->error));
@@ -206,20 +195,14 @@ void skv_rig_build(rig *s, const rig_plan *plan)
 
 void skv_rig_rebuild(rig *s, const rig_plan *plan)
 {
-    if (!skv_rig_ok(s))
+    skv_scene *scene = skv_rig_ok(s) ? load(s, plan, s->settings.spacing) : NULL;
+    if (!scene)
         return;
-    skv_rig_set(s, "fluid.spacing", s->spacing);
-    skv_scene *scene = load(s, plan, s->spacing);
-    skv_world *world = scene ? make_world(s, scene) : NULL;
+    skv_terrain *terrain = skv_scene_world_def(scene).terrain;
     skv_scene_destroy(scene);
-    if (!world)
-        return;
-    skv_particles p = skv_world_particles(s->world);
-    for (int i = 0; i < p.count && skv_rig_ok(s); i++)
-        skv_rig_keep(s, skv_world_add_particle(world, p.x[i], p.y[i], p.vx[i], p.vy[i], s->error));
-    if (p.fluid && skv_rig_ok(s))
-        skv_rig_keep(s, skv_world_set_fluids(world, 0, p.count, p.fluid, s->error));
-    take_over(s, world);
+    skv_rig_keep(s, skv_world_set_terrain(s->world, terrain, NULL, s->error));
+    if (!skv_rig_ok(s))
+        skv_terrain_destroy(terrain);
 }
 
 void skv_rig_build_beside(rig *s, const rig_plan *plan, double particles)

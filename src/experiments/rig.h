@@ -84,8 +84,8 @@ void skv_rig_set(rig *s, const char *path, double value);
 
 /* Builds the world of a plan and fills it; a world that was there is taken away. */
 void skv_rig_build(rig *s, const rig_plan *plan);
-/* Builds the world of a plan, but puts the particles of the world that was there into it, with
- * their velocities and fluids: how a gate is opened. */
+/* Puts the walls of a plan around the fluid that is there, as a hand that edits them would: how a
+ * gate is opened. */
 void skv_rig_rebuild(rig *s, const rig_plan *plan);
 /* Builds the world of a plan for what is measured beside the experiment itself, with so many
  * particles as far apart as those of the first. What is reported of the world stays the first's. */
