@@ -39,7 +39,7 @@ typedef struct cell {
     float high, low;        /* its particles, along gravity; then the column's highest and lowest */
     int beside[NEIGHBOURS]; /* numbers of the cells that its fluid touches, from 1; 0: none */
     int top;                /* number of its column's highest cell */
-    float mass;             /* of its particles: the sum, then the mean; 1 if all weigh as much */
+    float mass;             /* of its particles, if not all weigh as much: the sum, then the mean */
     bool carried;           /* its column is */
     bool measured;
 } cell;
@@ -158,7 +158,7 @@ static void put_into_cells(regions *b)
         b->cell_of[i] = b->cell_count;
         *slot = ++b->cell_count;
     }
-    for (int c = 0; c < b->cell_count; c++)
+    for (int c = 0; has_masses(b) && c < b->cell_count; c++)
         b->cells[c].mass /= (float)b->cells[c].count;
 }
 
@@ -327,16 +327,21 @@ static void measure_columns(const regions *b)
 
 /* ---- Drawn surfaces -------------------------------------------------------------------------- */
 
-/* The height up to which fluid is drawn above a particle. */
-static float find_drawn_height(const regions *b, const skv_drawing *drawing, int particle)
+/* Notes the height up to which fluid is drawn above a particle. Where it is drawn on beyond a
+ * step, as above a cell that a corner cuts, there is no surface. */
+static void note_drawn_height(const regions *b, const skv_drawing *drawing,
+                              const skv_drawn_surface *surface, int column, int particle)
 {
     const skv_state *s = &b->world->state;
-    float step = DRAWN_STEP * b->world->fluid.spacing, up = 0;
-    while (up + step < ONE_LEVEL * b->world->fluid.spacing &&
-           drawing->inside(s->x[particle] + (up + step) * b->ux,
-                           s->y[particle] + (up + step) * b->uy, drawing->user))
+    float step = DRAWN_STEP * b->world->fluid.spacing, most = ONE_LEVEL * b->world->fluid.spacing;
+    float up = 0;
+    while (drawing->inside(s->x[particle] + (up + step) * b->ux,
+                           s->y[particle] + (up + step) * b->uy, drawing->user)) {
         up += step;
-    return along(b, particle) + up;
+        if (!(up + step < most))
+            return;
+    }
+    skv_drawn_note(surface, column, across(b, particle), along(b, particle) + up);
 }
 
 /* Whether there is air straight above a cell, though there may be fluid aside. */
@@ -369,8 +374,7 @@ static void find_drawn_surfaces(const regions *b, const skv_drawing *drawing, in
     }
     for (const cell *c = b->cells; c < b->cells + b->cell_count; c++)
         if (is_open_above(b, c))
-            skv_drawn_note(&lies->surfaces[c->region], c->column, across(b, c->highest),
-                           find_drawn_height(b, drawing, c->highest));
+            note_drawn_height(b, drawing, &lies->surfaces[c->region], c->column, c->highest);
     for (int r = 0; r < count; r++)
         if (rests_below(b, &b->regions[r], &lies->surfaces[r])) {
             skv_drawn_bridge(&lies->surfaces[r]);
@@ -428,8 +432,10 @@ static bool look_for_layers(const regions *b, int count)
 }
 
 /* The integral of pressure over own density from the bottom of a column up to a height, over
- * gravity, m^2. Goes down from cell to cell: each is of one mass. */
-static float find_burden(const regions *b, const cell *top, float level, float bottom, float height)
+ * gravity, m^2, and what it is at that height, m. Goes down from cell to cell: each is of one mass.
+ */
+static float find_burden(const regions *b, const cell *top, float level, float bottom, float height,
+                         float *depth)
 {
     float burden = 0, pressed = 0, from = level;
     for (const cell *c = top, *below; c; c = below) {
@@ -437,6 +443,8 @@ static float find_burden(const regions *b, const cell *top, float level, float b
         float to = skv_minf(below ? (float)c->row * b->size : bottom, from), thick = from - to;
         if (height > to) {
             float end = skv_minf(height, from), above = from - end;
+            if (end == height)
+                *depth = pressed / c->mass + above;
             burden += pressed / c->mass * (end - to) + 0.5f * (thick * thick - above * above);
         }
         pressed += c->mass * thick;
@@ -447,8 +455,9 @@ static float find_burden(const regions *b, const cell *top, float level, float b
 
 /* ---- Particles ------------------------------------------------------------------------------- */
 
-static void judge(const regions *b, const skv_lies *lies)
+static void judge(const regions *b, skv_lies *lies)
 {
+    double sum = 0;
     float half = 0.5f * b->world->fluid.spacing;
     for (int i = 0; i < b->world->state.count; i++) {
         const cell *c = cell_of(b, i);
@@ -464,13 +473,15 @@ static void judge(const regions *b, const skv_lies *lies)
         float whole_depth = level - (c->low - half), depth = level - along(b, i);
         float weight = 0.5f * (whole_depth * whole_depth - depth * depth);
         if (has_masses(b))
-            weight = find_burden(b, &b->cells[c->top], level, c->low - half, along(b, i));
+            weight = find_burden(b, &b->cells[c->top], level, c->low - half, along(b, i), &depth);
         lies->weight[i] = lies->lie[i] == SKV_HANGS ? 0 : skv_maxf(weight, 0);
+        sum += (double)depth;
     }
+    lies->depth = sum / b->world->state.count;
 }
 
 /* False if memory is out. */
-static bool find_lies(regions *b, const skv_drawing *drawing, const skv_lies *lies)
+static bool find_lies(regions *b, const skv_drawing *drawing, skv_lies *lies)
 {
     int count = 0;
     put_into_cells(b);

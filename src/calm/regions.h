@@ -18,6 +18,7 @@ typedef struct skv_lies {
     uint8_t *lie;  /* skv_lie, of each particle */
     float *weight; /* the integral of the depth, from the bottom of a particle's column up to it,
                       m^2; 0 for what hangs. Depth is pressure over that of a metre of own fluid */
+    double depth;  /* the mean of all particles' depths, m */
     /* Of each particle that rests below a surface that is drawn uneven; else null. */
     const skv_drawn_surface **drawn;
     skv_drawn_surface *surfaces; /* of regions */

@@ -60,6 +60,11 @@ static const plan flowing = {200, 60, 200, 0, 0.015f, true};
 /* For a law that does not say how far to sink, and pushes as far in a substep of any length. */
 static const plan unaided = {1200, 1200, 1200, 0.002, 0.01f, false};
 
+/* Of the area. Less makes no level wrong by a tenth of what may be; and what is compressed more has
+ * been given too few substeps, and is no liquid. */
+#define LEAST_COMPRESSION 0.0005
+#define MOST_COMPRESSION  0.1
+
 #define FALL 9.81f /* m/s^2, of that fall; of the world's gravity nothing may be left */
 
 typedef struct settling {
@@ -73,6 +78,7 @@ typedef struct settling {
     float kept;     /* share of the velocity, from one round to the next */
     double work;    /* of a round: particles, weighed by what they cost */
     bool shaken;
+    bool drawn; /* it is known where the fluid is drawn */
     skv_constants constants;
 } settling;
 
@@ -174,6 +180,18 @@ static float resting_depth(const settling *s)
     return sqrtf(2 * most);
 }
 
+/* Where fluid rests as it is drawn, its lattice becomes wider by what weight compresses it: so the
+ * level stays. */
+static void loosen(const settling *s, float g)
+{
+    skv_world *world = s->world;
+    double compression = (double)g * s->lies.depth * softness_of(s, world->load.wanted);
+    if (!(compression > LEAST_COMPRESSION))
+        return;
+    world->compression = (float)skv_min(compression, MOST_COMPRESSION);
+    world->constants_stale = true;
+}
+
 static bool is_calm(const settling *s)
 {
     const skv_state *p = &s->world->state;
@@ -222,7 +240,8 @@ static skv_result relax(settling *s, int substeps, int rounds, skv_error *error)
     double softness = softness_of(s, substeps);
     int most = most_rounds(s);
     rounds = rounds < most ? rounds : most;
-    s->constants = skv_make_constants(&s->fluid, 1.0f / 60 / (float)substeps);
+    s->constants =
+        skv_make_constants(&s->fluid, s->world->compression, 1.0f / 60 / (float)substeps);
     sink(s, SKV_RESTS, softness - s->carried);
     s->carried = softness;
     skv_result result = SKV_OK;
@@ -254,8 +273,11 @@ static skv_result relax_all(settling *s, skv_error *error)
     float g = sqrtf(world->gravity_x * world->gravity_x + world->gravity_y * world->gravity_y);
     float depth = world->filled * skv_extent_along_gravity(world);
     float resting = resting_depth(s);
-    if (resting > 0)
+    if (resting > 0) {
         skv_load_rest(world, resting);
+        if (s->drawn)
+            loosen(s, g);
+    }
     int last = world->load.wanted,
         first = skv_substep_rule(&s->fluid, skv_load_of_depth(g, depth, 0));
     first = first < last ? first : last;
@@ -313,6 +335,7 @@ skv_result skv_world_settle_drawn(skv_world *world, skv_inside *inside, void *us
     s.fluid.viscosity = s.fluid.viscosity_linear = s.fluid.viscosity_quadratic = 0;
     s.fluid.wall_friction = 0;
     s.fluid.cohesion = skv_world_most_cohesion(world);
+    s.drawn = inside != NULL;
     s.work = measure_work(world);
     float *numbers = skv_calloc((2 + BEGINNINGS) * count, sizeof *numbers);
     world->busy = SKV_READ;

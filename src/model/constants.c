@@ -216,10 +216,10 @@ static double share_for(double share_a_frame, double dt)
 /* Walls by images have no friction in contact, which nothing comes to. What holds a viscous fluid
  * is its viscosity, in full at the default friction: half of the directions approach a wall that
  * rests, and half of a pair's impulse is its. */
-static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
+static void set_images(skv_constants *c, const skv_fluid_def *f, double eta, double dt)
 {
     double viscosity = skv_linear_viscosity(f), friction = (double)f->wall_friction;
-    double sticks = friction < STICKS ? friction / STICKS : 1, eta = (double)f->radius_ratio;
+    double sticks = friction < STICKS ? friction / STICKS : 1;
     c->images = true;
     c->image_gradient = (float)(SKV_PI / SKV_SMOOTH_WHOLE * eta * eta / SKV_SMOOTH_GAIN);
     c->image_virial = (float)(2 * SKV_PI / SKV_SMOOTH_VIRIAL * eta * eta);
@@ -236,9 +236,10 @@ static void set_images(skv_constants *c, const skv_fluid_def *f, double dt)
     c->wall_stick = (float)(sticks * eta * eta / 4);
 }
 
-static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, double dt)
+static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, double eta,
+                           double dt)
 {
-    skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SMOOTH, (double)f->radius_ratio);
+    skv_lattice lattice = skv_lattice_sums(SKV_KERNEL_SMOOTH, eta);
     double rest = lattice.density, cohesion = (double)f->cohesion;
     /* A displacement in each iteration that amounts to half an acceleration of 1 in the bulk. */
     double half = dt * dt * lattice.response / (2 * f->iterations);
@@ -256,12 +257,12 @@ static void set_calibrated(skv_constants *c, const skv_fluid_def *f, double h, d
     c->cohesion_from = (float)(COHESION_FROM * rest);
     c->cohesion_slope = (float)(1 / ((COHESION_FULL - COHESION_FROM) * rest));
     c->tension_scale = (float)(dt * dt * COHESION_TENSION * cohesion);
-    c->tension_from = (float)(TENSION_FROM * skv_surface_gradient(f));
+    c->tension_from = (float)(TENSION_FROM * (eta * eta / skv_kernel_flat(SKV_KERNEL_SMOOTH)));
     c->wall_virial = 2.0f / SKV_SMOOTH_GAIN;
     c->loose_lambda = (float)h;
     skv_set_stiffness(c, 1);
     if (skv_has_images(f))
-        set_images(c, f, dt);
+        set_images(c, f, eta, dt);
 }
 
 static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
@@ -277,9 +278,10 @@ static void set_clavet(skv_constants *c, const skv_fluid_def *f, double h)
         c->lambda_scale * (float)(CLAVET_LOOSE * lattice.density - (double)f->clavet_rest_density);
 }
 
-skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
+skv_constants skv_make_constants(const skv_fluid_def *f, float compression, float dt_float)
 {
     double dt = (double)dt_float, h = (double)f->spacing * (double)f->radius_ratio;
+    double eta = (double)f->radius_ratio / sqrt(1 + (double)compression);
     skv_constants c = {
         .h = (float)h,
         .inv_h = (float)(1 / h),
@@ -297,7 +299,7 @@ skv_constants skv_make_constants(const skv_fluid_def *f, float dt_float)
     if (f->law == SKV_LAW_CLAVET)
         set_clavet(&c, f, h);
     else
-        set_calibrated(&c, f, h, dt);
+        set_calibrated(&c, f, h, eta, dt);
     double load =
         f->law == SKV_LAW_CLAVET ? CLAVET_LOAD : COMPRESSION * SPEED_OF_SOUND * SPEED_OF_SOUND;
     c.design_pressure = (float)((double)f->density * load * h * h / (dt * dt));

@@ -89,7 +89,7 @@ static inline bool skv_resists_slip(const skv_constants *constants)
 double skv_linear_viscosity(const skv_fluid_def *fluid);
 
 /* Those of a fluid as stiff as dt allows. */
-skv_constants skv_make_constants(const skv_fluid_def *fluid, float dt);
+skv_constants skv_make_constants(const skv_fluid_def *fluid, float compression, float dt);
 
 /* k dt^2 of the springs of a fluid with a shear modulus, Pa, and a density, kg/m^2, as stiff as dt
  * allows: two of their particles push each other by half of it times q(L) and what their spring is

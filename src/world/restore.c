@@ -47,6 +47,7 @@ static void take_facts(skv_world *world, const skv_snapshot *s)
     world->gravity_x = s->def.gravity_x;
     world->gravity_y = s->def.gravity_y;
     world->depth = s->def.depth;
+    world->compression = s->compression;
     skv_world_put_emission(world, &s->def);
     world->substeps = s->def.substeps;
     world->substeps_fixed = s->substeps_fixed;

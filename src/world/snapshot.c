@@ -25,17 +25,18 @@ enum {
     WITH_LOAD = 4,
     WITH_WARM = 8,
     WITH_NAMES = 16,
-    WITH_RAMP = 32,    /* of a world on its way, so that others are read by older libraries */
-    WITH_FLUIDS = 64,  /* of a world with several fluids, likewise; and SKV_LIQUID_EXTRAS */
-    WITH_BODIES = 128, /* of a world that has had bodies, likewise */
-    WITH_HOLDS = 256,  /* of one whose hands hold some, likewise */
-    WITH_AIR = 1024    /* of one whose air pushes, likewise */
+    WITH_RAMP = 32,         /* of a world on its way, so that others are read by older libraries */
+    WITH_FLUIDS = 64,       /* of a world with several fluids, likewise; and SKV_LIQUID_EXTRAS */
+    WITH_BODIES = 128,      /* of a world that has had bodies, likewise */
+    WITH_HOLDS = 256,       /* of one whose hands hold some, likewise */
+    WITH_AIR = 1024,        /* of one whose air pushes, likewise */
+    WITH_COMPRESSION = 4096 /* of one whose fluid makes up for its compression, likewise */
 };
 
 static const skv_envelope kind = {"snapshot", 'V', 1, 1,
                                   WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
                                       WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES |
-                                      WITH_HOLDS | WITH_AIR | SKV_LIQUID_EXTRAS};
+                                      WITH_HOLDS | WITH_AIR | WITH_COMPRESSION | SKV_LIQUID_EXTRAS};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -75,6 +76,8 @@ static void put_facts(skv_writer *w, const skv_world *world)
     skv_put(w, (uint64_t)world->load.wanted, 4);
     skv_put_float(w, world->load.stiffness);
     skv_put_float(w, world->load.peak);
+    if (world->compression > 0)
+        skv_put_float(w, world->compression);
     if (world->ramp.left > 0) {
         skv_put_double(w, world->ramp.left);
         for (int i = 0; i < SKV_RAMP_NUMBERS; i++)
@@ -161,7 +164,8 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
             (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
             (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
             (world->bodies ? WITH_BODIES : 0u) | (world->air ? WITH_AIR : 0u) |
-            skv_world_liquid_extras(world) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
+            (world->compression > 0 ? WITH_COMPRESSION : 0u) | skv_world_liquid_extras(world) |
+            (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
     put_facts(w, world);
@@ -220,6 +224,7 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_bodies = flags & WITH_BODIES;
     s->liquid_extras = flags & SKV_LIQUID_EXTRAS;
     s->with_air = flags & WITH_AIR;
+    s->with_compression = flags & WITH_COMPRESSION;
     if (s->liquid_extras && !s->with_fluids)
         return refuse(error, "it is damaged; take another copy");
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
@@ -276,6 +281,14 @@ static bool read_load(skv_reader *r, skv_snapshot *s)
            skv_within((double)s->load.peak, 0, 1e12);
 }
 
+static bool read_compression(skv_reader *r, skv_snapshot *s)
+{
+    if (!s->with_compression)
+        return true;
+    s->compression = skv_get_float(r);
+    return skv_within((double)s->compression, 0, 0.1);
+}
+
 /* What acts on the way is a fluid, too. */
 static bool read_ramp(skv_reader *r, skv_snapshot *s)
 {
@@ -300,7 +313,8 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->next_id = (uint32_t)skv_get(r, 4);
     s->watched = skv_get_double(r);
     uint64_t stepped = skv_get(r, 4);
-    bool loads = s->def.substeps >= 1 && read_load(r, s) && read_ramp(r, s) &&
+    bool loads = s->def.substeps >= 1 && read_load(r, s) && read_compression(r, s) &&
+                 read_ramp(r, s) &&
                  (!s->with_fluids ||
                   skv_exchange_liquids(&(skv_port){.from = r}, &s->def, s->liquid_extras));
     /* More substeps than a frame may have are never owed. */

@@ -23,7 +23,8 @@ skv_constants skv_world_make_constants(const skv_world *world)
 {
     skv_fluid_def fluid = skv_ramp_fluid(&world->fluid, &world->ramp);
     fluid.cohesion = skv_world_most_cohesion(world);
-    skv_constants constants = skv_make_constants(&fluid, 1.0f / 60 / (float)world->substeps);
+    skv_constants constants =
+        skv_make_constants(&fluid, world->compression, 1.0f / 60 / (float)world->substeps);
     skv_set_stiffness(&constants, skv_load_stiffness(world));
     return constants;
 }

@@ -41,8 +41,11 @@ struct skv_world {
     skv_wall_map *walls;
     skv_boundary boundary;
     float gravity_x, gravity_y;
-    float h;             /* smoothing radius, m */
-    float depth;         /* as in the definition */
+    float h;     /* smoothing radius, m */
+    float depth; /* as in the definition */
+    /* How much fluid at rest is compressed by its weight, on average: weightless it would take so
+     * much more room. 0, or what settling has found. */
+    float compression;
     int substeps;        /* a 1/60 s frame, at present */
     bool substeps_fixed; /* the definition gave them */
     float filled;        /* expected depth over the free extent, both along gravity */

@@ -94,18 +94,20 @@ static skv_fluid_def some_fluid(skv_law law, int k)
 enum { FLUIDS = 10 };
 static const float dt = 1.0f / 60 / 7;
 
-static void check_calibrated(const skv_fluid_def *f)
+/* The lattice is that of particles with so much more room. */
+static void check_calibrated(const skv_fluid_def *f, float compression)
 {
-    const double eta = (double)f->radius_ratio, h = (double)f->spacing * eta, step = (double)dt;
+    const double ratio = (double)f->radius_ratio, eta = ratio / sqrt(1 + (double)compression);
+    const double h = (double)f->spacing * ratio, step = (double)dt;
     const double rest = lattice_sum(eta, smooth), response = lattice_sum(eta, answer);
     const double usual = lattice_sum(eta, cube) / rest;
     /* Accelerations become displacements of dt^2 each, shared out over the iterations. */
     const double share = step * step / f->iterations * response;
     const double pull = 1.785 * (double)f->cohesion / 2, flat = eta * eta / 15;
-    skv_constants c = skv_make_constants(f, dt);
+    skv_constants c = skv_make_constants(f, compression, dt);
     skv_set_stiffness(&c, 1.2f);
     assert_is(c.rest_density, rest);
-    assert_is(c.lambda_scale, fmin((double)f->relaxation, 4 / (eta * eta)) * h / 12);
+    assert_is(c.lambda_scale, fmin((double)f->relaxation, 4 / (ratio * ratio)) * h / 12);
     assert_is(c.response_floor, response);
     assert_is(c.response_slope, response / rest);
     assert_is(c.near_share, usual);
@@ -142,7 +144,8 @@ static void calibrated_constants_are_those_of_the_model(void **unused)
     (void)unused;
     for (int k = 0; k < FLUIDS; k++) {
         skv_fluid_def f = some_fluid(SKV_LAW_CALIBRATED, k);
-        check_calibrated(&f);
+        check_calibrated(&f, 0);
+        check_calibrated(&f, 0.02f);
     }
 }
 
@@ -152,7 +155,7 @@ static void clavets_constants_are_those_of_the_model(void **unused)
     for (int k = 0; k < FLUIDS; k++) {
         skv_fluid_def f = some_fluid(SKV_LAW_CLAVET, k);
         const double eta = (double)f.radius_ratio, h = (double)f.spacing * eta;
-        skv_constants c = skv_make_constants(&f, dt);
+        skv_constants c = skv_make_constants(&f, 0, dt);
         assert_true(c.clavet && !c.images && c.pair_lag == 0);
         assert_is(c.rest_density, (double)f.clavet_rest_density);
         assert_is(c.lambda_scale, (double)f.clavet_stiffness * h / 2);
@@ -172,7 +175,7 @@ static void constants_of_both_laws_are_those_of_the_model(void **unused)
             skv_fluid_def f = some_fluid((skv_law)law, k);
             f.wall_images = false;
             const double h = (double)f.spacing * (double)f.radius_ratio, step = (double)dt;
-            skv_constants c = skv_make_constants(&f, dt);
+            skv_constants c = skv_make_constants(&f, 0, dt);
             assert_is(c.h, h);
             assert_is(c.inv_h, 1 / h);
             assert_is(c.max_speed, 0.9 * h / step);

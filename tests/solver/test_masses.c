@@ -115,7 +115,7 @@ static skv_solver_step describe(const mixture *m, skv_constants *constants,
                                 skv_external_force forces[SKV_SOLVER_MOST_FORCES])
 {
     const skv_world *w = m->world;
-    *constants = skv_make_constants(&w->fluid, 1.0f / 60 / (float)w->substeps);
+    *constants = skv_make_constants(&w->fluid, 0, 1.0f / 60 / (float)w->substeps);
     skv_set_stiffness(constants, (float)m->cold / (float)w->substeps);
     skv_solver_step step = skv_world_describe_step(w, constants, forces);
     step.particles.mass = m->mass;

@@ -67,7 +67,7 @@ static skv_reference *make(skv_law law, bool images, uint32_t seed)
 {
     static float zero[N];
     random_state = seed;
-    constants = skv_make_constants(fluid_of(law, images), 1.0f / 480);
+    constants = skv_make_constants(fluid_of(law, images), 0, 1.0f / 480);
     skv_solver *solver;
     const skv_solver_def def = {.x1 = 0.3f, .y1 = 0.3f, .h = constants.h};
     assert_int_equal(skv_reference_solver.create(&def, &solver, NULL), SKV_OK);

@@ -27,6 +27,7 @@ typedef struct kind {
     float viscosity;
     unsigned open_sides;
     bool stirred, calm, images;
+    float compression;
     int liquids; /* beside the first fluid */
 } kind;
 
@@ -47,6 +48,7 @@ static const kind kinds[] = {
      .open_sides = SKV_SIDE_RIGHT,
      .stirred = true,
      .liquids = 7},
+    {.name = "fast, compressed", .stirred = true, .compression = 0.02f},
     {.name = "fast, images", .stirred = true, .images = true},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
@@ -79,6 +81,7 @@ static skv_world *make_filled(const kind *k)
     skv_world *world = make_world(k, 1);
     fixture_fill(world, 0, 0, k->calm ? 1.6f : 0.6f, k->calm ? 0.3f : 0.7f);
     fixture_mix_fluids(world);
+    world->compression = k->compression; /* as settling a scene sets it */
     /* A pool that is falling asleep, and no longer turns over now and then. */
     for (int f = 0; k->calm && f < 3600; f++) {
         fixture_run(world, 1);
