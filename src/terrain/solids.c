@@ -20,12 +20,6 @@ static float outside(const skv_solid *s, float x, float y)
     return length_of(x - s->now.x, y - s->now.y) - s->reach;
 }
 
-/* The strip of a place; the first and the last go on without end. */
-static int strip_of(const skv_solids *solids, float x)
-{
-    return (int)skv_clamp((x - solids->low) * solids->strips_a_metre, 0, SKV_STRIPS - 1);
-}
-
 void skv_solids_arrange(skv_solids *solids, float h)
 {
     float low = INFINITY, high = -INFINITY;
@@ -38,7 +32,7 @@ void skv_solids_arrange(skv_solids *solids, float h)
     memset(solids->beside, 0, sizeof solids->beside);
     for (int k = 0; k < solids->count; k++) {
         float x = solids->solid[k].now.x, far = solids->solid[k].reach + 2 * h;
-        for (int at = strip_of(solids, x - far); at <= strip_of(solids, x + far); at++)
+        for (int at = skv_strip_of(solids, x - far); at <= skv_strip_of(solids, x + far); at++)
             solids->beside[at] |= (uint64_t)1 << k;
     }
 }
@@ -144,7 +138,7 @@ void skv_solids_meet(const skv_boundary *b, bool images, float x, float y, skv_w
         met->part[0] = (skv_part_of_walls){0};
         met->count += meet(b, images, &nearest, near, x, y, &met->part[0]);
     }
-    uint64_t left = solids ? solids->beside[strip_of(solids, wx)] : 0;
+    uint64_t left = solids ? solids->beside[skv_strip_of(solids, wx)] : 0;
     for (; left && met->count < SKV_MOST_PARTS; left &= left - 1) {
         const int k = __builtin_ctzll(left);
         const skv_solid *s = &solids->solid[k];

@@ -45,6 +45,12 @@ typedef struct skv_solids {
     uint64_t beside[SKV_STRIPS];
 } skv_solids;
 
+/* The strip of a place; the first and the last go on without end. */
+static inline int skv_strip_of(const skv_solids *solids, float x)
+{
+    return (int)skv_clamp((x - solids->low) * solids->strips_a_metre, 0, SKV_STRIPS - 1);
+}
+
 /* Finds the strips for solids that lie where they are `now`, and a smoothing radius. */
 void skv_solids_arrange(skv_solids *solids, float h);
 

@@ -222,28 +222,26 @@ void skv_bodies_feel(skv_world *world, double dt)
     skv_bodies *b = world->bodies;
     double s = (double)world->fluid.spacing;
     double scale = -(double)world->fluid.density * s * s / dt;
+    skv_motion before[SKV_MAX_BODIES];
+    skv_bodies_press_films(world, dt);
+    skv_bodies_join_layers(world, before);
     for (int k = 0; k < b->count; k++) {
         skv_rigid *r = &b->body[k];
-        double x = scale * b->given[k].x, y = scale * b->given[k].y;
-        double moment = scale * b->given[k].moment;
+        double x = r->owed.x + scale * b->given[k].x, y = r->owed.y + scale * b->given[k].y;
+        double moment = r->owed.moment + scale * b->given[k].moment;
+        double weight = r->fixed ? 0 : dt * r->mass;
+        r->owed = (skv_impulse){0};
         r->felt.x += x;
         r->felt.y += y;
         r->felt.moment += moment;
-        if (r->fixed || r->pinned) {
-            double weight = r->fixed ? 0 : dt * r->mass;
-            skv_rigid_push(r, x + weight * (double)world->gravity_x,
-                           y + weight * (double)world->gravity_y, moment);
-            continue;
-        }
-        r->vx += x / r->mass + dt * (double)world->gravity_x;
-        r->vy += y / r->mass + dt * (double)world->gravity_y;
-        r->spin += moment / r->inertia;
+        skv_rigid_push(r, x + weight * (double)world->gravity_x,
+                       y + weight * (double)world->gravity_y, moment);
     }
     skv_bodies_drive_motors(b, dt);
-    skv_bodies_press_films(world, dt);
     skv_bodies_follow_hands(world, dt);
     b->felt += dt;
     skv_bodies_solve_contacts(world, dt);
+    skv_bodies_part_from_layers(world, before);
     skv_bodies_show(world); /* at rest, for who asks between substeps */
 }
 

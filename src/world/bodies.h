@@ -7,6 +7,12 @@
 #include "terrain/solids.h"
 #include "world/body_shape.h"
 
+/* How a body's velocity and spin change by an impulse and its moment about the centre of mass:
+ * symmetric, of x, y and the turn; 1/kg, 1/(kg m) and so on, for a metre of depth. */
+typedef struct skv_mobility {
+    double xx, xy, yy, xt, yt, tt;
+} skv_mobility;
+
 /* A body at work. Double precision: a substep's changes are small against what they change. */
 typedef struct skv_rigid {
     skv_body_id id;
@@ -14,15 +20,17 @@ typedef struct skv_rigid {
     double x, y, angle; /* centre of mass, m, and rad */
     double cos, sin;    /* of the angle */
     double vx, vy, spin;
-    double mass, inertia; /* by its density, kg/m and kg m; of pinned ones about the pin */
-    double pin_x, pin_y;  /* m: what it turns about, if it is pinned; else 0 ... */
-    double at_x, at_y;    /* ... and from there to its centre of mass, in its own axes ... */
-    double arm_x, arm_y;  /* ... and in the world's */
+    double mass, inertia;  /* by its density, kg/m and kg m; of pinned ones about the pin */
+    double pin_x, pin_y;   /* m: what it turns about, if it is pinned; else 0 ... */
+    double at_x, at_y;     /* ... and from there to its centre of mass, in its own axes ... */
+    double arm_x, arm_y;   /* ... and in the world's */
+    skv_mobility mobility; /* of the body alone; while it feels, with the fluid that lies on it */
     float density, friction, restitution;
     float motor_speed, motor_torque;
     bool fixed, pinned;
     bool held;        /* by a hand, and fixed: see body_grip.c */
     skv_impulse felt; /* from the fluid in this step: N s/m and N s */
+    skv_impulse owed; /* by air and films, until it feels them in the same substep */
 } skv_rigid;
 
 /* A contact of body a, made for a substep; see body_contacts.c. */
@@ -66,6 +74,14 @@ void skv_bodies_begin_step(skv_world *world);
 void skv_bodies_move(skv_world *world, double dt);
 void skv_bodies_feel(skv_world *world, double dt);
 
+/* body_layer.c: between these two bodies are as hard to move as they are with the fluid that lies
+ * on them, which in the end gets its part of what has changed their velocities. */
+typedef struct skv_motion {
+    double vx, vy, spin;
+} skv_motion;
+void skv_bodies_join_layers(skv_world *world, skv_motion before[SKV_MAX_BODIES]);
+void skv_bodies_part_from_layers(skv_world *world, const skv_motion before[SKV_MAX_BODIES]);
+
 /* Takes one out, and those that have left through open sides. */
 void skv_bodies_take_out(skv_world *world, int index);
 void skv_bodies_remove_leavers(skv_world *world);
@@ -94,31 +110,38 @@ static inline void skv_rigid_swing(skv_rigid *body)
     body->vy = body->spin * body->arm_x;
 }
 
-/* Gives a body an impulse (N s/m) and its moment about the centre of mass (N s). A pin takes what
- * does not turn the body. */
-static inline void skv_rigid_push(skv_rigid *body, double jx, double jy, double moment)
+/* That of a body which turns about a pin, by how easily it does. */
+static inline skv_mobility skv_mobility_about_pin(const skv_rigid *body, double tt)
 {
-    if (body->fixed && !body->held)
-        return;
-    if (body->pinned) {
-        body->spin += (moment + body->arm_x * jy - body->arm_y * jx) / body->inertia;
-        skv_rigid_swing(body);
-        return;
-    }
-    body->vx += jx / body->mass;
-    body->vy += jy / body->mass;
-    if (!body->fixed)
-        body->spin += moment / body->inertia;
+    double ax = body->arm_x, ay = body->arm_y;
+    return (skv_mobility){tt * ay * ay, -tt * ax * ay, tt * ax * ax, -tt * ay, tt * ax, tt};
 }
 
-/* Fluid or air gives a body an impulse (N s/m) at a point of its rim. */
+/* The velocity along an impulse (nx, ny) with its moment that this gives. */
+static inline double skv_mobility_along(const skv_mobility *m, double nx, double ny, double moment)
+{
+    return m->xx * nx * nx + m->yy * ny * ny + m->tt * moment * moment +
+           2 * (m->xy * nx * ny + m->xt * nx * moment + m->yt * ny * moment);
+}
+
+/* Gives a body an impulse (N s/m) and its moment about the centre of mass (N s), of which it takes
+ * what it is free to follow. */
+static inline void skv_rigid_push(skv_rigid *body, double jx, double jy, double moment)
+{
+    const skv_mobility *m = &body->mobility;
+    body->vx += m->xx * jx + m->xy * jy + m->xt * moment;
+    body->vy += m->xy * jx + m->yy * jy + m->yt * moment;
+    body->spin += m->xt * jx + m->yt * jy + m->tt * moment;
+    if (body->pinned)
+        skv_rigid_swing(body);
+}
+
+/* A film or air owes a body an impulse (N s/m) at a point of its rim. */
 static inline void skv_rigid_press(skv_rigid *body, double jx, double jy, double x, double y)
 {
-    double moment = (x - body->x) * jy - (y - body->y) * jx;
-    body->felt.x += jx;
-    body->felt.y += jy;
-    body->felt.moment += moment;
-    skv_rigid_push(body, jx, jy, moment);
+    body->owed.x += jx;
+    body->owed.y += jy;
+    body->owed.moment += (x - body->x) * jy - (y - body->y) * jx;
 }
 
 /* Whether a particle is kept awake by a body that moves or may. */
@@ -137,6 +160,7 @@ float skv_bodies_distance(const skv_world *world, float x, float y);
  * is, too; a body turns about that point from now on; it comes to another place, with its pin if it
  * has one; motors act for `dt`. */
 void skv_rigid_derive(skv_rigid *body);
+void skv_rigid_free(skv_rigid *body); /* finds its mobility, of the body alone */
 void skv_rigid_pin(skv_rigid *body, double x, double y);
 void skv_rigid_put(skv_rigid *body, double x, double y, double angle);
 void skv_bodies_drive_motors(skv_bodies *bodies, double dt);

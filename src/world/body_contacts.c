@@ -28,18 +28,6 @@ enum { ROUNDS = 20 };
 typedef skv_body_contact contact;
 typedef skv_body_contacts contacts;
 
-/* Where something pinned is pushed it turns, and its centre of mass is not free; what is fixed and
- * held by a hand turns about a pin alone. */
-static double inverse_mass(const skv_rigid *r)
-{
-    return r && (!r->fixed || r->held) && !r->pinned ? 1 / r->mass : 0;
-}
-
-static double inverse_inertia(const skv_rigid *r)
-{
-    return r && (!r->fixed || (r->held && r->pinned)) ? 1 / r->inertia : 0;
-}
-
 /* How fast a moves away from b, there. */
 static void velocity_at(const contact *c, double *x, double *y)
 {
@@ -51,36 +39,25 @@ static void velocity_at(const contact *c, double *x, double *y)
     }
 }
 
-/* The moment of (nx, ny) at (x, y) beside a body's centre of mass, about what it turns about. */
+/* The moment of (nx, ny) at (x, y) beside the centre of mass of what is pinned, about its pin. */
 static double lever(const skv_rigid *r, double x, double y, double nx, double ny)
 {
-    if (!r || !r->pinned)
-        return x * ny - y * nx;
     return (x + r->arm_x) * ny - (y + r->arm_y) * nx;
-}
-
-static void push_one(skv_rigid *r, double at_x, double at_y, double x, double y)
-{
-    r->vx += x * inverse_mass(r);
-    r->vy += y * inverse_mass(r);
-    r->spin += lever(r, at_x, at_y, x, y) * inverse_inertia(r);
-    if (r->pinned)
-        skv_rigid_swing(r);
 }
 
 static void push(const contact *c, double x, double y)
 {
-    push_one(c->a, c->x, c->y, x, y);
+    skv_rigid_push(c->a, x, y, c->x * y - c->y * x);
     if (c->b)
-        push_one(c->b, c->bx, c->by, -x, -y);
+        skv_rigid_push(c->b, -x, -y, c->by * x - c->bx * y);
 }
 
 /* The mass that an impulse along (nx, ny) moves; 0 if it moves nothing. */
 static double mass_along(const contact *c, double nx, double ny)
 {
-    double a = lever(c->a, c->x, c->y, nx, ny), b = lever(c->b, c->bx, c->by, nx, ny);
-    double moved = inverse_mass(c->a) + inverse_mass(c->b) + a * a * inverse_inertia(c->a) +
-                   b * b * inverse_inertia(c->b);
+    double moved = skv_mobility_along(&c->a->mobility, nx, ny, c->x * ny - c->y * nx);
+    if (c->b)
+        moved += skv_mobility_along(&c->b->mobility, nx, ny, c->bx * ny - c->by * nx);
     return moved > 0 ? 1 / moved : 0;
 }
 

@@ -42,8 +42,9 @@ static void turn(skv_rigid *r, double rx, double ry, double dvx, double dvy, dou
     double square = rx * rx + ry * ry;
     if (!(square > 0))
         return;
-    double length = sqrt(square), impulse = (rx * dvy - ry * dvx) / length * r->inertia / square;
-    r->spin += skv_min(skv_max(impulse, -most), most) * length / r->inertia;
+    double length = sqrt(square), tt = r->mobility.tt;
+    double impulse = (rx * dvy - ry * dvx) / (length * tt * square);
+    r->spin += skv_min(skv_max(impulse, -most), most) * length * tt;
     skv_rigid_swing(r);
 }
 
@@ -55,14 +56,13 @@ static void change(skv_rigid *r, double rx, double ry, double dvx, double dvy, d
         turn(r, rx + r->arm_x, ry + r->arm_y, dvx, dvy, most);
         return;
     }
-    double mass = 1 / r->mass, inertia = r->fixed ? 0 : 1 / r->inertia;
-    double xx = mass + inertia * ry * ry, xy = -inertia * rx * ry, yy = mass + inertia * rx * rx;
+    const skv_mobility *m = &r->mobility;
+    double xx = m->xx + ry * (m->tt * ry - 2 * m->xt), yy = m->yy + rx * (m->tt * rx + 2 * m->yt);
+    double xy = m->xy + rx * m->xt - ry * m->yt - m->tt * rx * ry;
     double area = xx * yy - xy * xy;
     double x = (yy * dvx - xy * dvy) / area, y = (xx * dvy - xy * dvx) / area;
     cut(&x, &y, most);
-    r->vx += mass * x;
-    r->vy += mass * y;
-    r->spin += inertia * (rx * y - ry * x);
+    skv_rigid_push(r, x, y, rx * y - ry * x);
 }
 
 static void pull(skv_rigid *r, const skv_hand *hand, double density, double dt)
@@ -103,6 +103,7 @@ void skv_bodies_take_hold(skv_world *world)
         if (r->held && !held)
             r->vx = r->vy = r->spin = 0;
         r->held = held;
+        skv_rigid_free(r);
     }
 }
 

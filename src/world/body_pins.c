@@ -20,6 +20,15 @@ static void hang(skv_rigid *r)
     skv_rigid_swing(r);
 }
 
+void skv_rigid_free(skv_rigid *r)
+{
+    double mass = 1 / r->mass, inertia = 1 / r->inertia;
+    r->mobility = r->fixed && !r->held ? (skv_mobility){0}
+                  : r->pinned          ? skv_mobility_about_pin(r, inertia)
+                  : r->fixed           ? (skv_mobility){.xx = mass, .yy = mass}
+                                       : (skv_mobility){.xx = mass, .yy = mass, .tt = inertia};
+}
+
 void skv_rigid_derive(skv_rigid *r)
 {
     const skv_outline *o = &r->shape->outline;
@@ -30,6 +39,7 @@ void skv_rigid_derive(skv_rigid *r)
     r->sin = skv_sin(r->angle);
     if (r->pinned)
         hang(r);
+    skv_rigid_free(r);
 }
 
 void skv_rigid_pin(skv_rigid *r, double x, double y)
@@ -63,7 +73,7 @@ void skv_bodies_drive_motors(skv_bodies *bodies, double dt)
         skv_rigid *r = &bodies->body[k];
         if (!(r->motor_torque > 0))
             continue;
-        double most = dt * (double)r->motor_torque / r->inertia;
+        double most = dt * (double)r->motor_torque * r->mobility.tt;
         double missing = (double)r->motor_speed - r->spin;
         r->spin += skv_min(skv_max(missing, -most), most);
         skv_rigid_swing(r);
