@@ -34,7 +34,7 @@ page_texts() {
 messages() {
     xgettext --from-code=UTF-8 --no-location --no-wrap --language=C --extract-all -o - \
         src/base/{envelope,fields}.c src/link/link.c src/terrain/wall_map.c src/world/{restore,snapshot}.c \
-        src/scene/{acting,build,draft,lay,notes,paint,scene,shapes,taps}.c src/scene/read/*.c \
+        src/scene/{acting,build,draft,lay,notes,paint,scene,shapes,taps,walls}.c src/scene/read/*.c \
         src/scene/read/{native,wasm}/*.c src/session/{drop,openings,packed_log,player,probes,replay,worker}.c \
         2>/dev/null | perl -0777 -ne '
             for (/^msgid ("(?:[^"\\]|\\.)*")\nmsgstr/gm) {
