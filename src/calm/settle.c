@@ -60,10 +60,8 @@ static const plan flowing = {200, 60, 200, 0, 0.015f, true};
 /* For a law that does not say how far to sink, and pushes as far in a substep of any length. */
 static const plan unaided = {1200, 1200, 1200, 0.002, 0.01f, false};
 
-/* Of the area. Less makes no level wrong by a tenth of what may be; and what is compressed more has
- * been given too few substeps, and is no liquid. */
+/* Of the area. Less makes no level wrong by a tenth of what may be. */
 #define LEAST_COMPRESSION 0.0005
-#define MOST_COMPRESSION  0.1
 
 #define FALL 9.81f /* m/s^2, of that fall; of the world's gravity nothing may be left */
 
@@ -188,7 +186,7 @@ static void loosen(const settling *s, float g)
     double compression = (double)g * s->lies.depth * softness_of(s, world->load.wanted);
     if (!(compression > LEAST_COMPRESSION))
         return;
-    world->compression = (float)skv_min(compression, MOST_COMPRESSION);
+    world->compression = (float)skv_min(compression, SKV_MOST_COMPRESSION);
     world->constants_stale = true;
 }
 

@@ -2,9 +2,10 @@
  *
  * In a substep the bodies move first, as fast as they are. Then the solver moves the fluid, which
  * meets them as walls that have come from where they were (terrain/solids.h), and tells what they
- * gave it. That, gravity, and contacts with walls and with each other change their velocities. So a
- * body at rest has no velocity between substeps. Once a frame would be too seldom: what is lighter
- * than the water that it moves would swing ever more.
+ * gave it. That, gravity, and contacts with walls and with each other change their velocities, and
+ * those of the fluid that lies on them (body_layer.c). So a body at rest has no velocity between
+ * substeps. Once a frame would be too seldom: what is lighter than the water that it moves would
+ * swing ever more.
  *
  * Invariant: what the fluid gets from a body the body loses, and all of it is summed in fixed
  * orders or in fixed point; so threads change nothing. Where a world has no bodies, none of this is

@@ -286,7 +286,7 @@ static bool read_compression(skv_reader *r, skv_snapshot *s)
     if (!s->with_compression)
         return true;
     s->compression = skv_get_float(r);
-    return skv_within((double)s->compression, 0, 0.1);
+    return skv_within((double)s->compression, 0, SKV_MOST_COMPRESSION);
 }
 
 /* What acts on the way is a fluid, too. */

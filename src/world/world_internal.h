@@ -29,6 +29,9 @@ typedef enum skv_busy {
 } skv_busy;
 
 /* What decides the future is in a snapshot, too: see snapshot.c. */
+/* Of the area: what is compressed more has been given too few substeps, and is no liquid. */
+#define SKV_MOST_COMPRESSION 0.1
+
 struct skv_world {
     skv_fluid_def fluid;                /* as it was set; skv_ramp_fluid: what acts */
     skv_liquid liquids[SKV_MAX_FLUIDS]; /* all fluids; the first follows `fluid` */
