@@ -277,6 +277,29 @@ fixture_saved fixture_save(const skv_world *world, bool with_terrain)
     return saved;
 }
 
+void fixture_expect_goes_on(skv_world *world, int frames)
+{
+    fixture_saved state = fixture_save(world, false), whole = fixture_save(world, true);
+    skv_world *copy, *loaded;
+    assert_int_equal(skv_world_copy(world, fixture_host(2), &copy, NULL), SKV_OK);
+    assert_int_equal(skv_world_load(whole.bytes, whole.size, fixture_host(1), &loaded, NULL),
+                     SKV_OK);
+    assert_true(skv_world_hash(copy) == skv_world_hash(world));
+    fixture_run(world, frames);
+    fixture_run(copy, frames);
+    fixture_run(loaded, frames);
+    uint64_t hash = skv_world_hash(world);
+    assert_true(skv_world_hash(copy) == hash);
+    assert_true(skv_world_hash(loaded) == hash);
+    assert_int_equal(skv_world_restore(world, state.bytes, state.size, NULL), SKV_OK);
+    fixture_run(world, frames);
+    assert_true(skv_world_hash(world) == hash);
+    skv_world_destroy(copy);
+    skv_world_destroy(loaded);
+    free(state.bytes);
+    free(whole.bytes);
+}
+
 void fixture_seal(fixture_saved saved)
 {
     enum { CHECKSUM_AT = 24 };

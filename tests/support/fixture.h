@@ -79,6 +79,10 @@ typedef struct fixture_saved {
 } fixture_saved;
 fixture_saved fixture_save(const skv_world *world, bool with_terrain);
 
+/* Runs the world, and fails the test unless a copy of it, what is loaded from its snapshot, and the
+ * world itself, restored, come to the same hash. */
+void fixture_expect_goes_on(skv_world *world, int frames);
+
 /* Makes its checksum right again, so that a mutation gets past it. */
 void fixture_seal(fixture_saved saved);
 

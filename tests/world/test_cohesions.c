@@ -376,12 +376,10 @@ static void snapshots_keep_them(void **unused)
     assert_int_equal(skv_world_load(b.bytes, b.size, fixture_host(1), &copy, NULL), SKV_OK);
     assert_true(skv_world_liquid(copy, 1)->cohesion == 300);
     assert_true(skv_world_liquid(copy, 2)->cohesion == -1);
-    fixture_run(world, 10);
-    fixture_run(copy, 10);
-    assert_true(skv_world_hash(copy) == skv_world_hash(world));
     skv_world_destroy(copy);
-    skv_world_destroy(world);
     free(b.bytes);
+    fixture_expect_goes_on(world, 10);
+    skv_world_destroy(world);
 
     /* Of worlds that have none nothing is written of it. */
     world = make(define(SKV_SOLVER_FAST, 0.015f, -1, -1), 0);
