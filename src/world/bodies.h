@@ -39,6 +39,7 @@ typedef struct skv_body_contact {
     double x, y;      /* where, against a's centre of mass and b's */
     double bx, by;
     double nx, ny;                  /* out of b */
+    double distance;                /* m, below 0 in b */
     double part;                    /* speed along the normal that it is to have at least, m/s */
     double normal, along;           /* impulses so far */
     double normal_mass, along_mass; /* what resists these */
@@ -191,6 +192,6 @@ void skv_bodies_follow_hands(skv_world *world, double dt);
 #define SKV_STEEL 7850.0f
 
 /* body_contacts.c: lets no body move into the terrain or another in the next `dt`. */
-void skv_bodies_solve_contacts(const skv_world *world, double dt);
+void skv_bodies_solve_contacts(skv_world *world, double dt);
 
 #endif

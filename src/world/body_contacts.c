@@ -11,6 +11,7 @@
 #include "world/bodies.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { ROUNDS = 20 };
 
@@ -76,28 +77,34 @@ static double part_most(const contact *c)
 }
 
 static void add(contacts *all, skv_rigid *a, skv_rigid *b, double x, double y, double nx, double ny,
-                double distance, double dt)
+                double distance)
 {
     if (all->count == SKV_MOST_CONTACTS)
         return;
     contact *c = &all->list[all->count++];
     *c = (contact){.a = a, .b = b, .x = x - a->x, .y = y - a->y, .nx = nx, .ny = ny};
+    c->distance = distance;
     if (b) {
         c->bx = x - b->x;
         c->by = y - b->y;
     }
-    c->normal_mass = mass_along(c, nx, ny);
-    c->along_mass = mass_along(c, -ny, nx);
-    if (distance > 0)
-        c->part = -distance / dt; /* it may come as near as it likes */
-    else if (distance < -SLOP)
-        c->part = skv_min(-PARTS * (distance + SLOP) / dt, part_most(c));
-    double vx, vy, bounce = (double)a->restitution;
+}
+
+/* Finds what a contact resists, and what is asked of it. */
+static void prepare(contact *c, double dt)
+{
+    c->normal_mass = mass_along(c, c->nx, c->ny);
+    c->along_mass = mass_along(c, -c->ny, c->nx);
+    if (c->distance > 0)
+        c->part = -c->distance / dt; /* it may come as near as it likes */
+    else if (c->distance < -SLOP)
+        c->part = skv_min(-PARTS * (c->distance + SLOP) / dt, part_most(c));
+    double vx, vy, bounce = (double)c->a->restitution;
     velocity_at(c, &vx, &vy);
-    if (b)
-        bounce = skv_max(bounce, (double)b->restitution);
-    double speed = vx * nx + vy * ny;
-    if (speed < -BOUNCES_FROM && distance + dt * speed < 0)
+    if (c->b)
+        bounce = skv_max(bounce, (double)c->b->restitution);
+    double speed = vx * c->nx + vy * c->ny;
+    if (speed < -BOUNCES_FROM && c->distance + dt * speed < 0)
         c->part = skv_max(c->part, -bounce * speed);
 }
 
@@ -130,7 +137,7 @@ static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, do
             continue;
         double distance = (double)skv_normal_at(terrain, (float)x, (float)y, &nx, &ny);
         if (distance < near)
-            add(all, a, NULL, x, y, (double)nx, (double)ny, distance, dt);
+            add(all, a, NULL, x, y, (double)nx, (double)ny, distance);
     }
 }
 
@@ -152,9 +159,66 @@ static void meet_body(contacts *all, const skv_solid *solid, skv_rigid *a, skv_r
         if (!(distance < near))
             continue;
         skv_solid_turn(&solid->now, &nx, &ny);
-        add(all, a, b, x, y, (double)nx, (double)ny, distance, dt);
+        add(all, a, b, x, y, (double)nx, (double)ny, distance);
     }
 }
+
+/* ---- What lies in each other ----------------------------------------------------------------- */
+
+static int index_of(const skv_bodies *bodies, const skv_rigid *r)
+{
+    return (int)(r - bodies->body);
+}
+
+/* Which bodies each lies in, or has in it, so deep that some of its rim may be nearer to the far
+ * side: no body is thinner than a spacing. As bits. */
+static void find_tangled(const skv_world *world, uint64_t with[SKV_MAX_BODIES])
+{
+    const contacts *all = &world->bodies->contacts;
+    const double deep = -(double)world->fluid.spacing / 2;
+    memset(with, 0, SKV_MAX_BODIES * sizeof *with);
+    for (int k = 0; k < all->count; k++) {
+        const contact *c = &all->list[k];
+        if (!c->b || !(c->distance < deep))
+            continue;
+        int a = index_of(world->bodies, c->a), b = index_of(world->bodies, c->b);
+        with[a] |= 1ull << b;
+        with[b] |= 1ull << a;
+    }
+}
+
+/* Has a contact of two bodies that lie deep in each other part them along the line of their
+ * centres; false: it would hold them. */
+static bool untangle(contact *c)
+{
+    double x = c->a->x - c->b->x, y = c->a->y - c->b->y, length = sqrt(x * x + y * y);
+    double dx = length > 0 ? x / length : 0, dy = length > 0 ? y / length : 1;
+    if (c->distance > 0)
+        return c->nx * dx + c->ny * dy > 0;
+    c->nx = dx;
+    c->ny = dy;
+    return true;
+}
+
+/* The sides that are nearest to points of what lies deep in each other face all ways. Nothing can
+ * go all of them at once, and what is asked to takes energy out of nowhere. */
+static void untangle_all(skv_world *world)
+{
+    contacts *all = &world->bodies->contacts;
+    uint64_t with[SKV_MAX_BODIES];
+    find_tangled(world, with);
+    int kept = 0;
+    for (int k = 0; k < all->count; k++) {
+        contact *c = &all->list[k];
+        bool tangled =
+            c->b && with[index_of(world->bodies, c->a)] >> index_of(world->bodies, c->b) & 1;
+        if (!tangled || untangle(c))
+            all->list[kept++] = *c;
+    }
+    all->count = kept;
+}
+
+/* ---- Solving --------------------------------------------------------------------------------- */
 
 static void solve(contact *c)
 {
@@ -173,7 +237,7 @@ static void solve(contact *c)
     push(c, -(c->along - before) * c->ny, (c->along - before) * c->nx);
 }
 
-void skv_bodies_solve_contacts(const skv_world *world, double dt)
+void skv_bodies_solve_contacts(skv_world *world, double dt)
 {
     skv_bodies *bodies = world->bodies;
     contacts *all = &bodies->contacts;
@@ -184,6 +248,9 @@ void skv_bodies_solve_contacts(const skv_world *world, double dt)
             if (k != i)
                 meet_body(all, &bodies->solids.solid[k], &bodies->body[i], &bodies->body[k], dt);
     }
+    untangle_all(world);
+    for (int k = 0; k < all->count; k++)
+        prepare(&all->list[k], dt);
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 0; k < all->count; k++)
             solve(&all->list[k]);

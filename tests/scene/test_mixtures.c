@@ -2,8 +2,8 @@
  * shape and density, air, thrown together by chance. For some seconds no number is lost, nothing
  * escapes, and the energy of all together never grows.
  *
- * Scenes are named by their seed. Four of them by default, which once burst, and the first 60 with
- * SKV_LONG_TESTS=1; SKV_SCENE=N runs scene N alone and prints it. */
+ * Scenes are named by their seed. Five of them by default, which once burst or grew, and the first
+ * 60 with SKV_LONG_TESTS=1; SKV_SCENE=N runs scene N alone and prints it. */
 #include "scene/support.h"
 
 #include "skvalp/skvalp.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 enum { MANY_SCENES = 60, SECONDS = 2, MANY_SECONDS = 10 };
-static const int bursting[] = {8, 14, 43, 50};
+static const int bursting[] = {8, 14, 43, 50, 114};
 
 typedef struct text {
     char bytes[6000];
@@ -252,10 +252,45 @@ static void light_bodies_rise(void **unused)
     }
 }
 
+/* Bodies that begin in each other, beside, within and around the same middle, are apart in a
+ * second, and lie still then: points of the rim of one that lies deep in another are nearest to all
+ * of its sides, and who asks them out by these asks for all ways at once, holds the two, and lifts
+ * them. */
+static void what_lies_in_each_other_parts(void **unused)
+{
+    (void)unused;
+    static const struct {
+        double x, y, radius;
+    } second[] = {{0.52, 0.23, 0.09}, {0.52, 0.18, 0.04}, {0.5, 0.2, 0.06}};
+    static const int densities[][2] = {{500, 5000}, {5000, 500}, {4000, 4000}};
+    for (int k = 0; k < 9; k++) {
+        char scene[500];
+        snprintf(
+            scene, sizeof scene,
+            "{\"particles\": 500, \"world\": {\"width\": 1, \"height\": 0.7}, "
+            "\"water\": [{\"shape\": \"box\", \"y1\": 0.2}], \"bodies\": ["
+            "{\"density\": %d, \"shape\": \"circle\", \"x\": 0.5, \"y\": 0.2, \"radius\": 0.1},"
+            "{\"density\": %d, \"shape\": \"circle\", \"x\": %g, \"y\": %g, "
+            "\"radius\": %g}]}",
+            densities[k % 3][0], densities[k % 3][1], second[k / 3].x, second[k / 3].y,
+            second[k / 3].radius);
+        skv_world *world = open_text(scene);
+        skv_body a, b;
+        for (int frame = 0; frame < 60; frame++)
+            assert_int_equal(skv_world_step(world, 1.0f / 60, NULL), SKV_OK);
+        assert_true(skv_world_body_at(world, 0, &a) && skv_world_body_at(world, 1, &b));
+        double apart = hypot((double)a.x - (double)b.x, (double)a.y - (double)b.y);
+        if (!(apart > 0.1 + second[k / 3].radius - 0.002))
+            fail_msg("%s\ntheir centres are %g m apart", scene, apart);
+        skv_world_destroy(world);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mixtures_stay_bounded),
+        cmocka_unit_test(what_lies_in_each_other_parts),
         cmocka_unit_test(light_bodies_rise),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
