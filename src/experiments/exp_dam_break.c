@@ -146,7 +146,7 @@ const experiment skv_exp_dam_break = {
                        "width of the column; it is twice as high"},
         },
     .count = 2,
-    .quantities = {{"front Z(T), rms deviation", "", 0.1, AS_WRITTEN, DAM_POINTS},
+    .quantities = {{"front Z(T), rms deviation", "", 0.03, AS_WRITTEN, DAM_POINTS},
                    {"T when Z = 2", "", 0.05, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,

@@ -170,16 +170,16 @@ const experiment skv_exp_layers = {
                      "density of the oil"},
         },
     .count = TANKS * ZONES,
-    /* As in a pool of one liquid; mercury is to be nearer. */
+    /* The zones are half as thick as those of a pool; mercury's weight is to be nearer. */
     .quantities =
-        SKV_BESIDE_ROWS({"oil on water, high in the oil", "Pa m", 0.06, AS_WRITTEN, 0},
-                        {"oil on water, low in the oil", "Pa m", 0.06, AS_WRITTEN, 0},
-                        {"oil on water, high in the water", "Pa m", 0.06, AS_WRITTEN, 0},
-                        {"oil on water, low in the water", "Pa m", 0.06, AS_WRITTEN, 0},
-                        {"water on mercury, high in the water", "Pa m", 0.06, AS_WRITTEN, 0},
-                        {"water on mercury, low in the water", "Pa m", 0.06, AS_WRITTEN, 0},
-                        {"water on mercury, high in the mercury", "Pa m", 0.04, AS_WRITTEN, 0},
-                        {"water on mercury, low in the mercury", "Pa m", 0.04, AS_WRITTEN, 0}),
+        SKV_BESIDE_ROWS({"oil on water, high in the oil", "Pa m", 0.03, AS_WRITTEN, 0},
+                        {"oil on water, low in the oil", "Pa m", 0.03, AS_WRITTEN, 0},
+                        {"oil on water, high in the water", "Pa m", 0.03, AS_WRITTEN, 0},
+                        {"oil on water, low in the water", "Pa m", 0.03, AS_WRITTEN, 0},
+                        {"water on mercury, high in the water", "Pa m", 0.03, AS_WRITTEN, 0},
+                        {"water on mercury, low in the water", "Pa m", 0.03, AS_WRITTEN, 0},
+                        {"water on mercury, high in the mercury", "Pa m", 0.02, AS_WRITTEN, 0},
+                        {"water on mercury, low in the mercury", "Pa m", 0.02, AS_WRITTEN, 0}),
     .measure = SKV_BESIDE(measure),
     .expect = SKV_BESIDE(expect),
 };

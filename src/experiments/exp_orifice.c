@@ -165,8 +165,8 @@ const experiment skv_exp_orifice = {
                       "height of the slot"},
         },
     .count = 2,
-    .quantities = {{"jet speed", "m/s", 0.03, AS_WRITTEN, 0},
-                   {"discharge coefficient", "", 0.1, AS_WRITTEN, 0}},
+    .quantities = {{"jet speed", "m/s", 0.02, AS_WRITTEN, 0},
+                   {"discharge coefficient", "", 0.07, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -123,7 +123,7 @@ const experiment skv_exp_rest = {
                 "particles for twenty-three seconds.",
             .compare = "There is no theory for it here, only two bounds: particles that tremble "
                        "for ever are a fault of the method, not of water. What remains after "
-                       "twenty seconds should be below a millimetre a second.",
+                       "twenty seconds should be below 0.7 mm/s.",
             .x_label = "time (s)",
             .y_label = "rms speed (m/s)",
             .scatters = true,
@@ -137,8 +137,8 @@ const experiment skv_exp_rest = {
     .count = 4,
     .quantities = {{"time to settle below 0.02 m/s", "s", 2, BY_PACE, 0},
                    {"rms speed, 6-9 s", "m/s", 0.005, BY_SPEED, 0},
-                   {"rms speed, 20-23 s", "m/s", 0.001, BY_SPEED, 0},
-                   {"rms speed, leaning walls, 20-23 s", "m/s", 0.001, BY_SPEED, 0}},
+                   {"rms speed, 20-23 s", "m/s", 0.0007, BY_SPEED, 0},
+                   {"rms speed, leaning walls, 20-23 s", "m/s", 0.0007, BY_SPEED, 0}},
     .measure = measure,
     .expect = expect,
 };

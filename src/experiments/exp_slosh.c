@@ -139,7 +139,7 @@ const experiment skv_exp_slosh = {
         },
     .count = 2,
     .quantities = {{"period", "s", 0.02, AS_WRITTEN, 0},
-                   {"amplitude after one period", "", 0.12, AS_WRITTEN, 0}},
+                   {"amplitude after one period", "", 0.05, AS_WRITTEN, 0}},
     .measure = measure,
     .expect = expect,
 };

@@ -172,7 +172,7 @@ const experiment skv_exp_u_tube = {
                       "difference of the levels at the start"},
         },
     .count = 2,
-    .quantities = {{"period", "s", 0.02, AS_WRITTEN, 0},
+    .quantities = {{"period", "s", 0.015, AS_WRITTEN, 0},
                    {"final level difference", "m", 0.25, IN_SPACINGS, 0}},
     .measure = measure,
     .expect = expect,

@@ -73,7 +73,7 @@ static void test_status(void **state)
                                 "clavet", "--threads", "1");
     assert_int_equal(bad.status, 1);
     assert_non_null(strstr(bad.out, "MISS"));
-    assert_non_null(strstr(bad.out, "+-    6 %")); /* of pressure */
+    assert_non_null(strstr(bad.out, "+-    2 %")); /* of pressure */
     assert_non_null(strstr(bad.err, "figures miss"));
     assert_int_equal(count_lines(bad.err), 1);
     program_free(&bad);
