@@ -138,43 +138,59 @@ static char *fill(const char *words, const GMatchInfo *found)
     return g_string_free(text, FALSE);
 }
 
-/* Null if none fits. */
-static char *say_by_template(const char *text)
+/* What a text fits as a whole, and by how many characters that are not filled in. */
+typedef struct fit {
+    const char *text;     /* of the whole, what it fits; null: none */
+    const template *form; /* null: it is translated as it stands */
+    int certain;
+} fit;
+
+static fit fit_of(const char *text)
 {
     const GPtrArray *all = templates();
-    char *said = NULL;
-    for (guint i = 0; i < all->len && !said; i++) {
+    if (play_word(text) != text)
+        return (fit){text, NULL, (int)strlen(text)};
+    for (guint i = 0; i < all->len; i++) {
         const template *one = g_ptr_array_index(all, i);
-        GMatchInfo *found;
-        if (g_regex_match(one->form, text, (GRegexMatchFlags)0, &found))
-            said = fill(gettext(one->english), found);
-        g_match_info_free(found);
+        if (g_regex_match(one->form, text, (GRegexMatchFlags)0, NULL))
+            return (fit){text, one, one->certain};
     }
+    return (fit){0};
+}
+
+static char *say_fit(const fit *f)
+{
+    GMatchInfo *found;
+    if (!f->form)
+        return g_strdup(play_word(f->text));
+    g_regex_match(f->form->form, f->text, (GRegexMatchFlags)0, &found);
+    char *said = fill(gettext(f->form->english), found);
+    g_match_info_free(found);
     return said;
 }
 
-/* All of it; null if it is not translated as it stands. */
+/* By itself, or behind names of files, places and fields: "a.json:2: gravity: is empty". The
+ * longest text that fits counts, for a short one takes names for what it is about. Null if none
+ * fits. */
 static char *say_whole(const char *text)
 {
-    const char *whole = play_word(text);
-    return whole != text ? g_strdup(whole) : say_by_template(text);
-}
-
-/* Behind names of files, places and fields: "a.json:2: gravity: is empty". */
-static char *say_behind_names(const char *text)
-{
+    fit best = fit_of(text);
     for (const char *at = text; (at = strstr(at, ": ")); at++) {
-        char *rest = say_whole(at + 2);
-        if (!rest)
-            continue;
-        char *names = g_strndup(text, (gsize)(at - text)), *first = say(names);
-        char *said = g_strconcat(first, ": ", rest, NULL);
-        g_free(names);
-        g_free(first);
-        g_free(rest);
-        return said;
+        fit here = fit_of(at + 2);
+        if (here.certain > best.certain)
+            best = here;
     }
-    return NULL;
+    if (!best.text)
+        return NULL;
+    char *rest = say_fit(&best);
+    if (best.text == text)
+        return rest;
+    char *names = g_strndup(text, (gsize)(best.text - 2 - text)), *first = say(names);
+    char *said = g_strconcat(first, ": ", rest, NULL);
+    g_free(names);
+    g_free(first);
+    g_free(rest);
+    return said;
 }
 
 /* In two parts, if that helps: "FILE: what is wrong; what to do". */
@@ -209,7 +225,6 @@ static char *say_complaint(const char *text)
 static char *say(const char *text)
 {
     char *said = say_whole(text);
-    said = said ? said : say_behind_names(text);
     said = said ? said : say_parts(text, "; ");
     said = said ? said : say_parts(text, ": ");
     said = said ? said : say_complaint(text);

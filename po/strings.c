@@ -141,6 +141,7 @@ static void print_controls(void)
         print_text(skv_refusal_words(i), "why a number is refused");
     print_text("collapses", "what a message says of a fluid");
     print_text("it", "what a message calls a value that is empty");
+    print_text("body", "what a message is about");
     print_text("snapshot", "what a message is about");
     print_text("replay", "what a message is about");
     for (int i = 0; skv_going_words(i); i++)

@@ -28,20 +28,27 @@ page_texts() {
         }' web/page/ui/*.ts web/page/ui/*.tsx
 }
 
-# What a reader of files, links and snapshots says in the library: texts of two words and more, in the form
-# in which app/said.c and web/page/ui/said.ts look for them, with %s for whatever is filled in. Notes of
-# xgettext on other texts in these files are left out.
+# What the library says, in whichever file: texts of two words and more, in the form in which app/said.c and
+# web/page/ui/said.ts look for them, with %s for whatever is filled in. What memory did not suffice for is
+# filled in, too. Of bodies it is also said without that word (src/scene/painted_bodies.c).
+# Left out are tables, whose texts skvalp-strings prints, what is said by the command line alone or as a
+# program ends, and notes of xgettext.
 messages() {
-    xgettext --from-code=UTF-8 --no-location --no-wrap --language=C --extract-all -o - \
-        src/base/{envelope,fields}.c src/link/link.c src/terrain/wall_map.c src/world/{restore,snapshot}.c \
-        src/scene/{acting,build,draft,lay,notes,paint,scene,shapes,taps,walls}.c src/scene/read/*.c \
-        src/scene/read/{native,wasm}/*.c src/session/{drop,openings,packed_log,player,probes,replay,worker}.c \
-        2>/dev/null | perl -0777 -ne '
+    local silent='/(exp_[a-z_]*|study|study_plot|study_table|sweep|assert|fields|style)\.c$|^src/solver/reference'
+    # shellcheck disable=SC2016 # it is perl's
+    {
+        find src -name '*.c' | grep -vE "$silent" | LC_ALL=C sort
+        echo src/base/fields.c
+    } | xargs cat | perl -0777 -pe 's/_Static_assert\(.*?\);//gs' |
+        xgettext --from-code=UTF-8 --no-location --no-wrap --language=C --extract-all -o - - 2>/dev/null |
+        perl -0777 -ne '
             for (/^msgid ("(?:[^"\\]|\\.)*")\nmsgstr/gm) {
                 s/%[-+ #0]*(?:[0-9]+|\*)?(?:\.(?:[0-9]+|\*))?(?:hh|h|ll|l|z)?[a-zA-Z]/%s/g;
                 s/(?:%s)+/%s/g;
                 s/ "$/ %s"/; # what follows is a macro
-                print "#. a message\nmsgid $_\nmsgstr \"\"\n\n" if /[a-z]+ [(]?[a-z]{2,}/;
+                s/^(".*)\b(out of|no) memory for [^;"]*/$1$2 memory for %s/;
+                s/^"body: /"/;
+                print "#. a message\nmsgid $_\nmsgstr \"\"\n\n" if /[a-z]+ [(]?[a-z]{2,}/ && !/^"</;
             }'
 }
 
@@ -58,9 +65,10 @@ template() {
         -o "$work/app.pot" app/*.c
     xgettext --from-code=UTF-8 --no-location --join-existing -o "$work/app.pot" \
         app/resources/*.ui
-    # The labels of the experiments' curves.
+    # The labels of the experiments' curves, and what an experiment requires.
     xgettext --from-code=UTF-8 --no-location --join-existing --language=C --keyword \
         --keyword=skv_plot_begin:2 --keyword=skv_plot_swing:2 --keyword=PLOT_LABEL \
+        --keyword=skv_rig_require:3 \
         -o "$work/app.pot" src/experiments/exp_*.c
     page_texts >"$work/page.c"
     xgettext --from-code=UTF-8 --no-location --join-existing --language=C --keyword=_ --keyword=N_ \

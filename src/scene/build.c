@@ -161,7 +161,7 @@ static skv_result build_picture(builder *c, skv_image *image)
     return result == SKV_OK ? SKV_OK : fail_picture(c, result, cause.text);
 }
 
-/* Goes on with the size of a pixel, in three digits, that makes just enough of them for the shorter
+/* Says the size of a pixel, in three digits, that makes just enough of them for the shorter
  * side, or as many as the longer one may have. */
 static void offer_pixel(double width, double height, bool few, char *text, size_t size)
 {
@@ -177,9 +177,9 @@ static void offer_pixel(double width, double height, bool few, char *text, size_
     char number[32];
     skv_format_float(pixel, number);
     if (fits)
-        skv_format(text, size, "; %s m would do", number);
+        skv_format(text, size, "%s m would do", number);
     else
-        skv_format(text, size, "; the sides are too unequal for any pixel");
+        skv_format(text, size, "the sides are too unequal for any pixel");
 }
 
 /* Whole pixels of a side; the pixel size fits the width exactly. */
@@ -192,13 +192,11 @@ static skv_result build_blank(builder *c)
     double rows = columns > 0.0 ? floor(height / (width / columns) + 0.5) : 0.0;
     double least = columns < rows ? columns : rows, most = columns > rows ? columns : rows;
     if (least < SKV_TERRAIN_MIN_PIXELS || most > SKV_TERRAIN_MAX_PIXELS) {
-        char message[160];
-        size_t used =
-            skv_format(message, sizeof message,
-                       "makes the world %.0f x %.0f pixels; allowed are %d to %d each way", columns,
-                       rows, SKV_TERRAIN_MIN_PIXELS, SKV_TERRAIN_MAX_PIXELS);
-        offer_pixel(width, height, least < SKV_TERRAIN_MIN_PIXELS, message + used,
-                    sizeof message - used);
+        char offer[64], message[160];
+        offer_pixel(width, height, least < SKV_TERRAIN_MIN_PIXELS, offer, sizeof offer);
+        skv_format(message, sizeof message,
+                   "makes the world %.0f x %.0f pixels; allowed are %d to %d each way; %s", columns,
+                   rows, SKV_TERRAIN_MIN_PIXELS, SKV_TERRAIN_MAX_PIXELS, offer);
         return fail(c, SKV_F_WORLD_PIXEL, SKV_ERROR_VALUE, message);
     }
     skv_scene *scene = c->scene;

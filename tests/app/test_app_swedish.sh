@@ -40,12 +40,14 @@ await 'not find("Y", "Entry").invalid and not says("från −")'
 await 'find("Y", "Entry").text == "−3,71"'
 quit_app
 
-# What the library says of files and links: a picture too large, one damaged, a wrong key, a wrong number, a
-# damaged link.
+# What the library says of files and links: a picture too large, one damaged, a wrong key, a body too small, a
+# fluid that is none, a wrong number, a damaged link.
 head='\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0' tail='\0\0\0\x28\x08\x02\0\0\0aaaa'
 printf '%b' "$head\x23\x28$tail" >"$work/stor.png"
 printf '%b' "$head\0\x28$tail" >"$work/skadad.png"
 printf '{"gravty": {}, "water": []}\n' >"$work/nyckel.json"
+printf '{"water": [{"shape": "box"}], "bodies": [{"shape": "circle", "x": 1, "y": 0.5, "radius": 0.001}]}\n' >"$work/kropp.json"
+printf '{"fluids": [{"name": "oil"}], "water": [{"shape": "box", "fluid": "olie"}]}\n' >"$work/ord.json"
 printf '{"world": {"width": 2},\n"gravity": {"y": "tung"}}\n' >"$work/tal.json"
 while IFS='|' read -r opened said; do
     start_app "$opened"
@@ -55,6 +57,8 @@ done <<END
 $work/stor.png|stor.png: bilden har 9 000 x 40 bildpunkter; tillåtet är 16 till 8 192 åt vardera hållet
 $work/skadad.png|skadad.png: skadad PNG: en kontrollsumma är fel; spara den igen eller hämta ett annat exemplar
 $work/nyckel.json|nyckel.json:1: gravty: okänt fält; menade du gravity?
+$work/kropp.json|kropp.json:1: bodies[0]: dess form har 0,000003142 m²; det minsta är en partikels, 0,00143999 m²
+$work/ord.json|ord.json:1: water[0].fluid: "olie" är ingen vätska i denna scen; tillåtet är någon av water, oil
 $work/tal.json|tal.json:2: gravity.y: "tung" är inget tal; tillåtet är ett tal från −1 000 till 1 000 m/s²
 skvalp:1.abc|länk: den är skadad eller avklippt; kopiera hela
 END

@@ -25,24 +25,29 @@ export function sayerOf(words: Words): (english: string) => string {
         const [, number, unit] = /^(\S+)( \S+)?$/.exec(text) ?? [];
         return /^[-+]?\d+(\.\d+)?(e[-+]?\d+)?$/i.test(number) ? shown(number) + (unit ?? '') : say(text);
     };
-    function byTemplate(text: string): string | null {
-        for (const { english, form } of templates) {
+    // What text fits as a whole, and by how many characters that are not filled in.
+    function fitOf(text: string): { certain: number; told: () => string } | null {
+        const told = exact(text);
+        if (told !== null)
+            return { certain: text.length, told: () => told };
+        for (const { english, form, certain } of templates) {
             const found = form.exec(text);
             let next = 1;
             if (found)
-                return exact(english)!.replace(/%s/g, () => argument(found[next++] ?? ''));
+                return { certain, told: () => exact(english)!.replace(/%s/g, () => argument(found[next++] ?? '')) };
         }
         return null;
     }
-    const whole = (text: string) => exact(text) ?? byTemplate(text);
-    // Behind names of files, places and fields: "a.json:2: gravity: is empty".
-    function behindNames(text: string): string | null {
+    // By itself, or behind names of files, places and fields: "a.json:2: gravity: is empty". The longest text
+    // that fits counts, for a short one takes names for what it is about.
+    function whole(text: string): string | null {
+        let best = fitOf(text), names = '';
         for (let at = -1; (at = text.indexOf(': ', at + 1)) >= 0;) {
-            const rest = whole(text.slice(at + 2));
-            if (rest !== null)
-                return `${say(text.slice(0, at))}: ${rest}`;
+            const fit = fitOf(text.slice(at + 2));
+            if (fit && fit.certain > (best?.certain ?? 0))
+                [best, names] = [fit, text.slice(0, at)];
         }
-        return null;
+        return best && (names ? `${say(names)}: ${best.told()}` : best.told());
     }
     // In two parts, if that helps: "FILE: what is wrong; what to do".
     function parts(text: string, between: string): string | null {
@@ -58,7 +63,7 @@ export function sayerOf(words: Words): (english: string) => string {
         return words && `${argument(text.slice(0, at))} ${words}`;
     }
     function say(text: string): string {
-        return whole(text) ?? behindNames(text) ?? parts(text, '; ') ?? parts(text, ': ') ?? complaint(text) ?? text;
+        return whole(text) ?? parts(text, '; ') ?? parts(text, ': ') ?? complaint(text) ?? text;
     }
     return say;
 }

@@ -134,6 +134,48 @@ test('what the library says of files and links is said in Swedish', async () => 
         'a^2.json: fluid.viscosity: it is empty; allowed is a number from 0 to 0.05 m²/s');
 });
 
+// No list of files or of messages: whatever a scene, a snapshot of one or its world can be refused for.
+test('why a scene is refused is said in Swedish, whichever part of the library says it', async () => {
+    const library = await loadWhole(), { c } = library;
+    const body = { shape: 'box', x0: 0.5, y0: 0.1, x1: 0.7, y1: 0.3 }, fluid = { name: 'oil' };
+    const square = [[0.1, 0.1], [0.5, 0.5], [0.5, 0.1], [0.1, 0.5]];
+    const scenes: object[] = [
+        { bodies: [{ ...body, pin: [0.5] }] }, { bodies: [{ ...body, motor: { speed: 3 } }] },
+        { bodies: [{ ...body, motor: { speed: 3, torque: 2 } }] }, { bodies: [{ ...body, material: 'gold' }] },
+        { bodies: [{ shape: 'polygon', points: square }] }, { bodies: [{ shape: 'circle', x: 0.5, y: 0.5, radius: 0.001 }] },
+        { bodies: [{ shape: 'line', points: square, thickness: 0.1 }] }, { bodies: [{ x0: 0.5 }] }, { bodies: 3 },
+        { bodies: [{ shape: 'circle', x: 50, y: 0.5, radius: 0.1 }] }, { bodies: [{ ...body, density: 1 }] },
+        { fluids: [{ density: 900 }] }, { fluids: [{ ...fluid, color: 'green' }] }, { fluids: [fluid, fluid] },
+        { fluids: [{ name: 'water' }] }, { fluids: [{ ...fluid, density: 1 }] }, { fluids: [{ ...fluid, cohesion: 1e3 }] },
+        { fluids: [{ ...fluid, plasticity: 3 }] }, { fluids: [{ ...fluid, shear_modulus: 1e9 }] },
+        { fluids: [{ name: 'a name as long as none may be, and a word more' }] }, { fluids: fluid }, { air: { pressure: -3 } },
+        { air: { presure: 3 } }, { drains: [{ shape: 'circle', x: 0.5, y: 0.2, radius: 0.1, rate: -1 }] },
+        { emitters: [{ x: 0.5 }] }, { emitters: [{ x: 0.5, y: 0.5, vx: 100 }] }, { world: { pixel: 0.0001 } },
+        { fluid: { spacing: 0.01 }, particles: 300 }, { water: [{ shape: 'box', fluid: 'olie' }], fluids: [fluid] },
+        { solid: [{ shape: 'polygon', points: [[0, 0], [1, 1]] }] }, { solid: [{ shape: 'box', x0: 1e9 }] },
+        { forces: [{ shape: 'box', gx: 1e9 }] }, { forces: [{ shape: 'box', spin: 1e9 }] },
+    ];
+    await speak('sv');
+    for (const scene of scenes) {
+        const text = JSON.stringify({ particles: 300, water: [{ shape: 'box', y1: 0.3 }], ...scene });
+        const data = library.instance.allocateBytes(new TextEncoder().encode(text));
+        let refused = '';
+        try {
+            const loaded = library.create((out, error) => c.skv_scene_load_memory(
+                data, text.length, 'json', 'a.json', c.skv_default_scene_options() as never, out, error));
+            library.create((out, error) => c.skv_scene_create_world(loaded as never, 1, out, error));
+        } catch (error) {
+            refused = (error as Error).message;
+        }
+        expect(refused, text).not.toBe('');
+        // What is quoted, a field's name and a list of words to choose from are as files have them.
+        const told = said(refused).replace(/"[^"]*"/g, '').replace(/^a\.json(:\d+)?: [\w.[\]]+: /, '');
+        expect(told, refused).not.toMatch(/\b(a|is|are|allowed|the|its|it|of|needs|lacks|out|too|from|and|has)\b/);
+        expect(told, refused).not.toMatch(/\^2|\d\.\d(?!\d* *\])/);
+    }
+    await speak('en');
+});
+
 test('texts over several lines, quoted signs and plurals are read', () => {
     const entries = readPo([
         'msgid ""\nmsgstr "Language: sv\\n"',
