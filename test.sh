@@ -66,13 +66,20 @@ processor_time() {
     awk 'NR == 2 { split($1 $2, part, /[ms]/); print int(60 * (part[1] + part[3]) + part[2] + part[4]) }' "$1"
 }
 
-# run_tests PRESET LABEL...: runs their tests, shows what the failing ones said, counts all.
-# One more at a time than there are processors, for those with a window or a browser wait much.
+# run_tests PRESET LABEL...: runs their tests, one more at a time than there are processors, for those with
+# a window or a browser wait much.
+# Called by name, through watched and logged.
+# shellcheck disable=SC2317
 run_tests() {
-    local preset=$1 log=$logs/test-$1.log summary bad total
+    local preset=$1
     shift
-    watched "test-$preset" ctest --test-dir "build/$preset" -j $(($(nproc) + 1)) --output-on-failure \
-        --no-tests=error --label-regex "$(one_of "$@")" "${left_out[@]}" || true
+    ctest --test-dir "build/$preset" -j $(($(nproc) + 1)) --output-on-failure --no-tests=error \
+        --label-regex "$(one_of "$@")" "${left_out[@]}"
+}
+
+# count_tests PRESET: counts all that ran, and shows what the failing ones said.
+count_tests() {
+    local preset=$1 log=$logs/test-$1.log summary bad total
     summary=$(grep -E '^[0-9]+% tests passed, ' "$log" || true)
     if [[ ! $summary =~ \ ([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+) ]]; then
         fail "running the tests of build/$preset failed: $(reason "test-$preset") ($log)"
@@ -120,6 +127,16 @@ prepare() {
             "(all of it in $logs/build-$preset.log)"
         return 1
     fi
+}
+
+# sanitize: builds build/asan and runs its tests, without a word and behind all others, which leave processors
+# idle while windows and browsers wait.
+sanitize() {
+    renice -n 10 "$BASHPID" >/dev/null
+    rm -f "$logs/test-asan.log"
+    configure asan -DSKVALP_TESTS=ON &&
+        logged build-asan ninja -C build/asan "${sanitized[@]/%/_tests}" &&
+        logged test-asan run_tests asan "${sanitized[@]}"
 }
 
 # The built-in scenes give the golden hashes, whichever compiler made the program; that clang's solver
@@ -196,26 +213,40 @@ for label in "${labels[@]}"; do
 done
 # The house's rules read everything that is built.
 ! asked house || targets=()
-page=1
-if asked web && ! { install_npm && { ((!long)) || install_npm_folder tests/web/bundlers; }; }; then
-    page=0
-    ((whole)) || die "without npm packages the page cannot be tested"
+# The network is slow where the compiler is busy, so the page's packages come while the rest is built.
+packages_of_page() {
+    install_npm && { ((!long)) || install_npm_folder tests/web/bundlers; }
+}
+npm= # the process that installs them
+if asked web; then
+    packages_of_page &
+    npm=$!
 fi
+sanitized=(sanitized)
+((!long)) || sanitized+=(sanitized_long)
+beside= # the process that builds and tests build/asan
 if ((${#released[@]})) && prepare release "-DSKVALP_APP=$app" -- "${targets[@]}"; then
     ((!long)) || released+=(long)
-    if ((!page)); then
+    if [[ -n $npm ]] && ! wait "$npm"; then
+        ((whole)) || die "without npm packages the page cannot be tested"
         say "The tests of the page are skipped: its npm packages cannot be had."
         skip_page release "${released[@]}"
     fi
-    run_tests release "${released[@]}"
+    if asked sanitized; then
+        (unset SKV_LONG_TESTS && sanitize) &
+        beside=$!
+    fi
+    watched test-release run_tests release "${released[@]}" || true
+    count_tests release
 fi
-sanitized=(sanitized)
 # What follows has no long form, or is long enough without it.
 unset SKV_LONG_TESTS
-if ((long)); then
-    sanitized+=(sanitized_long)
-    ! prepare clang -- skvalp-cli || test_scenes_of_clang
-fi
-if asked sanitized && prepare asan -- "${sanitized[@]/%/_tests}"; then
-    run_tests asan "${sanitized[@]}"
+((!long)) || ! prepare clang -- skvalp-cli || test_scenes_of_clang
+if asked sanitized; then
+    # Where it was built beside, there is nothing left to do but to say what failed.
+    [[ -z $beside ]] || wait "$beside" || true
+    if prepare asan -- "${sanitized[@]/%/_tests}"; then
+        [[ -n $beside ]] || watched test-asan run_tests asan "${sanitized[@]}" || true
+        count_tests asan
+    fi
 fi
