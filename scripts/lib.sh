@@ -15,7 +15,7 @@ packages_build=("${packages_library[@]}" libgtk-4-dev libadwaita-1-dev gettext)
 packages_run=(libegl1 libgles2 libgl1-mesa-dri adwaita-icon-theme librsvg2-common ffmpeg)
 # For the tests of ./test.sh core, of the app, and of the page.
 packages_core=(libcmocka-dev libegl1 libgles2 libgl1-mesa-dri ffmpeg imagemagick g++ python3
-    libsdl2-dev parallel)
+    libsdl2-dev libchipmunk-dev parallel)
 packages_app=(xvfb xauth xdotool xclip imagemagick x11-utils openbox mutter pipewire dbus at-spi2-core
     desktop-file-utils appstream python3)
 packages_browser=(chromium chromium-headless-shell ffmpeg)

@@ -43,6 +43,9 @@ typedef struct skv_body_def {
                            -1000..1000; 0 brakes it */
     float motor_torque; /**< N, torque per metre of depth: the most that the motor gives,
                            0..1000000; default 0: there is none */
+    bool hosted; /**< an engine of the host's own moves it, see skv_world_lead_body: neither walls
+                    nor other hosted bodies stop it by themselves. Not with fixed or pinned; default
+                    false */
 } skv_body_def;
 
 /** A box of 0.1 x 0.1 m about the origin, at (0, 0) and at rest; and the same for binders. */
@@ -56,10 +59,12 @@ typedef struct skv_body {
     float angle; /**< rad, how far it is turned against its shape's frame */
     float vx, vy, spin;
     float density, friction, restitution;
-    bool fixed, pinned;
+    bool fixed, pinned, hosted;
     float pin_x, pin_y, motor_speed, motor_torque; /**< as in skv_body_def */
     float area, mass,
-        inertia;            /**< m^2, kg/m and kg m about the centre of mass; of fixed ones, too */
+        inertia; /**< m^2, kg/m and kg m about the centre of mass; of fixed ones, too */
+    float moved_mass,
+        moved_inertia;      /**< the same with the layer of fluid that moves along with it */
     float force_x, force_y; /**< N/m: what the fluid gave it, mean of the last step ... */
     float torque;           /**< ... and about its centre of mass, N */
     int corners;            /**< of its outline, a polygon that runs counter-clockwise ... */
@@ -94,6 +99,18 @@ SKV_API skv_result skv_world_set_body_pose(skv_world *world, skv_body_id id, flo
 /** Sets how a body moves, in the ranges of skv_body_def; a fixed one goes on like that. */
 SKV_API skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float vx, float vy,
                                                float spin, skv_error *error);
+
+/** Tells what the host's own engine makes of a hosted body, from skv_before_substep and for that
+ * substep: that its centre of mass is at (x, y), m, that it is turned by `angle`, and how it goes
+ * on from there. Fluid on its way is swept along, none is taken out, so it is to lead on from where
+ * the body is, as far as the engine has corrected that: 0.1 m and 1 rad at most. Until the next
+ * substep the fluid, gravity and hands change the velocity, together with that of the fluid that
+ * lies on the body, so what is light is not thrown: take it from skv_world_body, and let the engine
+ * add no gravity. Else the ranges are those of skv_body_def. Fails with SKV_ERROR_VALUE (a number
+ * out of range, no such body, or none that is hosted). docs/bodies.md shows how. */
+SKV_API skv_result skv_world_lead_body(skv_world *world, skv_body_id id, float x, float y,
+                                       float angle, float vx, float vy, float spin,
+                                       skv_error *error);
 
 /** Sets the motor of a pinned body that is not fixed, in the ranges of skv_body_def. Fails with
  * SKV_ERROR_VALUE (a number out of range, no such body, or a motor where it would turn nothing). */

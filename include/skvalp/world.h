@@ -162,10 +162,11 @@ SKV_API const skv_terrain *skv_world_terrain(const skv_world *world);
 
 /** Called before each substep, by the thread that called skv_world_step: the place for forces of
  * the host's own, as velocities that it adds. `dt` is the substep's length, s. It is called for a
- * world that sleeps, too. It may change particles, hands, forces, emitters, drains and parameters;
- * views have to be asked for anew once the revision changes. A step that is half done has no state
- * that another could go on from: it must not step, settle, save, copy, restore or destroy the world
- * or set its terrain. Substeps of a length given by gravity stay as they are until the step ends.
+ * world that sleeps, too. It may change particles, hands, forces, emitters, drains and parameters,
+ * and lead bodies; views have to be asked for anew once the revision changes. A step that is half
+ * done has no state that another could go on from: it must not step, settle, save, copy, restore or
+ * destroy the world or set its terrain. Substeps of a length given by gravity stay as they are
+ * until the step ends.
  */
 typedef void skv_before_substep(skv_world *world, float dt, void *user);
 

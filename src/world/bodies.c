@@ -70,6 +70,7 @@ static skv_body tell(const skv_bodies *b, const skv_rigid *r)
         .restitution = r->restitution,
         .fixed = r->fixed,
         .pinned = r->pinned,
+        .hosted = r->hosted,
         .pin_x = (float)r->pin_x,
         .pin_y = (float)r->pin_y,
         .motor_speed = r->motor_speed,
@@ -77,6 +78,8 @@ static skv_body tell(const skv_bodies *b, const skv_rigid *r)
         .area = (float)o->area,
         .mass = (float)((double)r->density * o->area),
         .inertia = (float)((double)r->density * o->inertia),
+        .moved_mass = (float)((double)r->density * o->area + r->layer[0]),
+        .moved_inertia = (float)((double)r->density * o->inertia + r->layer[1]),
         .force_x = (float)(per_second * r->felt.x),
         .force_y = (float)(per_second * r->felt.y),
         .torque = (float)(per_second * r->felt.moment),
@@ -177,20 +180,25 @@ void skv_bodies_begin_step(skv_world *world)
         world->bodies->body[k].felt = (skv_impulse){0};
 }
 
-/* Moves one and tells how far its centre of mass goes: of one that turns about a pin, on an arc. */
-static void move(skv_rigid *r, double dt, double way[2])
+/* Moves one and tells how far its centre of mass goes and how far it turns: of one that turns about
+ * a pin, on an arc; of one that its host has led, from where it was before. */
+static skv_motion move(skv_rigid *r, double dt)
 {
+    skv_motion way = {dt * r->vx, dt * r->vy, dt * r->spin};
     double x = r->x, y = r->y;
-    way[0] = dt * r->vx;
-    way[1] = dt * r->vy;
-    r->x += way[0];
-    r->y += way[1];
-    r->angle += dt * r->spin;
+    r->x += way.x;
+    r->y += way.y;
+    r->angle += way.turn;
     skv_rigid_derive(r);
     if (r->pinned) {
-        way[0] = r->x - x;
-        way[1] = r->y - y;
+        way.x = r->x - x;
+        way.y = r->y - y;
     }
+    if (r->hosted) {
+        way = (skv_motion){way.x + r->led.x, way.y + r->led.y, way.turn + r->led.turn};
+        r->led = (skv_motion){0};
+    }
+    return way;
 }
 
 void skv_bodies_move(skv_world *world, double dt)
@@ -200,9 +208,10 @@ void skv_bodies_move(skv_world *world, double dt)
     if (b->set)
         skv_bodies_solve_contacts(world, dt);
     b->set = false;
-    double moved[SKV_MAX_BODIES][2];
+    skv_bodies_spur_layers(world);
+    skv_motion way[SKV_MAX_BODIES];
     for (int k = 0; k < b->count; k++) {
-        move(&b->body[k], dt, moved[k]);
+        way[k] = move(&b->body[k], dt);
         b->given[k] = (skv_impulse){0};
     }
     skv_pose before[SKV_MAX_BODIES];
@@ -212,9 +221,9 @@ void skv_bodies_move(skv_world *world, double dt)
     for (int k = 0; k < b->count; k++) {
         skv_solid *s = &b->solids.solid[k];
         s->before = before[k];
-        s->dx = (float)moved[k][0];
-        s->dy = (float)moved[k][1];
-        s->turn = (float)(dt * b->body[k].spin);
+        s->dx = (float)way[k].x;
+        s->dy = (float)way[k].y;
+        s->turn = (float)way[k].turn;
     }
 }
 

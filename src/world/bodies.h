@@ -13,6 +13,11 @@ typedef struct skv_mobility {
     double xx, xy, yy, xt, yt, tt;
 } skv_mobility;
 
+/* A change of place and angle, or the velocities. */
+typedef struct skv_motion {
+    double x, y, turn;
+} skv_motion;
+
 /* A body at work. Double precision: a substep's changes are small against what they change. */
 typedef struct skv_rigid {
     skv_body_id id;
@@ -28,9 +33,13 @@ typedef struct skv_rigid {
     float density, friction, restitution;
     float motor_speed, motor_torque;
     bool fixed, pinned;
-    bool held;        /* by a hand, and fixed: see body_grip.c */
-    skv_impulse felt; /* from the fluid in this step: N s/m and N s */
-    skv_impulse owed; /* by air and films, until it feels them in the same substep */
+    bool held;          /* by a hand, and fixed: see body_grip.c */
+    bool hosted;        /* a host's engine moves it, and lets it meet walls and others of its own */
+    skv_motion led;     /* by how much its host has changed its pose, m, m and rad ... */
+    skv_motion spurred; /* ... and its velocity since the last substep */
+    double layer[2];    /* mass and inertia of the fluid that lies on it, kg/m and kg m */
+    skv_impulse felt;   /* from the fluid in this step: N s/m and N s */
+    skv_impulse owed;   /* by air and films, until it feels them in the same substep */
 } skv_rigid;
 
 /* A contact of body a, made for a substep; see body_contacts.c. */
@@ -77,11 +86,10 @@ void skv_bodies_feel(skv_world *world, double dt);
 
 /* body_layer.c: between these two bodies are as hard to move as they are with the fluid that lies
  * on them, which in the end gets its part of what has changed their velocities. */
-typedef struct skv_motion {
-    double vx, vy, spin;
-} skv_motion;
 void skv_bodies_join_layers(skv_world *world, skv_motion before[SKV_MAX_BODIES]);
 void skv_bodies_part_from_layers(skv_world *world, const skv_motion before[SKV_MAX_BODIES]);
+/* What has spurred a body on goes to its layer, too. */
+void skv_bodies_spur_layers(skv_world *world);
 
 /* Takes one out, and those that have left through open sides. */
 void skv_bodies_take_out(skv_world *world, int index);

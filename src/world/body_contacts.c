@@ -127,7 +127,7 @@ static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, do
     const skv_terrain *terrain = world->terrain;
     double near = SLOP + reach_of(a, dt);
     double middle = (double)skv_distance_at(terrain, (float)a->x, (float)a->y);
-    if (a->fixed || middle > a->shape->outline.reach + near)
+    if (a->fixed || a->hosted || middle > a->shape->outline.reach + near)
         return;
     for (int k = 0; k < a->shape->rims; k++) {
         double x, y;
@@ -146,7 +146,7 @@ static void meet_body(contacts *all, const skv_solid *solid, skv_rigid *a, skv_r
 {
     double near = SLOP + reach_of(a, dt) + reach_of(b, dt), reach = b->shape->outline.reach + near;
     double dx = a->x - b->x, dy = a->y - b->y, apart = reach + a->shape->outline.reach;
-    if ((a->fixed && b->fixed) || dx * dx + dy * dy > apart * apart)
+    if ((a->fixed && b->fixed) || (a->hosted && b->hosted) || dx * dx + dy * dy > apart * apart)
         return;
     for (int k = 0; k < a->shape->rims; k++) {
         double x, y;

@@ -9,6 +9,9 @@
 
 enum { BODY_COOKIE = 0x424f };
 
+/* m: how far a host's engine may correct where a body is before a substep. */
+#define LEAD_MOST 0.1
+
 skv_body_def skv_default_body_def(void)
 {
     return (skv_body_def){.cookie = SKV_COOKIE(BODY_COOKIE, skv_body_def),
@@ -101,6 +104,14 @@ static skv_result refuse_motor(skv_error *error)
                     "body: its motor turns nothing; it takes a pin, and a body that is not fixed");
 }
 
+static skv_result check_owner(const skv_body_def *def, skv_error *error)
+{
+    if (!def->hosted || !(def->fixed || def->pinned))
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "body: a hosted one is neither fixed nor pinned; its engine does that");
+}
+
 static skv_result check_pin(const skv_body_def *def, skv_error *error)
 {
     if (def->pinned &&
@@ -125,7 +136,8 @@ static skv_result check_def(const skv_body_def *def, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "body: its friction or restitution is out of range; allowed is 0..10 and "
                         "0..1");
-    return check_pin(def, error);
+    skv_result result = check_owner(def, error);
+    return result == SKV_OK ? check_pin(def, error) : result;
 }
 
 /* Gives a body of an outline what a definition says. */
@@ -143,6 +155,7 @@ static void set_up(skv_rigid *r, const skv_body_def *def)
     r->friction = def->friction;
     r->restitution = def->restitution;
     r->fixed = def->fixed;
+    r->hosted = def->hosted;
     r->motor_speed = def->motor_speed;
     r->motor_torque = def->motor_torque;
     skv_rigid_derive(r);
@@ -273,6 +286,55 @@ skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float v
         skv_rigid_swing(r);
     world->bodies->set = true;
     skv_bodies_show(world);
+    return SKV_OK;
+}
+
+static skv_result check_lead(const skv_rigid *r, const skv_motion *way, skv_error *error)
+{
+    if (!r->hosted)
+        return skv_fail(error, SKV_ERROR_VALUE,
+                        "body: %u is not hosted, so nobody leads it; set its pose or its velocity",
+                        (unsigned)r->id);
+    if (skv_within(way->x, -LEAD_MOST, LEAD_MOST) && skv_within(way->y, -LEAD_MOST, LEAD_MOST) &&
+        skv_within(way->turn, -1, 1))
+        return SKV_OK;
+    return skv_fail(error, SKV_ERROR_VALUE,
+                    "body: it is led too far from where it is; allowed is %g m and 1 rad",
+                    LEAD_MOST);
+}
+
+/* What the host was told is rounded; what it leaves alone is no change. */
+static double change_of(float to, double from)
+{
+    return to == (float)from ? 0 : (double)to - from;
+}
+
+static skv_motion add_motions(const skv_motion *a, const skv_motion *b)
+{
+    return (skv_motion){a->x + b->x, a->y + b->y, a->turn + b->turn};
+}
+
+skv_result skv_world_lead_body(skv_world *world, skv_body_id id, float x, float y, float angle,
+                               float vx, float vy, float spin, skv_error *error)
+{
+    SKV_ASSERT_OR(world && world->busy == SKV_IN_SUBSTEPS, SKV_ERROR_VALUE);
+    int index = find(world, id);
+    if (index < 0)
+        return refuse_id(id, error);
+    if (!is_sane_motion(vx, vy, spin))
+        return refuse_motion(error);
+    skv_rigid *r = &world->bodies->body[index];
+    skv_motion way = {change_of(x, r->x), change_of(y, r->y), change_of(angle, r->angle)};
+    skv_motion spur = {change_of(vx, r->vx), change_of(vy, r->vy), change_of(spin, r->spin)};
+    skv_result result = check_lead(r, &way, error);
+    if (result != SKV_OK)
+        return result;
+    r->led = add_motions(&r->led, &way);
+    r->spurred = add_motions(&r->spurred, &spur);
+    skv_rigid_put(r, r->x + way.x, r->y + way.y, r->angle + way.turn);
+    r->vx += spur.x;
+    r->vy += spur.y;
+    r->spin += spur.turn;
     return SKV_OK;
 }
 

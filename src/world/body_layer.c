@@ -165,6 +165,8 @@ void skv_bodies_join_layers(skv_world *world, skv_motion before[SKV_MAX_BODIES])
         before[k] = (skv_motion){r->vx, r->vy, r->spin};
         if (may_move(r))
             r->mobility = join(r, l.resists[k]);
+        r->layer[0] = (l.resists[k].xx + l.resists[k].yy) / 2;
+        r->layer[1] = l.resists[k].tt;
     }
 }
 
@@ -175,7 +177,7 @@ static void hand_on(layers *l, const touch *t)
 {
     const skv_motion *c = &l->change[t->body];
     skv_impulse *felt = &l->world->bodies->body[t->body].felt;
-    double wx = c->vx - c->spin * t->about_y, wy = c->vy + c->spin * t->about_x;
+    double wx = c->x - c->turn * t->about_y, wy = c->y + c->turn * t->about_x;
     double across = t->across * (wx * t->nx + wy * t->ny);
     double along = t->along * (wy * t->nx - wx * t->ny);
     double x = across * t->nx - along * t->ny, y = across * t->ny + along * t->nx;
@@ -191,12 +193,26 @@ void skv_bodies_part_from_layers(skv_world *world, const skv_motion before[SKV_M
     layers l = {.world = world};
     for (int k = 0; k < world->bodies->count; k++) {
         skv_rigid *r = &world->bodies->body[k];
-        l.change[k] = (skv_motion){.spin = r->spin - before[k].spin};
+        l.change[k] = (skv_motion){.turn = r->spin - before[k].turn};
         if (!r->pinned) {
-            l.change[k].vx = r->vx - before[k].vx;
-            l.change[k].vy = r->vy - before[k].vy;
+            l.change[k].x = r->vx - before[k].x;
+            l.change[k].y = r->vy - before[k].y;
         }
         skv_rigid_free(r);
     }
     visit(&l, hand_on);
+}
+
+void skv_bodies_spur_layers(skv_world *world)
+{
+    layers l = {.world = world};
+    bool any = false;
+    for (int k = 0; k < world->bodies->count; k++) {
+        skv_rigid *r = &world->bodies->body[k];
+        l.change[k] = r->spurred;
+        any = any || r->spurred.x != 0 || r->spurred.y != 0 || r->spurred.turn != 0;
+        r->spurred = (skv_motion){0};
+    }
+    if (any)
+        visit(&l, hand_on);
 }

@@ -30,12 +30,12 @@ static double *pin(skv_rigid *r, int which)
     return numbers[which];
 }
 
-enum { IS_FIXED = 1, IS_PINNED = 2, IS_HELD = 4 };
+enum { IS_FIXED = 1, IS_PINNED = 2, IS_HELD = 4, IS_HOSTED = 8 };
 
 static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
 {
     uint64_t id = r->id, held = (r->fixed ? IS_FIXED : 0u) | (r->pinned ? IS_PINNED : 0u) |
-                                (r->held ? IS_HELD : 0u);
+                                (r->held ? IS_HELD : 0u) | (r->hosted ? IS_HOSTED : 0u);
     skv_exchange(port, &id, 4);
     r->id = (skv_body_id)id;
     exchange_outline(port, outline);
@@ -48,6 +48,7 @@ static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
     r->fixed = held & IS_FIXED;
     r->pinned = held & IS_PINNED;
     r->held = held & IS_HELD;
+    r->hosted = held & IS_HOSTED;
     if (!r->pinned)
         return;
     for (int i = 0; i < PIN; i++)
@@ -83,7 +84,7 @@ static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
         sane = sane && skv_within(*moving(r, i), -most[i], most[i]);
     for (int i = 0; i < PIN; i++)
         sane = sane && skv_within(*pin(r, i), -1e6, 1e6);
-    sane = sane && (r->fixed || !r->held);
+    sane = sane && (r->fixed || !r->held) && !(r->hosted && (r->fixed || r->pinned));
     sane = sane && skv_within((double)r->motor_speed, -1000, 1000) &&
            skv_within((double)r->motor_torque, 0, r->fixed ? 0 : 1e6);
     return sane && skv_within((double)r->density, 10, 50000) &&

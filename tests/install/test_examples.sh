@@ -31,5 +31,9 @@ quietly instruments "$work/examples/build/instruments"
 quietly own_renderer env SDL_VIDEODRIVER=dummy SDL_RENDER_DRIVER=software \
     "$work/examples/build/own_renderer" 5
 grep -q '[1-9][0-9]* points of the surface drawn, done' "$work/log" || complain "own_renderer: $(cat "$work/log")"
+quietly own_engine "$work/examples/build/own_engine"
+# Half as heavy as water: its middle lies in the surface, to a particle's half; and the joint is right.
+grep -qE '^box .* middle +[-+][0-9] mm .* [0-9]\.. mm/s$' "$work/log" || complain "own_engine: $(cat "$work/log")"
+grep -qE '^the rope holds (0\.9[5-9]|1\.0[0-5]) ' "$work/log" || complain "own_engine: $(cat "$work/log")"
 
 conclude "the examples run; $expected"
