@@ -50,8 +50,8 @@ SKV_API skv_local skv_survey_at(const skv_survey *survey, double x, double y);
 SKV_API bool skv_survey_surface(const skv_survey *survey, double x0, double y0, double x1,
                                 double y1, double *distance);
 
-/** The share of a body's area that lies below the fluid's surface, 0..1: what the wet part of its
- * outline cuts off. */
+/** The share of a body's area that lies below the fluid's surface, 0..1: each row across
+ * gravity as far as its ends are in the fluid. A hollow of it does not count. */
 SKV_API double skv_survey_submerged(const skv_survey *survey, const skv_body *body);
 
 /** What a field shows. */

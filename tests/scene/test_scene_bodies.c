@@ -272,12 +272,58 @@ static void what_is_no_body_is_refused(void **unused)
                    "--set bodies[0].motor.power: unknown field; allowed are speed, torque");
 }
 
+/* A hollow counts neither as body nor as what is under water: a bell full of air and a boat, up to
+ * their middle in water, and a wall as deep in it as they; a ball at the wall. */
+static void a_hollow_is_no_body(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *shape;
+        double share;
+    } cases[] = {
+        /* Walls of 0.1 m, 0.5 m high, and a roof; the water stands outside as high as 0.4 m. */
+        {"{\"shape\":\"polygon\",\"points\":[[0.5,0.15],[0.6,0.15],[0.6,0.55],[1,0.55],[1,0.15],[1."
+         "1,"
+         "0.15],[1.1,0.65],[0.5,0.65]]}",
+         2 * 0.1 * 0.25 / (2 * 0.1 * 0.5 + 0.4 * 0.1)},
+        /* The same the other way up: a floor, and no water in it. */
+        {"{\"shape\":\"polygon\",\"points\":[[0.5,0.65],[0.5,0.15],[1.1,0.15],[1.1,0.65],[1,0.65],["
+         "1,"
+         "0.25],[0.6,0.25],[0.6,0.65]]}",
+         (2 * 0.1 * 0.25 + 0.4 * 0.1) / (2 * 0.1 * 0.5 + 0.4 * 0.1)},
+        {"{\"shape\":\"box\",\"x0\":0.75,\"x1\":0.85,\"y0\":0.15,\"y1\":0.65}", 0.5},
+        /* At a wall, on the floor. */
+        {"{\"shape\":\"circle\",\"x\":1.54,\"y\":0.06,\"radius\":0.06}", 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "{\"particles\":3000,\"settle\":false,\"water\":[{\"shape\":\"box\",\"x1\":0.6,"
+                 "\"y1\":0.4},"
+                 "{\"shape\":\"box\",\"x0\":1,\"y1\":0.4},{\"shape\":\"box\",\"x0\":0.6,\"x1\":1,"
+                 "\"y1\":%s}],\"bodies\":[%s]}",
+                 i >= 2 ? "0.4" : "0.15", cases[i].shape);
+        skv_world *world = open_text(text);
+        skv_survey *survey;
+        skv_body body;
+        assert_int_equal(skv_survey_create(&survey, NULL), SKV_OK);
+        assert_int_equal(skv_survey_take(survey, world, NULL), SKV_OK);
+        assert_true(skv_world_body_at(world, 0, &body));
+        double share = skv_survey_submerged(survey, &body);
+        if (fabs(share - cases[i].share) > 0.05)
+            fail_msg("%zu: %.3f instead of %.3f", i, share, cases[i].share);
+        skv_survey_destroy(survey);
+        skv_world_destroy(world);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_arrive),
         cmocka_unit_test(pins_and_motors_arrive),
         cmocka_unit_test(what_is_under_water_is_told),
+        cmocka_unit_test(a_hollow_is_no_body),
         cmocka_unit_test(brown_areas_are_bodies),
         cmocka_unit_test(too_many_brown_areas_are_refused),
         cmocka_unit_test(what_is_no_body_is_refused),
