@@ -229,14 +229,13 @@ const experiment skv_exp_bell = {
             .scatters = true,
         },
     .parameters =
-        {
-            [SIDE] = {"bell.side", SKV_FIELD_NUMBER, "m", 0.1, 1, NULL, "0.25",
-                      "width and height of each bell inside"},
-            [DEPTH] = {"bell.depth", SKV_FIELD_NUMBER, "m", 0.3, 3, NULL, "1",
-                       "depth of the water, in which the bells hang at three heights"},
-            [PRESSURE] = {"bell.pressure", SKV_FIELD_NUMBER, "Pa m", 1000, 20000, NULL, "10000",
-                          "pressure of the atmosphere; the scale multiplies it, too"},
-        },
+        SKV_BESIDE_ROWS([SIDE] = {"bell.side", SKV_FIELD_NUMBER, "m", 0.1, 1, NULL, "0.25",
+                                  "width and height of each bell inside"},
+                        [DEPTH] = {"bell.depth", SKV_FIELD_NUMBER, "m", 0.3, 3, NULL, "1",
+                                   "depth of the water, in which the bells hang at three heights"},
+                        [PRESSURE] = {"bell.pressure", SKV_FIELD_NUMBER, "Pa m", 1000, 20000, NULL,
+                                      "10000",
+                                      "pressure of the atmosphere; the scale multiplies it, too"}),
     .count = 2 * BELLS + 1,
     .quantities =
         SKV_BESIDE_ROWS({"air, shallow bell", "m^2", BOUND, AS_WRITTEN, 0},

@@ -160,15 +160,12 @@ const experiment skv_exp_layers = {
             .x_label = "depth below the surface (m)",
             .y_label = "pressure (Pa m)",
         },
-    .parameters =
-        {
-            [WIDTH] = {"layers.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1",
-                       "width of the tank"},
-            [DEPTH] = {"layers.depth", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.2",
-                       "depth of each liquid"},
-            [OIL] = {"layers.oil", SKV_FIELD_NUMBER, "kg/m^2", 10, 990, NULL, "900",
-                     "density of the oil"},
-        },
+    .parameters = SKV_BESIDE_ROWS([WIDTH] = {"layers.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL,
+                                             "1", "width of the tank"},
+                                  [DEPTH] = {"layers.depth", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL,
+                                             "0.2", "depth of each liquid"},
+                                  [OIL] = {"layers.oil", SKV_FIELD_NUMBER, "kg/m^2", 10, 990, NULL,
+                                           "900", "density of the oil"}),
     .count = TANKS * ZONES,
     /* The zones are half as thick as those of a pool; mercury's weight is to be nearer. */
     .quantities =

@@ -139,10 +139,9 @@ const experiment skv_exp_rayleigh_taylor = {
             .scatters = true,
         },
     .parameters =
-        {
-            [SIZE] = {"rayleigh-taylor.size", SKV_FIELD_NUMBER, "m", 0.1, 2, NULL, "0.4",
-                      "side of the square box, which is as wide as the wave is long"},
-        },
+        SKV_BESIDE_ROWS([SIZE] = {"rayleigh-taylor.size", SKV_FIELD_NUMBER, "m", 0.1, 2, NULL,
+                                  "0.4",
+                                  "side of the square box, which is as wide as the wave is long"}),
     .count = PAIRS,
     .quantities = SKV_BESIDE_ROWS({"growth, nine tenths as heavy", "1/s", 0.2, AS_WRITTEN, 0},
                                   {"growth, half as heavy", "1/s", 0.2, AS_WRITTEN, 0},

@@ -128,12 +128,11 @@ const experiment skv_exp_sag = {
             .y_label = "sag (m)",
         },
     .parameters =
-        {
-            [HEIGHT] = {"sag.height", SKV_FIELD_NUMBER, "m", 0.05, 0.5, NULL, "0.1",
-                        "height of the low block; the others are twice as high"},
-            [MODULUS] = {"sag.modulus", SKV_FIELD_NUMBER, "Pa", 500, 10000, NULL, "4000",
-                         "shear modulus of the soft jelly; the stiff one has twice as much"},
-        },
+        SKV_BESIDE_ROWS([HEIGHT] = {"sag.height", SKV_FIELD_NUMBER, "m", 0.05, 0.5, NULL, "0.1",
+                                    "height of the low block; the others are twice as high"},
+                        [MODULUS] =
+                            {"sag.modulus", SKV_FIELD_NUMBER, "Pa", 500, 10000, NULL, "4000",
+                             "shear modulus of the soft jelly; the stiff one has twice as much"}),
     .count = BLOCKS,
     .quantities = SKV_BESIDE_ROWS({"sag, low block", "m", 0.25, AS_WRITTEN, 0},
                                   {"sag, high block", "m", 0.25, AS_WRITTEN, 0},

@@ -156,14 +156,13 @@ const experiment skv_exp_wave_train = {
             .y_label = "velocity of the wave, share of the start",
         },
     .parameters =
-        {
-            [WIDTH] = {"wave-train.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1.6",
-                       "width of the tank"},
-            [DEPTH] = {"wave-train.depth", SKV_FIELD_NUMBER, "m", 0.05, 2, NULL, "0.4",
-                       "depth at rest"},
-            [HALF_WAVES] = {"wave-train.half_waves", SKV_FIELD_NUMBER, "", 1, 12, NULL, "4",
-                            "half waves in the tank; the shorter train has twice as many"},
-        },
+        SKV_BESIDE_ROWS([WIDTH] = {"wave-train.width", SKV_FIELD_NUMBER, "m", 0.2, 4, NULL, "1.6",
+                                   "width of the tank"},
+                        [DEPTH] = {"wave-train.depth", SKV_FIELD_NUMBER, "m", 0.05, 2, NULL, "0.4",
+                                   "depth at rest"},
+                        [HALF_WAVES] =
+                            {"wave-train.half_waves", SKV_FIELD_NUMBER, "", 1, 12, NULL, "4",
+                             "half waves in the tank; the shorter train has twice as many"}),
     .count = 2 * TRAINS,
     .quantities = SKV_BESIDE_ROWS({"frequency, long waves", "1/s", 0.03, AS_WRITTEN, 0},
                                   {"frequency, short waves", "1/s", 0.03, AS_WRITTEN, 0},

@@ -57,9 +57,9 @@ struct experiment {
     void (*expect)(const double *condition, expectation *expected, skv_plot *plot);
 };
 
-/* What an experiment beside does, and the rows that it has. A first visit to the page has room for
- * its card, and no more: there these are null and empty, and who wants it run gets the larger
- * module (web/CMakeLists.txt). */
+/* What an experiment beside does, and the rows and parameters that it has. A first visit to the
+ * page has room for its card, and no more: there these are null and empty, and who wants it run
+ * gets the larger module (web/CMakeLists.txt). */
 #ifdef SKV_WITHOUT_EXPERIMENTS_BESIDE
 #define SKV_BESIDE(function) (0 ? (function) : NULL)
 #define SKV_BESIDE_ROWS(...) {{0}}
