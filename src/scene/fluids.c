@@ -4,10 +4,17 @@
 
 #include <string.h>
 
+#include "base/exact.h"
+#include "scene/notes.h"
 #include "world/liquids.h"
 
 /* The name of what is painted yellow, and of its material. */
 #define OIL "oil"
+
+/* Of the heaviest fluid's density, the least with which the clavet law shoots off none of a fluid:
+ * dams of 20 to 30 kg/m^2 beside 1000 are at up to 6 times the speed of their fall, of 40 at up
+ * to 2.8 times, those of 50 below it (docs/notebook/2026-11-28-light-fluids-by-clavets-law.md). */
+#define LEAST_CLAVET_DENSITY 0.05
 
 /* Fails for a field of a fluid, where it was given, or else for the fluid. */
 static skv_result fail(const skv_draft *draft, int index, int field, const char *message,
@@ -91,11 +98,38 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
                 complaint, error);
 }
 
+/* Says which of the listed fluids is too light for the clavet law beside the heaviest. The first is
+ * none, for others have 20 times its density at most. */
+static void note_lightest(skv_scene *scene)
+{
+    const skv_world_def *def = &scene->def;
+    double first = (double)def->fluid.density, heaviest = first;
+    int lightest = 0;
+    for (int i = 0; i < def->liquid_count; i++) {
+        heaviest = skv_max(heaviest, (double)def->liquids[i].density);
+        if (def->liquids[i].density < def->liquids[lightest].density)
+            lightest = i;
+    }
+    double density = (double)def->liquids[lightest].density,
+           least = LEAST_CLAVET_DENSITY * heaviest;
+    if (def->fluid.law != SKV_LAW_CLAVET || density >= least)
+        return;
+    char text[3][32];
+    skv_format_float(density, text[0]);
+    skv_format_float(least, text[1]);
+    skv_format_float(first / LEAST_CLAVET_DENSITY, text[2]);
+    skv_scene_note(scene, "with fluids[%d].density %s the clavet fluid bursts; %s to %s can be had",
+                   lightest, text[0], text[1], text[2]);
+}
+
 skv_result skv_scene_build_fluids(const skv_draft *draft, skv_scene *scene, skv_error *error)
 {
     skv_result result = SKV_OK;
-    for (int i = 0; i < draft->values.list[SKV_LIST_FLUIDS].count && result == SKV_OK; i++)
+    int count = draft->values.list[SKV_LIST_FLUIDS].count;
+    for (int i = 0; i < count && result == SKV_OK; i++)
         result = build_fluid(draft, i, scene, error);
+    if (result == SKV_OK && count > 0)
+        note_lightest(scene);
     return result;
 }
 
