@@ -1,7 +1,7 @@
 /* The door: what the app is like at this moment, told to tests. It is linked with the app's own
  * objects into skvalp-play-tested, so the app that people get has none. Invariant: it looks and
- * never acts, but that no tooltips come up, and frames: few, and one if a caller asks for it; and
- * without SKVALP_DOOR in the environment it does nothing.
+ * never acts, but that no tooltips come up, worlds have one thread, and frames: few, and one if a
+ * caller asks for it; and without SKVALP_DOOR in the environment it does nothing.
  *
  * It listens on the Unix socket that SKVALP_DOOR names. Each line that comes is answered by a line
  * of JSON, on the main loop, between two events: the state under the names that the page's
@@ -451,6 +451,13 @@ static gboolean wait_for_frame(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC
         g_usleep((gulong)left);
     last = g_get_monotonic_time();
     return TRUE;
+}
+
+/* The worlds of the app are small here, and many programs run at once: one thread computes each. */
+int __wrap_skv_platform_cores(void);
+int __wrap_skv_platform_cores(void)
+{
+    return 1;
 }
 
 /* Before main, which knows nothing of it, and before classes of widgets copy what this one does. */

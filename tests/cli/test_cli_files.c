@@ -14,7 +14,7 @@
 #include "program.h"
 #include "skvalp/skvalp.h"
 
-#define SHORT "--particles", "300", "--seconds", "0.02"
+#define SHORT "--particles", "300", "--seconds", "0.02", "--threads", "1"
 
 static const char scene[] = "{\"world\": {\"picture\": \"picture.png\"}}";
 

@@ -82,15 +82,16 @@ static void test_status(void **state)
 /* A slot too narrow for its particles stops the orifice alone: those before and after it run. */
 static void test_a_refusal_stops_one_experiment_only(void **state)
 {
-    program_result table = SKVALP(*state, "lab", "orifice", "momentum", "--set", "particles=400");
+    program_result table =
+        SKVALP(*state, "lab", "orifice", "momentum", "--threads", "1", "--set", "particles=400");
     assert_int_equal(table.status, 2);
     assert_int_equal(count_lines(table.err), 1);
     assert_non_null(strstr(table.err, "lab: 1 of 2 experiments not run; orifice.slot: 0.1 m"));
     assert_non_null(strstr(table.out, "Jet from an orifice: not run; orifice.slot: 0.1 m"));
     assert_non_null(strstr(table.out, "momentum drift"));
     program_free(&table);
-    program_result rows = SKVALP(*state, "lab", "orifice", "momentum", "vessels", "--set",
-                                 "particles=400", "--set", "vessels.head=1", "--json");
+    program_result rows = SKVALP(*state, "lab", "orifice", "momentum", "vessels", "--threads", "1",
+                                 "--set", "particles=400", "--set", "vessels.head=1", "--json");
     assert_int_equal(rows.status, 2);
     assert_non_null(strstr(rows.err, "lab: 2 of 3 experiments not run; orifice.slot: 0.1 m"));
     json_t *array = parse(&rows);
@@ -212,8 +213,8 @@ static void test_same_on_any_number_of_threads(void **state)
 static void test_plots(void **state)
 {
     for (int again = 0; again < 2; again++) {
-        program_result result =
-            SKVALP(*state, "lab", "slosh", "--set", "particles=400", "--plot", "plots", "--quiet");
+        program_result result = SKVALP(*state, "lab", "slosh", "--threads", "1", "--set",
+                                       "particles=400", "--plot", "plots", "--quiet");
         assert_true(result.status == 0 || result.status == 1);
         program_free(&result);
     }

@@ -18,7 +18,7 @@
 
 #include "program.h"
 
-#define SHORT "--particles", "200", "--seconds", "0.1"
+#define SHORT "--particles", "200", "--seconds", "0.1", "--threads", "1"
 
 /* Decodes a PNG, checks its size, and returns the number of different colours (at most 100). */
 static int check_picture(const char *folder, const char *name, unsigned width, unsigned height)

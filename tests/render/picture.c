@@ -23,16 +23,29 @@ skv_world *make_world(const char *scene, int particles, int frames)
     return world;
 }
 
+/* One offscreen serves all pictures of a size that follow each other: to make it, with its shaders,
+ * takes longer than to draw. */
+static skv_offscreen *offscreen_of(int width, int height)
+{
+    static skv_offscreen *kept;
+    static int of_width, of_height;
+    skv_error error;
+    if (kept && of_width == width && of_height == height)
+        return kept;
+    skv_offscreen_destroy(kept);
+    if (skv_offscreen_create(width, height, &kept, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    of_width = width;
+    of_height = height;
+    return kept;
+}
+
 picture shoot_frame(const skv_frame *frame, const skv_render_style *style, int width, int height)
 {
     picture made = {width, height, malloc((size_t)width * (size_t)height * 3)};
-    skv_offscreen *offscreen;
     skv_error error;
-    if (skv_offscreen_create(width, height, &offscreen, &error) != SKV_OK)
+    if (skv_offscreen_render(offscreen_of(width, height), frame, style, made.rgb, &error) != SKV_OK)
         fail_msg("%s", error.text);
-    if (skv_offscreen_render(offscreen, frame, style, made.rgb, &error) != SKV_OK)
-        fail_msg("%s", error.text);
-    skv_offscreen_destroy(offscreen);
     return made;
 }
 

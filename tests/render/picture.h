@@ -13,7 +13,7 @@ typedef struct picture {
 /* A built-in scene after so many frames. */
 skv_world *make_world(const char *scene, int particles, int frames);
 
-/* A picture of it in an offscreen of its own. */
+/* A picture of it in an offscreen. */
 picture shoot(const skv_world *world, const skv_render_style *style, int width, int height);
 picture shoot_frame(const skv_frame *frame, const skv_render_style *style, int width, int height);
 

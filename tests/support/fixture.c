@@ -2,6 +2,7 @@
 #include "support/fixture.h"
 
 #include "base/bytes.h"
+#include "support/long.h"
 #include "world/world_internal.h"
 
 #include <math.h>
@@ -319,8 +320,10 @@ static uint64_t hash_after(fixture_run_of *run, int threads, skv_instruction_set
 void fixture_expect_same_bits(fixture_run_of *run)
 {
     uint64_t hash = hash_after(run, 1, SKV_ISA_BEST);
-    assert_true(hash_after(run, 2, SKV_ISA_BEST) == hash);
-    assert_true(hash_after(run, 5, SKV_ISA_BEST) == hash);
-    assert_true(hash_after(run, 1, SKV_ISA_SCALAR) == hash);
-    assert_true(hash_after(run, 3, SKV_ISA_SCALAR) == hash);
+    assert_true(hash_after(run, 3, SKV_ISA_BEST) == hash);
+    assert_true(hash_after(run, 2, SKV_ISA_SCALAR) == hash);
+    if (long_tests()) {
+        assert_true(hash_after(run, 5, SKV_ISA_BEST) == hash);
+        assert_true(hash_after(run, 1, SKV_ISA_SCALAR) == hash);
+    }
 }

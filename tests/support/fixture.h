@@ -86,8 +86,8 @@ void fixture_expect_goes_on(skv_world *world, int frames);
 /* Makes its checksum right again, so that a mutation gets past it. */
 void fixture_seal(fixture_saved saved);
 
-/* Makes a world and lets it run; fails the test unless it then has the same hash on any threads and
- * instruction set. */
+/* Makes a world and lets it run; fails the test unless it then has the same hash on several threads
+ * and in scalar code; with SKV_LONG_TESTS=1 on more of them. */
 typedef skv_world *fixture_run_of(int threads, skv_instruction_set set);
 void fixture_expect_same_bits(fixture_run_of *run);
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The host's readers (jsonc-parser, fast-png) and the native ones (jansson, libpng) accept and refuse
 # the same files, with the same code, and build the same worlds: the project's scenes and pictures,
-# what the fuzz targets have kept, and 100 mutations, 2000 with SKV_LONG_TESTS=1. Why a text is no
+# what the fuzz targets have kept, and 100 mutations, 1000 with SKV_LONG_TESTS=1. Why a text is no
 # JSON or a PNG damaged each says in its own words, and hosts hear of options without a command line's
 # dashes. Arguments: build folder, source folder.
 set -euo pipefail
@@ -14,7 +14,7 @@ make_modules
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 count=100
-[[ ${SKV_LONG_TESTS:-0} != 1 ]] || count=2000
+[[ ${SKV_LONG_TESTS:-0} != 1 ]] || count=1000
 
 outcomes() {
     "$@" | sed -E 's/^3 .*/3/; s/^([0-9]+ )--(set )?/\1/'
