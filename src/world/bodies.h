@@ -37,6 +37,7 @@ typedef struct skv_rigid {
     bool hosted;        /* a host's engine moves it, and lets it meet walls and others of its own */
     skv_motion led;     /* by how much its host has changed its pose, m, m and rad ... */
     skv_motion spurred; /* ... and its velocity since the last substep */
+    double around;      /* density of the fluid that lies on it, else of the first one, kg/m^2 */
     double layer[2];    /* mass and inertia of the fluid that lies on it, kg/m and kg m */
     skv_impulse felt;   /* from the fluid in this step: N s/m and N s */
     skv_impulse owed;   /* by air and films, until it feels them in the same substep */

@@ -2,10 +2,12 @@
  *
  * A spring without swing draws the point to the hand and gives it the hand's velocity, with as much
  * mass as moves there: of the body, the lever counted, and of the fluid that has to make way, taken
- * as what the body displaces. It is taken at the substep's end, so it is stable whatever its
- * frequency, and two hands at one body take their turns. Contacts come after it and undo what leads
- * into a wall. What is longer than the spring that the hand's strength stretches pulls no more, so
- * against the hand a body is never faster than half of that length times the frequency.
+ * as what the body displaces, of the fluid that lies on it; the layer that moves with the body
+ * anyway (body_layer.c) is a part of that. It is taken at the substep's end, so it is stable
+ * whatever its frequency, and two hands at one body take their turns. Contacts come after it and
+ * undo what leads into a wall. What is longer than the spring that the hand's strength stretches
+ * pulls no more, so against the hand a body is never faster than half of that length times the
+ * frequency.
  *
  * A hand goes on with its velocity until the next is told, else the body would lag by half of what
  * it goes between two.
@@ -65,7 +67,26 @@ static void change(skv_rigid *r, double rx, double ry, double dvx, double dvy, d
     skv_rigid_push(r, x, y, rx * y - ry * x);
 }
 
-static void pull(skv_rigid *r, const skv_hand *hand, double density, double dt)
+/* What the impulse of a spring, of a mass `moved` and so stiff and damped, makes of the velocity
+ * (vx, vy) of what it draws back by (x, y): the body's and of the layer that moves with it, which
+ * is heavier across long sides. */
+static void spring(const skv_rigid *r, double moved, double stiff, double damped, double x,
+                   double y, double *vx, double *vy)
+{
+    double turned = r->inertia * r->mobility.tt / r->mass; /* of what is pinned */
+    double xx = moved * (r->pinned ? turned : r->mobility.xx);
+    double yy = moved * (r->pinned ? turned : r->mobility.yy);
+    double xy = moved * (r->pinned ? 0 : r->mobility.xy);
+    double to_x = *vx - stiff * (xx * x + xy * y), to_y = *vy - stiff * (xy * x + yy * y);
+    xx = 1 + damped * xx;
+    yy = 1 + damped * yy;
+    xy *= damped;
+    double area = xx * yy - xy * xy;
+    *vx = (yy * to_x - xy * to_y) / area;
+    *vy = (xx * to_y - xy * to_x) / area;
+}
+
+static void pull(skv_rigid *r, const skv_hand *hand, double dt)
 {
     double strength = (double)hand->attraction, follow = (double)hand->follow;
     if (strength <= 0 || follow <= 0)
@@ -77,14 +98,13 @@ static void pull(skv_rigid *r, const skv_hand *hand, double density, double dt)
     if (r->fixed)
         cut(&hand_x, &hand_y, FIXED_MOST);
     double vx = r->vx - r->spin * ry - hand_x, vy = r->vy + r->spin * rx - hand_y;
-    double own = r->fixed ? skv_max((double)r->density, (double)SKV_STEEL) : (double)r->density;
-    double share = 1 + density / own, turns = dt * follow;
+    double displaced = r->around * r->shape->outline.area, moved = r->mass + displaced;
+    double turns = dt * follow, wanted_x = vx, wanted_y = vy;
     if (r->fixed)
-        strength *= density / (density + own);
-    double stiff = share * turns * follow, damped = 1 + share * turns * (2 + turns);
+        strength *= displaced / moved;
     cut(&away_x, &away_y, strength / (follow * follow));
-    double wanted_x = (vx - stiff * away_x) / damped, wanted_y = (vy - stiff * away_y) / damped;
-    change(r, rx, ry, wanted_x - vx, wanted_y - vy, dt * strength * share * r->mass);
+    spring(r, moved, turns * follow, turns * (2 + turns), away_x, away_y, &wanted_x, &wanted_y);
+    change(r, rx, ry, wanted_x - vx, wanted_y - vy, dt * strength * moved);
     if (r->fixed && !r->pinned)
         return;
     double lever = 1 + r->mass * (rx * rx + ry * ry) / r->inertia;
@@ -120,7 +140,7 @@ void skv_bodies_follow_hands(skv_world *world, double dt)
         for (int k = 0; hand->body && k < world->bodies->count; k++) {
             skv_rigid *r = &world->bodies->body[k];
             if (r->id == hand->body)
-                pull(r, hand, (double)world->fluid.density, dt);
+                pull(r, hand, dt);
         }
         if (hand->body) {
             hand->x = move_on(hand->x, hand->vx, dt);

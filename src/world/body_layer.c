@@ -44,6 +44,7 @@ typedef struct resistance {
 typedef struct layers {
     skv_world *world;
     resistance resists[SKV_MAX_BODIES];
+    double touched[SKV_MAX_BODIES], heavier[SKV_MAX_BODIES]; /* in particles of the first fluid */
     skv_motion change[SKV_MAX_BODIES];
 } layers;
 
@@ -132,6 +133,9 @@ static void resist(layers *l, const touch *t)
 {
     add_along(&l->resists[t->body], t, t->nx, t->ny, t->across * t->mass);
     add_along(&l->resists[t->body], t, -t->ny, t->nx, t->along * t->mass);
+    l->touched[t->body] += t->across;
+    if (l->world->state.several)
+        l->heavier[t->body] += t->across * ((double)l->world->state.mass[t->particle] - 1);
 }
 
 /* The mobility of a body with its layer, whose resistance is given. */
@@ -167,6 +171,9 @@ void skv_bodies_join_layers(skv_world *world, skv_motion before[SKV_MAX_BODIES])
             r->mobility = join(r, l.resists[k]);
         r->layer[0] = (l.resists[k].xx + l.resists[k].yy) / 2;
         r->layer[1] = l.resists[k].tt;
+        r->around = (double)world->fluid.density;
+        if (l.touched[k] > 0)
+            r->around *= 1 + l.heavier[k] / l.touched[k];
     }
 }
 

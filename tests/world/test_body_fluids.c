@@ -106,11 +106,34 @@ static void a_fluid_alone_moves_bodies_by_its_ratio(void **unused)
     assert_near((double)moved[1].angle, (double)moved[0].angle, 1e-4);
 }
 
+/* A hand holds what is light as firmly in mercury as in water, the first fluid, of which there is
+ * none here: as much fluid goes with the body as it displaces, of that which is there. */
+static void hands_feel_the_fluid_that_is_there(void **unused)
+{
+    (void)unused;
+    const double mercury = 13600, cork = 240, follow = 40;
+    skv_world *world = make((float)mercury, 0);
+    fixture_fill_with(world, 0, 0, WIDTH, 0.4f, BESIDE);
+    skv_body_id id = add(world, 0.2f, (float)cork);
+    skv_hand hand = skv_default_hand();
+    hand.x = WIDTH / 2;
+    hand.y = 0.2f;
+    hand.attraction = 300;
+    hand.follow = (float)follow;
+    assert_true(skv_world_grasp(world, hand.x, hand.y, 0, &hand));
+    assert_int_equal(skv_world_set_hands(world, &hand, 1, NULL), SKV_OK);
+    fixture_run(world, 120);
+    double rises = 9.81 * (mercury - cork) / (mercury + cork) / (follow * follow);
+    assert_near((double)fixture_body(world, id).y, 0.2 + rises, 0.1 * rises);
+    skv_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_float_between_fluids),
         cmocka_unit_test(a_fluid_alone_moves_bodies_by_its_ratio),
+        cmocka_unit_test(hands_feel_the_fluid_that_is_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
