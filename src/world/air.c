@@ -170,6 +170,92 @@ double skv_air_pressure_of(const skv_air *air, const skv_piece *piece)
     return (double)air->pressure * (piece->amount / piece->volume - 1);
 }
 
+/* ---- Bodies ---------------------------------------------------------------------------------- */
+
+/* The face of a piece that body k has, among those from `first` on; null: there is no room. */
+static skv_body_face *face_of(skv_bodies *b, int first, int label, int k)
+{
+    for (int i = first; i < b->faces; i++)
+        if (b->face[i].label == label)
+            return &b->face[i];
+    if (b->faces == SKV_MOST_FACES)
+        return NULL;
+    skv_body_face *f = &b->face[b->faces++];
+    *f = (skv_body_face){.label = label, .body = k};
+    return f;
+}
+
+/* Finds what a body faces. What lies before a piece of its rim is asked three quarters of a cell
+ * away, where air is that is not cut by the body. */
+static void find_faces_of(const skv_air *air, skv_bodies *b, int body)
+{
+    const skv_rigid *r = &b->body[body];
+    const double away = 0.75 * (double)air->cell;
+    const double about_x = r->pinned ? r->pin_x : r->x, about_y = r->pinned ? r->pin_y : r->y;
+    const int first = b->faces;
+    for (int k = 0; k < r->shape->rims; k++) {
+        double x0, y0, x1, y1;
+        skv_rigid_rim(r, k, &x0, &y0);
+        skv_rigid_rim(r, (k + 1) % r->shape->rims, &x1, &y1);
+        double along_x = x1 - x0, along_y = y1 - y0;
+        double length = sqrt(along_x * along_x + along_y * along_y);
+        double x = (x0 + x1) / 2, y = (y0 + y1) / 2;
+        if (!(length > 0))
+            continue;
+        int c = skv_air_cell_at(air, (float)(x + away * along_y / length),
+                                (float)(y - away * along_x / length));
+        skv_body_face *f = air->label[c] ? face_of(b, first, air->label[c], body) : NULL;
+        if (!f)
+            continue;
+        double part = (double)skv_air_part(air->share[c]);
+        f->x -= part * along_y;
+        f->y += part * along_x;
+        f->turn += part * ((x - about_x) * along_x + (y - about_y) * along_y);
+    }
+}
+
+/* Finds what faces what, and by how much bodies will change volumes in a substep. */
+static void find_faces(const skv_world *world, skv_air *air, double dt)
+{
+    skv_bodies *b = world->bodies;
+    if (!b)
+        return;
+    b->faces = 0;
+    for (int k = 0; k < b->count; k++)
+        find_faces_of(air, b, k);
+    for (int i = 0; i < b->faces; i++) {
+        const skv_body_face *f = &b->face[i];
+        const skv_rigid *r = &b->body[f->body];
+        skv_motion speed = {r->vx, r->vy, r->spin};
+        air->piece[f->label].bodies += !r->fixed || r->held;
+        air->piece[f->label].coming += dt * skv_face_rate(f, r, speed);
+    }
+}
+
+/* By how much the pressure of a pocket falls for each m^2 that it grows. */
+static double slope_of(const skv_air *air, const skv_piece *piece)
+{
+    return (double)air->pressure * piece->amount / (piece->volume * piece->volume);
+}
+
+/* Air presses on the sides of bodies that face it. The more a body yields, the less: with n bodies
+ * at one pocket no more than n times as much as for each alone. */
+static void push_bodies(skv_bodies *b, const skv_air *air, double dt)
+{
+    for (int i = 0; i < b->faces; i++) {
+        skv_body_face *f = &b->face[i];
+        skv_rigid *r = &b->body[f->body];
+        const skv_piece *piece = &air->piece[f->label];
+        double push = dt * piece->push;
+        f->stiffness = piece->yields ? dt * dt * piece->bodies * slope_of(air, piece) : 0;
+        r->owed.x += push * f->x;
+        r->owed.y += push * f->y;
+        r->owed.moment += push * skv_face_moment(f, r);
+    }
+}
+
+/* ---- Pushes ---------------------------------------------------------------------------------- */
+
 /* What air pushes: the pressures of pieces, all lifted alike, and none of a hole. A substep bears
  * no more than what moves a particle by its spacing. */
 static void find_pushes(const skv_world *world, skv_air *air, double dt, bool at_once)
@@ -177,17 +263,19 @@ static void find_pushes(const skv_world *world, skv_air *air, double dt, bool at
     double per_substep = (double)world->fluid.spacing / dt;
     double most = (double)world->fluid.density * per_substep * per_substep;
     double least = 0;
-    for (int k = SKV_FIRST_POCKET; k < air->labels; k++)
-        if (skv_air_is_pocket(air, &air->piece[k]))
-            least = skv_min(least, skv_air_pressure_of(air, &air->piece[k]));
+    for (int k = SKV_FIRST_POCKET; k < air->labels; k++) {
+        skv_piece *piece = &air->piece[k];
+        piece->yields = skv_air_is_pocket(air, piece);
+        if (piece->yields)
+            piece->push = skv_air_pressure_of(air, piece) - slope_of(air, piece) * piece->coming;
+        least = skv_min(least, piece->push);
+    }
     air->wanted_lift = -least;
     skv_air_find_lift(world, air, at_once ? 0 : dt);
     for (int k = SKV_FIRST_POCKET; k < air->labels; k++) {
         skv_piece *piece = &air->piece[k];
-        if (piece->outside)
-            piece->push = air->lift;
-        else if (skv_air_is_pocket(air, piece))
-            piece->push = air->lift + skv_air_pressure_of(air, piece);
+        if (piece->outside || piece->yields)
+            piece->push += air->lift;
         piece->push = skv_min(skv_max(piece->push, 0), most);
     }
 }
@@ -235,29 +323,6 @@ static void push_fluid(skv_world *world, const skv_air *air, float dt, bool part
     }
 }
 
-/* Air presses on the sides of bodies that face it. What it presses on one of its pieces is asked
- * three quarters of a cell away, where air is that is not cut by the body. */
-static void push_body(const skv_air *air, skv_rigid *r, double dt)
-{
-    const double away = 0.75 * (double)air->cell;
-    for (int k = 0; k < r->shape->rims; k++) {
-        double x0, y0, x1, y1;
-        skv_rigid_rim(r, k, &x0, &y0);
-        skv_rigid_rim(r, (k + 1) % r->shape->rims, &x1, &y1);
-        double along_x = x1 - x0, along_y = y1 - y0;
-        double length = sqrt(along_x * along_x + along_y * along_y);
-        double x = (x0 + x1) / 2, y = (y0 + y1) / 2;
-        if (!(length > 0))
-            continue;
-        int c = skv_air_cell_at(air, (float)(x + away * along_y / length),
-                                (float)(y - away * along_x / length));
-        if (!air->label[c])
-            continue;
-        double push = dt * air->piece[air->label[c]].push * (double)skv_air_part(air->share[c]);
-        skv_rigid_press(r, -push * along_y, push * along_x, x, y);
-    }
-}
-
 /* Finds what air pushes in a substep of `dt`; lifted `at_once`, if no time passes. */
 static void find_air(const skv_world *world, skv_air *air, float dt, bool at_once)
 {
@@ -266,6 +331,7 @@ static void find_air(const skv_world *world, skv_air *air, float dt, bool at_onc
     find_shares(world, air, AHEAD * dt);
     skv_air_find_pieces(air);
     follow_pieces(world, air);
+    find_faces(world, air, at_once ? 0 : (double)dt);
     find_pushes(world, air, (double)dt, at_once);
     spread_pushes(air);
 }
@@ -274,8 +340,8 @@ void skv_air_push(skv_world *world, float dt, bool partial)
 {
     find_air(world, world->air, dt, false);
     push_fluid(world, world->air, dt, partial);
-    for (int k = 0; k < skv_world_has_bodies(world); k++)
-        push_body(world->air, &world->bodies->body[k], (double)dt);
+    if (world->bodies)
+        push_bodies(world->bodies, world->air, (double)dt);
 }
 
 void skv_air_hold(skv_world *world, float dt)

@@ -35,7 +35,10 @@ typedef struct skv_piece {
     double was_outside;   /* of its volume the part that was the atmosphere's before */
     double push;          /* Pa m */
     int cells, low, high; /* how many, and its lowest and highest rows */
+    int bodies;           /* that move freely and face it */
+    double coming;        /* by how much bodies change its volume in this substep, m^2 */
     bool outside;         /* it is the atmosphere, or some of it */
+    bool yields;          /* it pushes less the larger it is */
 } skv_piece;
 
 typedef struct skv_air {

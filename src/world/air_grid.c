@@ -12,6 +12,7 @@
 #include "world/air.h"
 
 #include "base/exact.h"
+#include "terrain/sample.h"
 #include "world/bodies.h"
 
 #include <math.h>
@@ -244,8 +245,43 @@ bool skv_air_slope(const skv_world *world, const skv_air *air, const float *of, 
 
 /* ---- Room ------------------------------------------------------------------------------------ */
 
-/* Adds the room that a cell has, `times` over, to those around it: that of its quarters, whose
- * walls are taken for flat. */
+/* The body that is nearest to a place, and how far its side is. */
+static int find_nearest(const skv_world *world, float x, float y, float *distance)
+{
+    int nearest = -1;
+    *distance = INFINITY;
+    for (int k = 0; k < world->bodies->count; k++) {
+        float away = skv_body_distance(world, k, x, y);
+        if (!(away < *distance))
+            continue;
+        *distance = away;
+        nearest = k;
+    }
+    return nearest;
+}
+
+/* How much of a square of so long sides, whose middle is at (x, y), is open, its walls taken for
+ * flat. What a body leaves open has its middle so far from the body's side, to which (x, y) goes:
+ * were it deposited from where it is not, it would be lost behind that side, and the room of a
+ * pocket would not change evenly as the body moves. */
+static float find_open(const skv_world *world, const skv_air *air, float side, float *x, float *y)
+{
+    float distance = skv_distance_at(world->terrain, *x, *y), away = INFINITY, nx, ny;
+    int nearest = air->with_bodies ? find_nearest(world, *x, *y, &away) : -1;
+    float open = skv_clamp(0.5f + skv_minf(distance, away) / side, 0, 1);
+    if (!(away < distance) || !(open > 0 && open < 1))
+        return open;
+    const skv_solid *s = &world->bodies->solids.solid[nearest];
+    float lx = *x, ly = *y;
+    skv_solid_enter(s, &s->now, &lx, &ly);
+    skv_normal_at(s->shape->terrain, lx, ly, &nx, &ny);
+    skv_solid_turn(&s->now, &nx, &ny);
+    *x += (1 - open) / 2 * side * nx;
+    *y += (1 - open) / 2 * side * ny;
+    return open;
+}
+
+/* Adds the room that a cell has, `times` over, to those around it: that of its quarters. */
 static void add_room(const skv_world *world, const skv_air *air, int column, int row, float times)
 {
     const float side = 0.5f * air->cell;
@@ -253,7 +289,7 @@ static void add_room(const skv_world *world, const skv_air *air, int column, int
         float across = k & 1 ? 0.5f : -0.5f, up = k & 2 ? 0.5f : -0.5f;
         float x = skv_air_middle(air, column) + across * side;
         float y = skv_air_middle(air, row) + up * side;
-        float open = skv_clamp(0.5f + distance_at(world, air, x, y) / side, 0, 1);
+        float open = find_open(world, air, side, &x, &y);
         if (open > 0)
             skv_air_deposit(world, air, x, y, times * 0.25f * open, air->room);
     }

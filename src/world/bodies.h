@@ -13,6 +13,11 @@ typedef struct skv_mobility {
     double xx, xy, yy, xt, yt, tt;
 } skv_mobility;
 
+/* What resists a change of velocity, as the inverse of a mobility has it. */
+typedef struct skv_resistance {
+    double xx, xy, yy, xt, yt, tt;
+} skv_resistance;
+
 /* A change of place and angle, or the velocities. */
 typedef struct skv_motion {
     double x, y, turn;
@@ -43,6 +48,18 @@ typedef struct skv_rigid {
     skv_impulse owed;   /* by air and films, until it feels them in the same substep */
 } skv_rigid;
 
+/* What gives way as a body moves, as a pocket of air does, from when it pushes until bodies feel
+ * that. Its push is so much less for each m^2/s by which the body makes it grow. */
+typedef struct skv_body_face {
+    int body, label; /* this one of the pockets */
+    double x, y;     /* how it grows with the body's motion, m ... */
+    double turn;     /* ... and turn, about its pin or its centre of mass, m^2 */
+    double stiffness;
+} skv_body_face;
+
+/* More are passed over. */
+enum { SKV_MOST_FACES = 1024 };
+
 /* A contact of body a, made for a substep; see body_contacts.c. */
 typedef struct skv_body_contact {
     skv_rigid *a, *b; /* b null: the terrain */
@@ -71,6 +88,8 @@ typedef struct skv_bodies {
     skv_solids solids;
     skv_impulse given[SKV_MAX_BODIES]; /* by the solver, m and m^2 */
     skv_body_contacts contacts;
+    int faces; /* in the order of bodies; none between substeps */
+    skv_body_face face[SKV_MOST_FACES];
     skv_body shown[SKV_MAX_BODIES]; /* as a host sees them */
 } skv_bodies;
 
@@ -152,6 +171,18 @@ static inline void skv_rigid_press(skv_rigid *body, double jx, double jy, double
     body->owed.x += jx;
     body->owed.y += jy;
     body->owed.moment += (x - body->x) * jy - (y - body->y) * jx;
+}
+
+/* How fast a face grows as its body moves so and turns, m^2/s. */
+static inline double skv_face_rate(const skv_body_face *f, const skv_rigid *body, skv_motion m)
+{
+    return f->turn * m.turn + (body->pinned ? 0 : f->x * m.x + f->y * m.y);
+}
+
+/* The moment about the centre of mass of a push of 1 Pa m on a face. */
+static inline double skv_face_moment(const skv_body_face *f, const skv_rigid *body)
+{
+    return f->turn - (body->pinned ? body->arm_x * f->y - body->arm_y * f->x : 0);
 }
 
 /* Whether a particle is kept awake by a body that moves or may. */

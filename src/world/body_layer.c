@@ -35,15 +35,10 @@ typedef struct touch {
     double about_x, about_y; /* ... and about what the body turns about */
 } touch;
 
-/* What resists a change of velocity, as the inverse of a mobility has it. */
-typedef struct resistance {
-    double xx, xy, yy, xt, yt, tt;
-} resistance;
-
 /* What goes over all of the layers. */
 typedef struct layers {
     skv_world *world;
-    resistance resists[SKV_MAX_BODIES];
+    skv_resistance resists[SKV_MAX_BODIES];
     double touched[SKV_MAX_BODIES], heavier[SKV_MAX_BODIES]; /* in particles of the first fluid */
     skv_motion change[SKV_MAX_BODIES];
 } layers;
@@ -118,7 +113,7 @@ static void visit(layers *l, void (*each)(layers *l, const touch *t))
 
 /* ---- Joining --------------------------------------------------------------------------------- */
 
-static void add_along(resistance *sum, const touch *t, double nx, double ny, double mass)
+static void add_along(skv_resistance *sum, const touch *t, double nx, double ny, double mass)
 {
     double moment = t->about_x * ny - t->about_y * nx;
     sum->xx += mass * nx * nx;
@@ -138,8 +133,24 @@ static void resist(layers *l, const touch *t)
         l->heavier[t->body] += t->across * ((double)l->world->state.mass[t->particle] - 1);
 }
 
+/* What gives way resists, too, by what it pushes less. */
+static void resist_by_faces(layers *l)
+{
+    const skv_bodies *b = l->world->bodies;
+    for (int i = 0; i < b->faces; i++) {
+        const skv_body_face *f = &b->face[i];
+        skv_resistance *sum = &l->resists[f->body];
+        sum->xx += f->stiffness * f->x * f->x;
+        sum->xy += f->stiffness * f->x * f->y;
+        sum->yy += f->stiffness * f->y * f->y;
+        sum->xt += f->stiffness * f->x * f->turn;
+        sum->yt += f->stiffness * f->y * f->turn;
+        sum->tt += f->stiffness * f->turn * f->turn;
+    }
+}
+
 /* The mobility of a body with its layer, whose resistance is given. */
-static skv_mobility join(const skv_rigid *r, resistance m)
+static skv_mobility join(const skv_rigid *r, skv_resistance m)
 {
     m.xx += r->mass;
     m.yy += r->mass;
@@ -167,14 +178,16 @@ void skv_bodies_join_layers(skv_world *world, skv_motion before[SKV_MAX_BODIES])
     for (int k = 0; k < world->bodies->count; k++) {
         skv_rigid *r = &world->bodies->body[k];
         before[k] = (skv_motion){r->vx, r->vy, r->spin};
-        if (may_move(r))
-            r->mobility = join(r, l.resists[k]);
         r->layer[0] = (l.resists[k].xx + l.resists[k].yy) / 2;
         r->layer[1] = l.resists[k].tt;
         r->around = (double)world->fluid.density;
         if (l.touched[k] > 0)
             r->around *= 1 + l.heavier[k] / l.touched[k];
     }
+    resist_by_faces(&l);
+    for (int k = 0; k < world->bodies->count; k++)
+        if (may_move(&world->bodies->body[k]))
+            world->bodies->body[k].mobility = join(&world->bodies->body[k], l.resists[k]);
 }
 
 /* ---- Parting --------------------------------------------------------------------------------- */
@@ -195,6 +208,21 @@ static void hand_on(layers *l, const touch *t)
     felt->moment -= t->mass * (t->x * y - t->y * x);
 }
 
+/* Takes from what bodies felt what faces did not push. */
+static void give_way(const layers *l)
+{
+    skv_bodies *b = l->world->bodies;
+    for (int i = 0; i < b->faces; i++) {
+        const skv_body_face *f = &b->face[i];
+        skv_rigid *r = &b->body[f->body];
+        double less = f->stiffness * skv_face_rate(f, r, l->change[f->body]);
+        r->felt.x -= less * f->x;
+        r->felt.y -= less * f->y;
+        r->felt.moment -= less * skv_face_moment(f, r);
+    }
+    b->faces = 0;
+}
+
 void skv_bodies_part_from_layers(skv_world *world, const skv_motion before[SKV_MAX_BODIES])
 {
     layers l = {.world = world};
@@ -208,6 +236,7 @@ void skv_bodies_part_from_layers(skv_world *world, const skv_motion before[SKV_M
         skv_rigid_free(r);
     }
     visit(&l, hand_on);
+    give_way(&l);
 }
 
 void skv_bodies_spur_layers(skv_world *world)

@@ -1,6 +1,6 @@
 /* Air: a bell keeps its own and obeys Boyle's law, a bubble rises, a siphon runs, a body with a
- * pocket floats, and what has none is as without; the same bits on any threads and instruction
- * sets, and from snapshots; and what hosts ask of it. */
+ * pocket floats, what is light is not thrown, and what has none is as without; the same bits on any
+ * threads and instruction sets, and from snapshots; and what hosts ask of it. */
 #include "base/bytes.h"
 #include "support/fixture.h"
 
@@ -245,6 +245,66 @@ static void a_diver_floats(void **unused)
     }
 }
 
+/* A tank 0.31 m wide, of whole cells of the grid, with 0.1 m of water, over which a body lies as a
+ * lid, 30 mm thick and from that height on. */
+static skv_world *make_lid(float low, float density, float pressure, bool fixed)
+{
+    skv_world *world =
+        make_tank(make_def(SKV_SOLVER_FAST, 1, SKV_ISA_BEST, 0.1f), 0.31f, 1, NULL, 1, 0);
+    fixture_fill(world, 0, 0, 0.31f, 0.1f);
+    skv_body_def lid = skv_default_body_def();
+    lid.shape = skv_box(-0.151f, -0.015f, 0.151f, 0.015f);
+    lid.x = 0.155f;
+    lid.y = low + 0.015f;
+    lid.density = density;
+    lid.friction = 0;
+    lid.fixed = fixed;
+    assert_int_equal(skv_world_add_body(world, &lid, NULL, NULL, NULL), SKV_OK);
+    assert_int_equal(skv_world_set_air(world, pressure, NULL), SKV_OK);
+    return world;
+}
+
+/* What is so light that the air below it would throw it back in less than a substep: it swings out
+ * within a second. */
+static void air_throws_nothing_light(void **unused)
+{
+    (void)unused;
+    static const float cases[][2] = {{10, 50000}, {50, 50000}, {10, 10000}};
+    for (int k = 0; k < 3; k++) {
+        skv_world *world = make_lid(0.15f, cases[k][0], cases[k][1], false);
+        skv_body body;
+        for (int frame = 0; frame < 90; frame++) {
+            fixture_run(world, 1);
+            assert_true(skv_world_body_at(world, 0, &body));
+            if (!(fabsf(body.vy) < (frame < 60 ? 0.5f : 0.03f)))
+                fail_msg("%g kg/m^2 at %g Pa m, frame %d: %g m/s", (double)cases[k][0],
+                         (double)cases[k][1], frame, (double)body.vy);
+        }
+        assert_near((double)body.y, 0.165, 0.01);
+        skv_world_destroy(world);
+    }
+}
+
+/* Wherever a body lies in the cells of the grid: the pocket below it grows evenly as it rises. */
+static void bodies_leave_pockets_their_room(void **unused)
+{
+    (void)unused;
+    double before = 0;
+    for (int mm = 150; mm <= 166; mm++) {
+        skv_world *world = make_lid((float)mm / 1000, 1000, PRESSURE, true);
+        fixture_run(world, 1);
+        skv_pocket pockets[4], largest = {0};
+        int count = skv_world_pockets(world, pockets, 4);
+        for (int k = 0; k < count && k < 4; k++)
+            largest = pockets[k].volume > largest.volume ? pockets[k] : largest;
+        double more = ((double)largest.volume - before) / (0.001 * 0.31);
+        if (mm > 150 && !(more > 0.5 && more < 1.6))
+            fail_msg("%d mm up: %g times as much more as there is", mm, more);
+        before = (double)largest.volume;
+        skv_world_destroy(world);
+    }
+}
+
 static skv_world *run_bell(int threads, skv_instruction_set set)
 {
     skv_world *world = make_bell(SKV_SOLVER_FAST, threads, set, PRESSURE);
@@ -370,6 +430,8 @@ int main(void)
         cmocka_unit_test(a_bubble_rises),
         cmocka_unit_test(a_siphon_runs),
         cmocka_unit_test(a_diver_floats),
+        cmocka_unit_test(air_throws_nothing_light),
+        cmocka_unit_test(bodies_leave_pockets_their_room),
         cmocka_unit_test(bits_are_the_same),
         cmocka_unit_test(snapshots_keep_air),
         cmocka_unit_test(air_that_cannot_be_is_refused),
