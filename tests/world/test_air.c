@@ -3,6 +3,7 @@
  * threads and instruction sets, and from snapshots; and what hosts ask of it. */
 #include "base/bytes.h"
 #include "support/fixture.h"
+#include "support/long.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -134,7 +135,7 @@ static void the_reference_keeps_it_too(void **unused)
     skv_world *world = make_bell(SKV_SOLVER_REFERENCE, 1, SKV_ISA_BEST, PRESSURE);
     fixture_run(world, 1);
     double held = amount(world, &air);
-    fixture_run(world, 60);
+    fixture_run(world, long_tests() ? 60 : 20);
     assert_near(amount(world, &air) / held, 1, 0.02);
     assert_true(level(world, 0.3f, 0.5f, 0.34f) < 0.25);
     skv_world_destroy(world);

@@ -19,7 +19,7 @@
 
 #include <cmocka.h>
 
-#define WORLDS         6
+#define WORLDS         4
 #define MANY_WORLDS    100
 #define FRAMES         300
 #define MAX_PARTICLES  600
