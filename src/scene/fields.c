@@ -111,7 +111,7 @@ static const skv_field fields[FIELDS] = {
     OWN_TEXT(SKV_F_FLUIDS + SKV_LIQUID_NAME, "fluids[].name", SKV_FLUID_NAME - 1,
              "by which water and emitters name it; needed; \"water\" is the fluid above")
     OWN_CHOICE(SKV_F_FLUIDS + SKV_LIQUID_MATERIAL, "fluids[].material", "water|oil|honey|mercury",
-               "water", "its density and viscosity are as of that liquid at 20 C")
+               "water", "its density and viscosity are as of that liquid at 20 °C")
     OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_DENSITY, "fluids[].density", "kg/m^2", 0.01, 400000, "",
                "mass of a square metre of the sheet; else the material's")
     OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_VISCOSITY, "fluids[].viscosity", "m^2/s", 0, 0.05, "",

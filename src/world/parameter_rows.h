@@ -49,7 +49,7 @@ FLAG(EMISSION_REPLACES, "emission.replaces", emission_replaces, false, true,
 CHOICE(FLUID_LAW, "fluid.law", fluid.law, "calibrated|clavet", calibrated,
        "pressure law: like a real liquid, or as in the thesis")
 PRESET(FLUID_MATERIAL, "fluid.material", "water|oil|honey|mercury", water, true,
-       "sets density and viscosity as of that liquid at 20 C")
+       "sets density and viscosity as of that liquid at 20 °C")
 FOUND_NUMBER(FLUID_SPACING, "fluid.spacing", fluid.spacing, "m", 0.0005, 0.1, 0.0155, false,
              "one particle per spacing^2; instead of particles")
 NUMBER_BY_LAW(FLUID_RADIUS_RATIO, "fluid.radius_ratio", fluid.radius_ratio, "", 2, 4, 3,

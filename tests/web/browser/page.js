@@ -162,13 +162,24 @@ const trials = {
     async 'the tool that drops bodies brings what they take, and links have them'(browser) {
         const page = await begin(browser, desk, '?scene=pool&particles=500');
         await until(page, () => window.skvalp.state.value.moment > 20, 'time passes');
-        const { worlds: [{ opened }], tool } = await stateOf(page);
+        const { worlds: [{ opened, camera: seen }], tool } = await stateOf(page);
+        const stop = () => page.evaluate(() => window.skvalp.simulation.setPaused(true));
+        await button(page, 'Water').click();
+        const pane = await page.locator('canvas.canvas').boundingBox();
+        await page.mouse.click(pane.x + seen.originX + 0.4 * seen.scale, pane.y + seen.originY - 0.8 * seen.scale);
+        await until(page, () => window.skvalp.state.value.worlds[0].particles > 500 && window.skvalp.state.value.canUndo, 'water is poured');
+        const { moment, worlds: [{ particles }] } = await stateOf(page);
         await button(page, 'Body').click();
         await until(page, (before) => window.skvalp.state.value.worlds[0].opened > before, 'the larger module goes on', opened);
+        // With all that was done, which can still be undone.
+        await until(page, (before) => window.skvalp.state.value.moment > before && !window.skvalp.state.value.watching, 'it goes on where it was', moment);
         const state = await stateOf(page);
         assert.notEqual(state.tool, tool);
-        assert.deepEqual([state.worlds[0].name, state.paused, state.worlds[0].particles], ['pool', false, 500]);
-        const stop = () => page.evaluate(() => window.skvalp.simulation.setPaused(true));
+        assert.deepEqual([state.worlds[0].name, state.paused], ['pool', false]);
+        assert.ok(state.worlds[0].particles >= particles, 'what was poured is gone');
+        assert.equal(state.asRecorded, false, 'one\'s own game is told of as a recorded one');
+        await button(page, 'Undo').click();
+        await until(page, () => window.skvalp.state.value.worlds[0].particles === 500, 'what was done before is undone');
         await stop();
         await until(page, () => window.skvalp.state.value.paused, 'it stands still');
         const { camera } = state.worlds[0];

@@ -8,6 +8,9 @@ import type { Simulator } from './simulation';
 
 /** What nothing but the face knows. */
 const known = ['setView', 'setUnits', 'setTilt', 'setHidden'];
+
+/** For how long people are let wait until a game has been played again, ms. */
+const MOST_AGAIN = 4000;
 let loading: Promise<any> | undefined, grown = false;
 
 interface From {
@@ -26,13 +29,21 @@ export async function grow<Loaded extends From>(from: Simulator, { library, file
     asked: Map<string, unknown[]>, foresees: boolean, load: () => Promise<Loaded>,
     make: (larger: Loaded, listener: Listener) => Simulator) {
     const { opening, worlds } = from.playing, { c } = library, { stage } = worlds;
-    /** What is open: from its start, or at this moment if more would be missed. */
+    let reached: number | null = null, own = -1;
+    /**
+     * What is open, from its start. If it would be missed: with all that was done, which can be undone and shared
+     * then, or at this moment alone if it takes too long to play again or lies before its end.
+     */
     const again = async () => {
         if (!c.skv_control_would_be_missed(stage)) {
             return opening.current;
         }
-        await from.playing.settled('save', () => c.skv_stage_save_moment(stage, 'kept'));
-        const bytes = files.get('kept')!;
+        const { moment, end, step_ms } = worlds.first;
+        const whole = moment === end && Number(end) * step_ms <= MOST_AGAIN;
+        const path = whole ? 'kept.skvr' : 'kept';
+        await from.playing.settled('save', () => (whole ? c.skv_stage_save : c.skv_stage_save_moment)(stage, path));
+        reached = whole ? Number(end) : null;
+        const bytes = files.get(path)!;
         return { source: { bytes, format: 'skvr' as const, label: 'kept', cautious: false }, settings: {} };
     };
     loading ??= load();
@@ -52,6 +63,15 @@ export async function grow<Loaded extends From>(from: Simulator, { library, file
             ...listener,
             state: (state: State) => {
                 state.worlds.forEach((world) => (world.opened += opened));
+                if (reached !== null && state.watching) {
+                    const to = reached;
+                    reached = null; // what is asked for is told of in states, too
+                    own = state.worlds[0].opened;
+                    now.seek(to);
+                    now.takeOver();
+                    now.setPaused(last.paused);
+                }
+                state.asRecorded &&= state.worlds[0].opened !== own; // nobody has recorded it
                 if (!quiet) {
                     listener.state(state);
                 }
