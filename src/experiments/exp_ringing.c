@@ -160,15 +160,13 @@ const experiment skv_exp_ringing = {
             .scatters = true,
         },
     .parameters =
-        {
-            [RADIUS] = {"ringing.radius", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.25",
-                        "radius of the larger drop; the other has half its area"},
-            [ASPECT] = {"ringing.aspect", SKV_FIELD_NUMBER, "", 1.05, 1.5, NULL, "1.2",
-                        "length over width at the start"},
-        },
+        SKV_BESIDE_ROWS([RADIUS] = {"ringing.radius", SKV_FIELD_NUMBER, "m", 0.05, 1, NULL, "0.25",
+                                    "radius of the larger drop; the other has half its area"},
+                        [ASPECT] = {"ringing.aspect", SKV_FIELD_NUMBER, "", 1.05, 1.5, NULL, "1.2",
+                                    "length over width at the start"}),
     .count = 2,
-    .quantities = {{"surface tension", "N", 0.15, AS_WRITTEN, 0},
-                   {"frequency, smaller / larger drop", "", 0.05, AS_WRITTEN, 0}},
-    .measure = measure,
-    .expect = expect,
+    .quantities = SKV_BESIDE_ROWS({"surface tension", "N", 0.15, AS_WRITTEN, 0},
+                                  {"frequency, smaller / larger drop", "", 0.05, AS_WRITTEN, 0}),
+    .measure = SKV_BESIDE(measure),
+    .expect = SKV_BESIDE(expect),
 };

@@ -9,6 +9,7 @@
     X(slosh)                                                                                       \
     X(wave_train)                                                                                  \
     X(dam_break)                                                                                   \
+    X(conjugate_depths)                                                                            \
     X(orifice)                                                                                     \
     X(torricelli)                                                                                  \
     X(channel)                                                                                     \

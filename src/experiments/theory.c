@@ -110,6 +110,24 @@ double skv_theory_jet_range(double head, double height)
     return 2 * sqrt(head * height);
 }
 
+double skv_theory_conjugate(double froude)
+{
+    return (sqrt(1 + 8 * froude * froude) - 1) / 2;
+}
+
+double skv_theory_bore(double stream_froude)
+{
+    enum { HALVINGS = 60 };
+    double square = stream_froude * stream_froude;
+    /* The upper end is above the root: (r - 1)^2 <= 2 F^2 r/(r + 1) < 2 F^2. */
+    double low = 1, high = 1 + 1.5 * stream_froude;
+    for (int i = 0; i < HALVINGS; i++) {
+        double r = (low + high) / 2;
+        *((r - 1) * (r - 1) * (r + 1) < 2 * r * square ? &low : &high) = r;
+    }
+    return (low + high) / 2;
+}
+
 double skv_theory_contraction(void)
 {
     return SKV_PI / (SKV_PI + 2);

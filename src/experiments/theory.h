@@ -68,6 +68,16 @@ double skv_theory_jet_speed(double gravity, double head);
  * height: 2 sqrt(head height). */
 double skv_theory_jet_range(double head, double height);
 
+/* How many times as deep a stream is behind a jump or bore as before it: (sqrt(1 + 8 F^2) - 1)/2 at
+ * a Froude number F, which is the speed at which it runs into the jump over sqrt(g depth) (Belanger
+ * 1828, of mass and momentum). */
+double skv_theory_conjugate(double froude);
+
+/* The same of a bore that a stream makes before a wall. Froude's number there counts the speed of
+ * stream and bore together, and the bore has u/(r - 1), for water behind it stands still. So the
+ * stream's own is F^2 = (r - 1)^2 (r + 1)/2r, of which this is the root r. */
+double skv_theory_bore(double stream_froude);
+
 /* Contraction of a jet from a sharp-edged slot in a plane wall: pi/(pi + 2) (Kirchhoff 1869). */
 double skv_theory_contraction(void);
 

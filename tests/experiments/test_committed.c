@@ -57,7 +57,7 @@ static int starts(void)
 static int particles_of(const char *name)
 {
     bool few = strcmp(name, "vessels") != 0 && strcmp(name, "orifice") != 0 &&
-               strcmp(name, "torricelli") != 0;
+               strcmp(name, "torricelli") != 0 && strcmp(name, "conjugate-depths") != 0;
     return few && !long_tests() ? 700 : 1500;
 }
 

@@ -131,6 +131,22 @@ static void jets_and_bodies(void **unused)
     assert_near(skv_theory_buoyancy(1000, 9.81, 0.04), (below - above) * 0.2, 1e-9);
 }
 
+/* What a bore swallows and what stops it, for a stream that is as fast as it is to be. */
+static void bores_keep_mass_and_momentum(void **unused)
+{
+    (void)unused;
+    assert_near(skv_theory_conjugate(1), 1, 1e-12);
+    assert_near(skv_theory_conjugate(sqrt(3)), 2, 1e-12);
+    for (int i = 1; i <= 40; i++) {
+        double gravity = 9.81, depth = 0.13, speed = 0.1 * i * sqrt(gravity * depth);
+        double deeper = depth * skv_theory_bore(0.1 * i), bore = speed * depth / (deeper - depth);
+        assert_near((speed + bore) * speed * depth / (gravity / 2), deeper * deeper - depth * depth,
+                    1e-9);
+        assert_near(depth * skv_theory_conjugate((speed + bore) / sqrt(gravity * depth)), deeper,
+                    1e-9);
+    }
+}
+
 /* Points that somebody else read off the figure of the paper (series a = 2.25 in). */
 static void the_dam_agrees_with_another_reading_of_the_figure(void **unused)
 {
@@ -180,6 +196,7 @@ int main(void)
         cmocka_unit_test(sloshing_in_shallow_and_deep_water),
         cmocka_unit_test(a_sloshing_wave_has_a_height),
         cmocka_unit_test(jets_and_bodies),
+        cmocka_unit_test(bores_keep_mass_and_momentum),
         cmocka_unit_test(the_dam_agrees_with_another_reading_of_the_figure),
         cmocka_unit_test(swings_are_read),
     };
