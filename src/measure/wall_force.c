@@ -2,7 +2,8 @@
  *
  * A wall acts on a particle through the wall density's push, through contact, and by stopping its
  * moves; what a particle gains by that, the wall loses. A solver like the world's takes the substep
- * on a copy of the fluid near the box, and reports that reaction. Invariant: the copy reaches so
+ * on a copy of the fluid near the box, and reports that reaction; air that pushes the fluid pushes
+ * the copy, and the walls (wall_air.c). Invariant: the copy reaches so
  * far that no particle whose force counts has a neighbour, or a neighbour's neighbour, missing.
  */
 #include "measure/wall_force.h"
@@ -11,6 +12,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/air.h"
 #include "world/springs.h"
 
 #include <math.h>
@@ -77,10 +79,10 @@ static bool is_near(const skv_force_meter *m, float x, float y)
 }
 
 /* Puts a copy of the particles near the box in the place of the world's. */
-static skv_result copy_fluid(skv_force_meter *m, const skv_pushed *pushed,
-                             skv_solver_particles *particles, skv_error *error)
+static skv_result copy_fluid(skv_force_meter *m, const skv_world *world, const skv_pushed *pushed,
+                             skv_solver_step *step, skv_error *error)
 {
-    const skv_solver_particles from = *particles;
+    const skv_solver_particles from = step->particles;
     int count = 0;
     for (int i = 0; i < from.count; i++)
         count += is_near(m, from.x[i], from.y[i]);
@@ -95,12 +97,14 @@ static skv_result copy_fluid(skv_force_meter *m, const skv_pushed *pushed,
         m->y[k] = from.y[i];
         m->vx[k] = from.vx[i] + (pushed ? pushed->dvx[i] : 0);
         m->vy[k] = from.vy[i] + (pushed ? pushed->dvy[i] : 0);
+        if (world->air)
+            skv_air_push_one(world, i, step->constants->dt, &m->vx[k], &m->vy[k]);
         m->warm_lambda[k] = from.warm_lambda[i];
         m->mass[k] = from.mass ? from.mass[i] : 1;
         m->id[k] = from.id[i];
         m->clearance[k++] = 0;
     }
-    *particles = (skv_solver_particles){
+    step->particles = (skv_solver_particles){
         .count = count,
         .x = m->x,
         .y = m->y,
@@ -130,7 +134,7 @@ skv_result skv_force_measure(skv_force_meter *m, const skv_world *world, double 
     if (result == SKV_OK)
         result = skv_springs_ask(&m->pushes, world, constants.dt, &pushed, error);
     if (result == SKV_OK)
-        result = copy_fluid(m, pushed, &step.particles, error);
+        result = copy_fluid(m, world, pushed, &step, error);
     step.reaction = &reaction;
     step.pool = NULL; /* others may read the world meanwhile */
     if (result == SKV_OK)
@@ -141,5 +145,6 @@ skv_result skv_force_measure(skv_force_meter *m, const skv_world *world, double 
     double dt = (double)constants.dt, s = (double)world->fluid.spacing;
     double scale = -(double)world->fluid.density * s * s / (dt * dt);
     *force = (skv_wall_force){scale * reaction.dx, scale * reaction.dy, scale * reaction.moment};
+    skv_force_add_air(world, &reaction, force);
     return SKV_OK;
 }

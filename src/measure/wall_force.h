@@ -28,6 +28,9 @@ typedef struct skv_force_meter {
  * the box do to it. Allocates only when more fluid is there than ever before. */
 skv_result skv_force_measure(skv_force_meter *meter, const skv_world *world, double x0, double y0,
                              double x1, double y1, skv_wall_force *force, skv_error *error);
+/* Adds what air does to the walls in the box of a reaction, and takes out what lifts all pressures.
+ */
+void skv_force_add_air(const skv_world *world, const skv_reaction *box, skv_wall_force *force);
 void skv_force_free(skv_force_meter *meter);
 
 #endif

@@ -306,21 +306,27 @@ static void spread_pushes(skv_air *air)
     skv_air_smooth(air, air->fluid, air->push, true, below[0], above[0]);
 }
 
+void skv_air_push_one(const skv_world *world, int particle, float dt, float *vx, float *vy)
+{
+    const skv_state *s = &world->state;
+    const skv_air *air = world->air;
+    const float ahead = AHEAD * dt, scale = -dt / (world->fluid.density * air->cell);
+    float slope_x, slope_y;
+    if (!air->pushes ||
+        !skv_air_slope(world, air, air->push, s->x[particle] + ahead * s->vx[particle],
+                       s->y[particle] + ahead * s->vy[particle], &slope_x, &slope_y))
+        return;
+    float each = s->several ? scale / s->mass[particle] : scale;
+    *vx += each * slope_x;
+    *vy += each * slope_y;
+}
+
 static void push_fluid(skv_world *world, const skv_air *air, float dt, bool partial)
 {
     skv_state *s = &world->state;
-    const float *masses = s->several ? s->mass : NULL;
-    const float scale = -dt / (world->fluid.density * air->cell);
-    for (int i = 0; air->pushes && i < s->count; i++) {
-        float x = s->x[i] + AHEAD * dt * s->vx[i], y = s->y[i] + AHEAD * dt * s->vy[i], slope_x,
-              slope_y;
-        if ((partial && s->part[i] != SKV_MOVES) ||
-            !skv_air_slope(world, air, air->push, x, y, &slope_x, &slope_y))
-            continue;
-        float each = masses ? scale / masses[i] : scale;
-        s->vx[i] += each * slope_x;
-        s->vy[i] += each * slope_y;
-    }
+    for (int i = 0; air->pushes && i < s->count; i++)
+        if (!partial || s->part[i] == SKV_MOVES)
+            skv_air_push_one(world, i, dt, &s->vx[i], &s->vy[i]);
 }
 
 /* Finds what air pushes in a substep of `dt`; lifted `at_once`, if no time passes. */

@@ -77,6 +77,9 @@ void skv_air_hold(skv_world *world, float dt);
 /* After it: takes from the pressures what lifts them all. */
 void skv_air_gauge(skv_world *world, bool partial);
 
+/* Adds to a velocity what air gives a particle in a substep of `dt`, as it pushed last. */
+void skv_air_push_one(const skv_world *world, int particle, float dt, float *vx, float *vy);
+
 /* Whether a particle is kept awake by air that may change. */
 bool skv_air_stirs(const skv_world *world, int particle);
 

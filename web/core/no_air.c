@@ -3,6 +3,7 @@
  * here has any, and what one with air asks is never asked.
  */
 #include "base/more.h"
+#include "measure/wall_force.h"
 #include "world/air.h"
 
 skv_result skv_world_set_air(skv_world *world, float pressure, skv_error *error)
@@ -14,6 +15,16 @@ skv_result skv_world_set_air(skv_world *world, float pressure, skv_error *error)
 void skv_air_push(skv_world *world, float dt, bool partial)
 {
     (void)world, (void)dt, (void)partial;
+}
+
+void skv_air_push_one(const skv_world *world, int particle, float dt, float *vx, float *vy)
+{
+    (void)world, (void)particle, (void)dt, (void)vx, (void)vy;
+}
+
+void skv_force_add_air(const skv_world *world, const skv_reaction *box, skv_wall_force *force)
+{
+    (void)world, (void)box, (void)force;
 }
 
 void skv_air_hold(skv_world *world, float dt)
