@@ -229,6 +229,8 @@ static void test_files(void **state)
     free(csv);
     free(svg);
 
+    if (!long_tests())
+        return;
     result =
         SKVALP(*state, "bench", "--quick", "--particles", "1000", "--threads", "1", "--csv", "-");
     assert_int_equal(result.status, 0);
