@@ -40,9 +40,9 @@ for scale in "${scales[@]}"; do
             "$work/json" | awk -F'|' '{
                 bound = $4 == "null" ? sprintf("up to %.3g", $5) : sprintf("±%.3g %%", 100 * $5)
                 value = $4 == "null" ? sprintf("%.2g", $3) : sprintf("%.3f", $4)
-                # A digit more where three put the figure on the other side of its bound.
+                # A digit more where three put a figure that does not scatter on the other side of its bound.
                 off = value > 1 ? value - 1 : 1 - value
-                if ($4 != "null" && (off > $5) != ($6 == "false")) value = sprintf("%.4f", $4)
+                if ($7 + 0 == 0 && $4 != "null" && (off > $5) != ($6 == "false")) value = sprintf("%.4f", $4)
                 spread = $4 == "null" ? sprintf("%.1g", $7) : sprintf("%.3f", $8)
                 value = $7 + 0 == 0 ? value : value " ± " spread
                 print $1 "|" $2 "|" ($6 == "true" ? value : "**" value "**") "|" bound
