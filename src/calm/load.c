@@ -15,7 +15,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
-#include "world/air.h"
+#include "world/air/air.h"
 #include "world/fluids.h"
 #include "world/world_internal.h"
 

@@ -19,9 +19,9 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "calm/regions.h"
-#include "world/air.h"
+#include "world/air/air.h"
 #include "world/liquids.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 #include <string.h>
@@ -141,10 +141,8 @@ static skv_result take_round(const settling *s, bool last, bool again, skv_error
         p->vx[i] = s->kept * p->vx[i] + weighs * (x - slope * y);
         p->vy[i] = s->kept * p->vy[i] + weighs * (y + slope * x);
     }
-    if (skv_world_is_springy(world))
-        skv_springs_hold(world, s->constants.dt);
-    if (world->air)
-        skv_air_hold(world, s->constants.dt);
+    skv_springs_hold(world, s->constants.dt);
+    skv_air_hold(world, s->constants.dt);
     skv_external_force forces[SKV_SOLVER_MOST_FORCES];
     skv_solver_step step = skv_world_describe_step(world, &s->constants, forces);
     step.gravity_x = step.gravity_y = 0;
@@ -340,7 +338,7 @@ skv_result skv_world_settle_drawn(skv_world *world, skv_inside *inside, void *us
     skv_result result = skv_world_find_lies(world, &(skv_drawing){inside, user}, &s.lies, error);
     world->busy = SKV_IDLE;
     /* What has springs keeps the shape in which it was put down. */
-    if (result == SKV_OK && skv_world_is_springy(world))
+    if (result == SKV_OK)
         result = skv_springs_prepare(world, error);
     if (!numbers) {
         result = skv_fail(error, SKV_ERROR_MEMORY, "out of memory for settling");

@@ -23,8 +23,8 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
-#include "world/air.h"
-#include "world/bodies.h"
+#include "world/air/air.h"
+#include "world/bodies/bodies.h"
 #include "world/emitters.h"
 #include "world/world_internal.h"
 

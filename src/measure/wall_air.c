@@ -1,14 +1,14 @@
 /* What air does to walls: the part of a force meter that the fluid's substep does not tell.
  *
  * Each straight piece of wall in the box bears the push of the air before it, as bodies do
- * (world/air.c). Where all pressures are lifted (world/air_lift.c), the fluid's push on walls and
- * the air's are by as much too high, so every piece of wall loses the lift again. Invariant:
+ * (world/air/air.c). Where all pressures are lifted (world/air/lift.c), the fluid's push on walls
+ * and the air's are by as much too high, so every piece of wall loses the lift again. Invariant:
  * without air nothing is added.
  */
 #include "measure/wall_force.h"
 #include "terrain/sample.h"
 #include "terrain/terrain.h"
-#include "world/air.h"
+#include "world/air/air.h"
 
 #include <math.h>
 

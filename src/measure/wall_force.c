@@ -12,8 +12,8 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "base/memory.h"
-#include "world/air.h"
-#include "world/springs.h"
+#include "world/air/air.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 #include <string.h>

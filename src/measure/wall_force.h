@@ -4,7 +4,7 @@
 
 #include "skvalp/measure.h"
 #include "solver/solver.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 /* On the walls inside a box. */
 typedef struct skv_wall_force {

@@ -6,8 +6,8 @@
 #include "base/memory.h"
 #include "scene/painted_bodies.h"
 #include "scene/shapes.h"
-#include "world/bodies.h"
-#include "world/body_shape.h"
+#include "world/bodies/bodies.h"
+#include "world/bodies/shape.h"
 
 #include <string.h>
 

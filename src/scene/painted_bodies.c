@@ -13,7 +13,7 @@
 
 #include "base/memory.h"
 #include "scene/notes.h"
-#include "world/body_shape.h"
+#include "world/bodies/shape.h"
 
 /* Pixels: a slanting border's corners lie within one of each other's line. */
 #define TOLERANCE 1.0

@@ -3,7 +3,7 @@
 #include "session/command.h"
 
 #include "base/exact.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include <math.h>
 

@@ -63,7 +63,7 @@ typedef struct skv_part_of_walls {
 } skv_part_of_walls;
 
 /* A gap so narrow between a body and a wall is a film, which bears the pressure at its ends
- * (world/body_film.c): from 2.4 spacings downwards, and wholly from 1.8 on. Between two walls by
+ * (world/bodies/film.c): from 2.4 spacings downwards, and wholly from 1.8 on. Between two walls by
  * images no particle comes into less; where the film bore less, a light body came off the floor by
  * so much and stayed there (docs/notebook/2026-11-27-bodies.md). */
 static inline float skv_film_reach(float spacing)

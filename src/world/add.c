@@ -6,7 +6,7 @@
 #include "world/add.h"
 
 #include "base/assert.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include <math.h>
 

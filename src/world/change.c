@@ -4,7 +4,7 @@
  */
 #include "base/assert.h"
 #include "base/fields.h"
-#include "world/air.h"
+#include "world/air/air.h"
 #include "world/emitters.h"
 #include "world/fluids.h"
 #include "world/forces.h"

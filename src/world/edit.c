@@ -9,7 +9,7 @@
 #include "terrain/sample.h"
 #include "world/area.h"
 #include "world/remove.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 

@@ -11,7 +11,7 @@
 #include "terrain/terrain.h"
 #include "world/add.h"
 #include "world/area.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 #include "world/dye.h"
 #include "world/liquids.h"
 

@@ -6,7 +6,7 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "world/liquids.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 #include "world/world_internal.h"
 
 #include <string.h>

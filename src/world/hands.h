@@ -8,7 +8,7 @@ skv_result skv_check_hands(const skv_hand *hands, int count, skv_error *error);
 skv_external_force skv_hand_force(const skv_hand *hand, float dt);
 /* Writes or reads all of them but what they hold, which is apart: few hold anything. */
 skv_result skv_exchange_hands(skv_port *port, skv_acting *acting, skv_error *error);
-/* body_grip.c: whether they hold any; what they hold. */
+/* bodies/grip.c: whether they hold any; what they hold. */
 bool skv_hands_hold_bodies(const skv_acting *acting);
 skv_result skv_exchange_holds(skv_port *port, skv_acting *acting, skv_error *error);
 /* Of one hand. */

@@ -6,7 +6,7 @@
 #include "base/exact.h"
 #include "base/fields.h"
 #include "base/plain.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 #include "world/world_internal.h"
 
 #include <string.h>

@@ -3,9 +3,9 @@
 #include "base/assert.h"
 #include "base/exact.h"
 #include "solver/rows/rows.h"
-#include "world/air.h"
-#include "world/bodies.h"
-#include "world/springs.h"
+#include "world/air/air.h"
+#include "world/bodies/bodies.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 #include <string.h>

@@ -8,7 +8,7 @@
 
 #include "base/assert.h"
 #include "world/area.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 /* True for a particle that has left through an open side: by more than h, or round the corner,
  * where it would meet a closed side from behind. */

@@ -4,13 +4,13 @@
 #include "base/defs.h"
 #include "base/memory.h"
 #include "terrain/terrain.h"
-#include "world/air.h"
-#include "world/bodies.h"
+#include "world/air/air.h"
+#include "world/bodies/bodies.h"
 #include "world/fluids.h"
 #include "world/liquids.h"
 #include "world/parameters.h"
 #include "world/snapshot.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 /* What a world was built around. The rest can change while it runs, and comes with the snapshot. */
 static const skv_parameter fixed[] = {SKV_P_SOLVER,

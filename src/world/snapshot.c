@@ -8,13 +8,13 @@
 #include "base/assert.h"
 #include "base/envelope.h"
 #include "terrain/terrain.h"
-#include "world/air.h"
-#include "world/bodies.h"
+#include "world/air/air.h"
+#include "world/bodies/bodies.h"
 #include "world/hands.h"
 #include "world/liquids.h"
 #include "world/names.h"
 #include "world/parameters.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,14 +2,14 @@
  * How a substep moves the fluid is in src/solver/reference/reference.c. */
 #include "base/assert.h"
 #include "base/fields.h"
-#include "world/air.h"
-#include "world/bodies.h"
+#include "world/air/air.h"
+#include "world/bodies/bodies.h"
 #include "world/emitters.h"
 #include "world/flow.h"
 #include "world/fluids.h"
 #include "world/liquids.h"
 #include "world/remove.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 #include <string.h>
@@ -57,48 +57,48 @@ skv_solver_step skv_world_describe_step(const skv_world *world, const skv_consta
     return step;
 }
 
-/* Takes some substeps, `time` seconds in all; what sleeps stays. `ungauged`: others follow before
- * anybody asks for pressures, unless films between bodies and walls do. */
-static skv_result take_substeps(skv_world *world, int substeps, float time, bool ungauged,
-                                skv_error *error)
+/* What moves of the fluid: springs and air change velocities, the solver does all else. */
+static void move_fluid(skv_world *world, const skv_solver_step *step)
 {
-    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
-    skv_solver_step step = skv_world_describe_step(world, &world->constants, forces);
-    const skv_solver_type *solver = world->solver->type;
-    step.substeps = substeps;
-    skv_result result = solver->reserve(world->solver, &step, error);
-    if (result != SKV_OK)
-        return result;
-    bool bodies = skv_world_has_bodies(world) > 0, springs = skv_world_is_springy(world);
-    if (springs)
-        result = skv_springs_prepare(world, error);
-    if (result != SKV_OK)
-        return result;
-    if (bodies)
-        skv_bodies_move(world, (double)world->constants.dt);
-    step.ungauged = ungauged = ungauged && !(bodies && skv_bodies_may_have_films(world));
-    bool partial, moves = skv_sleep_plan(world, time, &partial) > 0;
-    step.particles.part = partial ? world->state.part : NULL;
-    step.solid_given = bodies ? world->bodies->given : NULL;
-    if (moves && springs)
-        skv_springs_push(world, world->constants.dt, partial);
-    if (moves && world->air)
-        skv_air_push(world, world->constants.dt, partial);
-    skv_impulse given = moves ? solver->advance(world->solver, &step) : (skv_impulse){0};
-    if (moves && world->air && !ungauged)
+    const bool partial = step->particles.part != NULL;
+    skv_springs_push(world, world->constants.dt, partial);
+    skv_air_push(world, world->constants.dt, partial);
+    skv_impulse given = world->solver->type->advance(world->solver, step);
+    if (!step->ungauged)
         skv_air_gauge(world, partial);
-    if (bodies)
-        skv_bodies_feel(world, (double)world->constants.dt);
-    if (!moves)
-        return SKV_OK;
     double s = (double)world->fluid.spacing, mass = (double)world->fluid.density * s * s;
     double scale = mass / (double)world->constants.dt;
     world->wall_impulse.x += scale * given.x;
     world->wall_impulse.y += scale * given.y;
     world->wall_impulse.moment += scale * given.moment;
-    if (skv_pool_is_stopped(world->pool))
+}
+
+/* Takes some substeps, `time` seconds in all; what sleeps stays. `ungauged`: others follow before
+ * anybody asks for pressures, unless films between bodies and walls do. */
+static skv_result take_substeps(skv_world *world, int substeps, float time, bool ungauged,
+                                skv_error *error)
+{
+    const double dt = (double)world->constants.dt;
+    skv_external_force forces[SKV_SOLVER_MOST_FORCES];
+    skv_solver_step step = skv_world_describe_step(world, &world->constants, forces);
+    step.substeps = substeps;
+    skv_result result = world->solver->type->reserve(world->solver, &step, error);
+    if (result == SKV_OK)
+        result = skv_springs_prepare(world, error);
+    if (result != SKV_OK)
+        return result;
+    skv_bodies_move(world, dt);
+    step.ungauged = ungauged && !skv_bodies_may_have_films(world);
+    step.solid_given = skv_world_has_bodies(world) ? world->bodies->given : NULL;
+    bool partial, moves = skv_sleep_plan(world, time, &partial) > 0;
+    step.particles.part = partial ? world->state.part : NULL;
+    if (moves)
+        move_fluid(world, &step);
+    skv_bodies_feel(world, dt);
+    if (moves && skv_pool_is_stopped(world->pool))
         return skv_fail(error, SKV_STOPPED, "the step was stopped");
-    skv_sleep_watch(world, time);
+    if (moves)
+        skv_sleep_watch(world, time);
     return SKV_OK;
 }
 

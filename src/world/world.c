@@ -5,11 +5,11 @@
 #include "base/exact.h"
 #include "base/memory.h"
 #include "skvalp/frame.h"
-#include "world/air.h"
-#include "world/bodies.h"
+#include "world/air/air.h"
+#include "world/bodies/bodies.h"
 #include "world/fluids.h"
 #include "world/parameters.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 #include "world/world_internal.h"
 
 skv_result skv_world_reserve(skv_world *world, int count, skv_error *error)

@@ -67,9 +67,9 @@ struct skv_world {
     skv_load load;
     skv_tile_load *tile_loads; /* load.c */
     skv_solver *solver;
-    struct skv_bodies *bodies;     /* world/bodies.h; null: there have been none */
-    struct skv_springs *springs;   /* world/springs.h; null: there have been none */
-    struct skv_air *air;           /* world/air.h; null: none pushes */
+    struct skv_bodies *bodies;     /* world/bodies/bodies.h; null: there have been none */
+    struct skv_springs *springs;   /* world/springs/springs.h; null: there have been none */
+    struct skv_air *air;           /* world/air/air.h; null: none pushes */
     skv_wall_impulse wall_impulse; /* of the last step */
     skv_constants constants;
     float constants_dt, constants_stiffness; /* what they were made for */

@@ -3,7 +3,7 @@
  */
 #include "measure/wall_force.h"
 #include "world/jelly.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -4,7 +4,7 @@
  */
 #include "base/more.h"
 #include "measure/wall_force.h"
-#include "world/air.h"
+#include "world/air/air.h"
 
 skv_result skv_world_set_air(skv_world *world, float pressure, skv_error *error)
 {

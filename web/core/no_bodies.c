@@ -7,7 +7,7 @@
 #include "render/bodies.h"
 #include "scene/bodies.h"
 #include "solver/rows/solids.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 #include "world/hands.h"
 
 static bool wanted;

@@ -3,8 +3,8 @@
  * shear modulus, so no world here gets springs, and what one with springs asks is never asked.
  */
 #include "base/more.h"
-#include "world/bodies.h"
-#include "world/springs.h"
+#include "world/bodies/bodies.h"
+#include "world/springs/springs.h"
 
 const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong)
 {

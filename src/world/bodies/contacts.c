@@ -8,7 +8,7 @@
  */
 #include "base/exact.h"
 #include "terrain/sample.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include <math.h>
 #include <string.h>

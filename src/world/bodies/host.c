@@ -1,6 +1,6 @@
 /* What a host does with bodies: adding, setting, looking, taking hold and away. Invariant: nothing
  * changes on failure; where a body is put no particle is left inside it. */
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include "base/assert.h"
 #include "base/defs.h"

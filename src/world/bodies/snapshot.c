@@ -1,6 +1,6 @@
 /* Bodies in snapshots (docs/snapshot.md). Invariant: what has been let through may be a world's,
  * and a world that goes on with it gives the same bits: whatever else it needs follows from it. */
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include "base/exact.h"
 #include "base/memory.h"

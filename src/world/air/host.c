@@ -1,6 +1,6 @@
 /* What a host does with air, and air in snapshots. Invariant: nothing changes on failure, and a
  * warm step finds all the memory that it needs. */
-#include "world/air.h"
+#include "world/air/air.h"
 
 #include "base/arrays.h"
 #include "base/assert.h"

@@ -6,7 +6,7 @@
  *
  * Invariant: what comes of it depends on no order of looking, but for the numbers of the pieces.
  */
-#include "world/air.h"
+#include "world/air/air.h"
 
 #include <string.h>
 

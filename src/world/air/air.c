@@ -1,7 +1,7 @@
 /* Air that pushes: which pieces of it there are, what each holds, and what they do to the fluid.
  *
- * Before each substep the particles' areas are put into a grid (air_grid.c). What is left of the
- * room of cells is air. Cells that are more than half air hang together in pieces (air_pieces.c),
+ * Before each substep the particles' areas are put into a grid (air/grid.c). What is left of the
+ * room of cells is air. Cells that are more than half air hang together in pieces (air/pieces.c),
  * which are followed from substep to substep by the volume that they share: so what a piece holds
  * is shared out when it parts, added up when pieces meet, and gone when they meet the atmosphere.
  *
@@ -12,10 +12,10 @@
  * Invariant: all sums run over particles and cells in their order, on one thread. Where a world has
  * no air, none of this is asked.
  */
-#include "world/air.h"
+#include "world/air/air.h"
 
 #include "base/exact.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include <math.h>
 #include <string.h>
@@ -344,6 +344,8 @@ static void find_air(const skv_world *world, skv_air *air, float dt, bool at_onc
 
 void skv_air_push(skv_world *world, float dt, bool partial)
 {
+    if (!world->air)
+        return;
     find_air(world, world->air, dt, false);
     push_fluid(world, world->air, dt, partial);
     if (world->bodies)
@@ -352,6 +354,8 @@ void skv_air_push(skv_world *world, float dt, bool partial)
 
 void skv_air_hold(skv_world *world, float dt)
 {
+    if (!world->air)
+        return;
     find_air(world, world->air, dt, true);
     push_fluid(world, world->air, dt, false);
 }
@@ -360,7 +364,7 @@ void skv_air_gauge(skv_world *world, bool partial)
 {
     const skv_air *air = world->air;
     skv_state *s = &world->state;
-    for (int i = 0; air->lift != 0 && i < s->count; i++) {
+    for (int i = 0; air && air->lift != 0 && i < s->count; i++) {
         if (partial && s->part[i] != SKV_MOVES)
             continue;
         int c = skv_air_cell_at(air, s->x[i], s->y[i]);

@@ -9,7 +9,7 @@
  * thread; so the same springs give the same bits on any number of threads, and what the two ends of
  * a spring get is opposite.
  */
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 #include "base/arrays.h"
 #include "base/memory.h"
@@ -264,7 +264,7 @@ static void add_pushes(const skv_world *world, bool partial)
 void skv_springs_push(skv_world *world, float dt, bool partial)
 {
     skv_springs *s = world->springs;
-    if (s->count == 0)
+    if (!skv_world_is_springy(world) || s->count == 0)
         return;
     pushing p = make_pushing(world, dt, &s->pushed);
     p.length = s->length;
@@ -276,7 +276,7 @@ void skv_springs_push(skv_world *world, float dt, bool partial)
 
 void skv_springs_hold(const skv_world *world, float dt)
 {
-    if (world->springs->count == 0)
+    if (!skv_world_is_springy(world) || world->springs->count == 0)
         return;
     tell(world, dt, &world->springs->pushed);
     add_pushes(world, false);

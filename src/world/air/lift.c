@@ -12,7 +12,7 @@
  *
  * Invariant: the lift changes slowly, or what it compresses would swing.
  */
-#include "world/air.h"
+#include "world/air/air.h"
 
 #include "base/exact.h"
 

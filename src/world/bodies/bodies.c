@@ -3,7 +3,7 @@
  * In a substep the bodies move first, as fast as they are. Then the solver moves the fluid, which
  * meets them as walls that have come from where they were (terrain/solids.h), and tells what they
  * gave it. That, gravity, and contacts with walls and with each other change their velocities, and
- * those of the fluid that lies on them (body_layer.c). So a body at rest has no velocity between
+ * those of the fluid that lies on them (bodies/layer.c). So a body at rest has no velocity between
  * substeps. Once a frame would be too seldom: what is lighter than the water that it moves would
  * swing ever more.
  *
@@ -11,7 +11,7 @@
  * orders or in fixed point; so threads change nothing. Where a world has no bodies, none of this is
  * asked.
  */
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include "base/exact.h"
 #include "base/memory.h"
@@ -204,6 +204,8 @@ static skv_motion move(skv_rigid *r, double dt)
 void skv_bodies_move(skv_world *world, double dt)
 {
     skv_bodies *b = world->bodies;
+    if (!skv_world_has_bodies(world))
+        return;
     skv_bodies_take_hold(world);
     if (b->set)
         skv_bodies_solve_contacts(world, dt);
@@ -230,6 +232,8 @@ void skv_bodies_move(skv_world *world, double dt)
 void skv_bodies_feel(skv_world *world, double dt)
 {
     skv_bodies *b = world->bodies;
+    if (!skv_world_has_bodies(world))
+        return;
     double s = (double)world->fluid.spacing;
     double scale = -(double)world->fluid.density * s * s / dt;
     skv_motion before[SKV_MAX_BODIES];

@@ -66,11 +66,12 @@ typedef struct skv_air {
     bool begun;
     uint16_t *before;              /* labels, of the last substep */
     double amount[SKV_AIR_LABELS]; /* and what the pockets with them held */
-    double lift, wanted_lift;      /* air_lift.c, Pa m */
+    double lift, wanted_lift;      /* air/lift.c, Pa m */
     void *block;
 } skv_air;
 
-/* Before a substep of `dt`: air pushes the fluid, where `partial` that which moves, and bodies. */
+/* A substep of `dt`: air pushes the fluid, where `partial` that which moves, and bodies. Without
+ * air nothing. */
 void skv_air_push(skv_world *world, float dt, bool partial);
 /* The same of the fluid while no time passes. */
 void skv_air_hold(skv_world *world, float dt);
@@ -96,7 +97,7 @@ void skv_air_take_over(skv_world *world, skv_air *air);
 
 /* ---- Between its files ----------------------------------------------------------------------- */
 
-/* air_grid.c: sees to it that the grid knows the walls and the bodies. */
+/* air/grid.c: sees to it that the grid knows the walls and the bodies. */
 void skv_air_survey(const skv_world *world, skv_air *air);
 /* Adds the shares of an amount at (x, y) to the nine cells around; nothing where walls leave no
  * middle of a cell in sight. */
@@ -143,11 +144,11 @@ float skv_air_part(float share);
 bool skv_air_is_pocket(const skv_air *air, const skv_piece *piece);
 double skv_air_pressure_of(const skv_air *air, const skv_piece *piece);
 
-/* air_pieces.c: labels the cells of all pieces by the shares, from the top of the grid: first where
+/* air/pieces.c: labels the cells of all pieces by the shares, from the top of the grid: first where
  * there is more air than not, then what belongs to their edges. */
 void skv_air_find_pieces(skv_air *air);
 
-/* air_lift.c: by how much all pressures have to be lifted so that none is below 0, `dt` after the
+/* air/lift.c: by how much all pressures have to be lifted so that none is below 0, `dt` after the
  * last time; 0: there was none. */
 void skv_air_find_lift(const skv_world *world, skv_air *air, double dt);
 

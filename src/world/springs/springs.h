@@ -50,8 +50,8 @@ const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wr
 /* How many substeps a frame the stiffest springs of the world's fluids need; 0 without any. */
 int skv_springs_rule(const skv_world *world);
 
-/* spring_pairs.c. Before a substep of a springy world: makes the springs that are due, and all the
- * room that it takes. On failure no spring has changed. */
+/* springs/pairs.c. Before a substep: makes the springs that are due, if a fluid has some, and all
+ * the room that it takes. On failure no spring has changed. */
 skv_result skv_springs_prepare(skv_world *world, skv_error *error);
 
 /* Lets the springs change the velocities of particles that move, for a substep of `dt`; those that

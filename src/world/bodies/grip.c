@@ -3,7 +3,7 @@
  * A spring without swing draws the point to the hand and gives it the hand's velocity, with as much
  * mass as moves there: of the body, the lever counted, and of the fluid that has to make way, taken
  * as what the body displaces, of the fluid that lies on it; the layer that moves with the body
- * anyway (body_layer.c) is a part of that. It is taken at the substep's end, so it is stable
+ * anyway (bodies/layer.c) is a part of that. It is taken at the substep's end, so it is stable
  * whatever its frequency, and two hands at one body take their turns. Contacts come after it and
  * undo what leads into a wall. What is longer than the spring that the hand's strength stretches
  * pulls no more, so against the hand a body is never faster than half of that length times the
@@ -20,7 +20,7 @@
  * has.
  */
 #include "base/exact.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 #include "world/hands.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
  * nothing has changed until all the room that it takes is there.
  */
 #include "base/memory.h"
-#include "world/springs.h"
+#include "world/springs/springs.h"
 
 #include <math.h>
 #include <string.h>
@@ -173,6 +173,8 @@ static skv_result find(skv_world *world, skv_error *error)
 skv_result skv_springs_prepare(skv_world *world, skv_error *error)
 {
     int count = world->state.count;
+    if (!skv_world_is_springy(world))
+        return SKV_OK;
     if (!world->springs)
         world->springs = skv_calloc(1, sizeof *world->springs);
     skv_springs *s = world->springs;

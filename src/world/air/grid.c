@@ -9,11 +9,11 @@
  *
  * Invariant: all of it follows from the terrain, the bodies' poses and the spacing.
  */
-#include "world/air.h"
+#include "world/air/air.h"
 
 #include "base/exact.h"
 #include "terrain/sample.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include <math.h>
 #include <string.h>

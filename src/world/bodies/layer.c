@@ -12,7 +12,7 @@
  */
 #include "base/exact.h"
 #include "solver/wall_image.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 /* Spacings from a body's side: the layer thins out from the first row of particles, which lies half
  * a spacing away, to the second. */

@@ -8,7 +8,7 @@
  * Invariant: a pinned body's place and velocity follow from its pin, its angle and its spin.
  */
 #include "base/exact.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 static void hang(skv_rigid *r)
 {

@@ -5,7 +5,7 @@
 #include "base/bytes.h"
 #include "skvalp/bodies.h"
 #include "terrain/solids.h"
-#include "world/body_shape.h"
+#include "world/bodies/shape.h"
 
 /* How a body's velocity and spin change by an impulse and its moment about the centre of mass:
  * symmetric, of x, y and the turn; 1/kg, 1/(kg m) and so on, for a metre of depth. */
@@ -38,7 +38,7 @@ typedef struct skv_rigid {
     float density, friction, restitution;
     float motor_speed, motor_torque;
     bool fixed, pinned;
-    bool held;          /* by a hand, and fixed: see body_grip.c */
+    bool held;          /* by a hand, and fixed: see bodies/grip.c */
     bool hosted;        /* a host's engine moves it, and lets it meet walls and others of its own */
     skv_motion led;     /* by how much its host has changed its pose, m, m and rad ... */
     skv_motion spurred; /* ... and its velocity since the last substep */
@@ -60,7 +60,7 @@ typedef struct skv_body_face {
 /* More are passed over. */
 enum { SKV_MOST_FACES = 1024 };
 
-/* A contact of body a, made for a substep; see body_contacts.c. */
+/* A contact of body a, made for a substep; see bodies/contacts.c. */
 typedef struct skv_body_contact {
     skv_rigid *a, *b; /* b null: the terrain */
     double x, y;      /* where, against a's centre of mass and b's */
@@ -99,12 +99,12 @@ static inline int skv_world_has_bodies(const skv_world *world)
 }
 
 /* A substep of `dt`: bodies move before the solver does, which is to tell what they gave; then they
- * feel it, and gravity, and each other. */
+ * feel it, and gravity, and each other. Without bodies nothing. */
 void skv_bodies_begin_step(skv_world *world);
 void skv_bodies_move(skv_world *world, double dt);
 void skv_bodies_feel(skv_world *world, double dt);
 
-/* body_layer.c: between these two bodies are as hard to move as they are with the fluid that lies
+/* bodies/layer.c: between these two bodies are as hard to move as they are with the fluid that lies
  * on them, which in the end gets its part of what has changed their velocities. */
 void skv_bodies_join_layers(skv_world *world, skv_motion before[SKV_MAX_BODIES]);
 void skv_bodies_part_from_layers(skv_world *world, const skv_motion before[SKV_MAX_BODIES]);
@@ -197,7 +197,7 @@ float skv_body_distance(const skv_world *world, int index, float x, float y);
 /* Lower bound of a place's distance from all bodies, below 0 in one; INFINITY if there is none. */
 float skv_bodies_distance(const skv_world *world, float x, float y);
 
-/* body_pins.c: finds what follows from a body's shape, density, angle and pin: where a pinned one
+/* bodies/pins.c: finds what follows from a body's shape, density, angle and pin: where a pinned one
  * is, too; a body turns about that point from now on; it comes to another place, with its pin if it
  * has one; motors act for `dt`. */
 void skv_rigid_derive(skv_rigid *body);
@@ -213,25 +213,25 @@ void skv_bodies_destroy(skv_bodies *bodies);
 /* Gives a world another list, and frees its own. */
 void skv_bodies_take_over(skv_world *world, skv_bodies *bodies);
 
-/* body_snapshot.c: in a snapshot. Reading checks all of it; loading makes a list of what has been
+/* bodies/snapshot.c: in a snapshot. Reading checks all of it; loading makes a list of what has been
  * read, with the shapes that the world has already, for a world that is like the snapshot's. */
 void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies);
 skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error);
 skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
                            skv_error *error);
 
-/* body_film.c: whether films between bodies and walls may ask for pressures; these act on the
+/* bodies/film.c: whether films between bodies and walls may ask for pressures; these act on the
  * bodies for `dt`. */
 bool skv_bodies_may_have_films(const skv_world *world);
 void skv_bodies_press_films(const skv_world *world, double dt);
 
-/* body_grip.c: hands take hold and let go; they pull at what they hold for `dt`, and move on. */
+/* bodies/grip.c: hands take hold and let go; they pull at what they hold for `dt`, and move on. */
 void skv_bodies_take_hold(skv_world *world);
 void skv_bodies_follow_hands(skv_world *world, double dt);
 /* A fixed body is moved as if it were of steel, at least, kg/m^2. */
 #define SKV_STEEL 7850.0f
 
-/* body_contacts.c: lets no body move into the terrain or another in the next `dt`. */
+/* bodies/contacts.c: lets no body move into the terrain or another in the next `dt`. */
 void skv_bodies_solve_contacts(skv_world *world, double dt);
 
 #endif

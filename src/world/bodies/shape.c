@@ -1,11 +1,11 @@
 /* From an area to a body's shape. Circles and their ways become polygons of the same area, so that
  * whatever asks for a shape (mass, walls, contacts, pictures) asks the same one. Invariant:
  * outlines run counter-clockwise about their centre of mass. */
-#include "world/body_shape.h"
+#include "world/bodies/shape.h"
 
 #include "base/exact.h"
 #include "base/memory.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include <math.h>
 #include <string.h>

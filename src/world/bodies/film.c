@@ -11,7 +11,7 @@
  */
 #include "base/exact.h"
 #include "terrain/sample.h"
-#include "world/bodies.h"
+#include "world/bodies/bodies.h"
 
 #include <math.h>
 
@@ -154,7 +154,7 @@ static void press(const skv_world *world, skv_rigid *r, const rim *all, double d
 bool skv_bodies_may_have_films(const skv_world *world)
 {
     bool may = false;
-    for (int k = 0; k < world->bodies->count; k++)
+    for (int k = 0; k < skv_world_has_bodies(world); k++)
         may = may || may_have_film(world, &world->bodies->body[k]);
     return may;
 }
