@@ -161,8 +161,8 @@ class Amalgamation:
         for needed in includes(path):
             self.header(needed)
         text = self.without_own_includes(path, path.read_text())
-        stem = path.stem
-        text = rename(text, file_local_names(text) & clashing, lambda name: f"{stem}_{name}",
+        place = f"{path.parent.name}_{path.stem}"
+        text = rename(text, file_local_names(text) & clashing, lambda name: f"{place}_{name}",
                       {tag for header in includes(path)
                        for tag in re.findall(r"\bstruct (\w+)", header.read_text())})
         macros = re.findall(r"^#[ \t]*define[ \t]+(\w+)", text, re.M)

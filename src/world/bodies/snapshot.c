@@ -57,21 +57,24 @@ static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
     skv_exchange_float(port, &r->motor_torque);
 }
 
-static void exchange_head(skv_port *port, skv_bodies *b)
+/* What is said before the bodies: the next name, whether somebody has set one, and how many. */
+typedef struct head {
+    uint64_t next_id, set;
+    int count;
+} head;
+
+static void exchange_head(skv_port *port, head *h)
 {
-    uint64_t next = b->next_id, set = b->set;
-    skv_exchange(port, &next, 4);
-    skv_exchange(port, &set, 1);
-    skv_exchange_count(port, &b->count, SKV_MAX_BODIES);
-    b->next_id = (skv_body_id)next;
-    b->set = set != 0;
+    skv_exchange(port, &h->next_id, 4);
+    skv_exchange(port, &h->set, 1);
+    skv_exchange_count(port, &h->count, SKV_MAX_BODIES);
 }
 
 void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies)
 {
     skv_port port = {.to = writer};
     skv_bodies *b = (skv_bodies *)bodies; /* only read */
-    exchange_head(&port, b);
+    exchange_head(&port, &(head){b->next_id, b->set, b->count});
     for (int k = 0; k < b->count; k++)
         exchange_body(&port, &b->body[k], &b->body[k].shape->outline);
 }
@@ -94,16 +97,16 @@ static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
 skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
 {
     skv_port port = {.from = reader};
-    skv_bodies head = {0};
-    exchange_head(&port, &head);
+    head h = {0};
+    exchange_head(&port, &h);
     skv_body_id before = 0;
-    for (int k = 0; k < head.count; k++) {
+    for (int k = 0; k < h.count; k++) {
         skv_rigid r = {0};
         skv_outline outline = {0};
         exchange_body(&port, &r, &outline);
         skv_outline_measure(&outline);
         if (reader->failed || !is_sane(&r, &outline, spacing) || r.id <= before ||
-            r.id >= head.next_id)
+            r.id >= h.next_id)
             return skv_fail(error, SKV_ERROR_VALUE,
                             "snapshot: a body has values that none can have");
         before = r.id;
@@ -131,14 +134,15 @@ skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies
                            skv_error *error)
 {
     skv_port port = {.from = &reader};
-    skv_bodies head = {0}, *b = skv_bodies_create();
+    head h = {0};
+    skv_bodies *b = skv_bodies_create();
     *bodies = NULL;
     if (!b)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for bodies");
-    exchange_head(&port, &head);
-    b->next_id = head.next_id;
-    b->set = head.set;
-    for (int k = 0; k < head.count; k++) {
+    exchange_head(&port, &h);
+    b->next_id = (skv_body_id)h.next_id;
+    b->set = h.set != 0;
+    for (int k = 0; k < h.count; k++) {
         skv_rigid *r = &b->body[k];
         skv_outline outline = {0};
         exchange_body(&port, r, &outline);
