@@ -27,7 +27,7 @@ Usage: ./test.sh            install what is missing, build, run every test; then
            sanitized  the second build alone
        ./test.sh --help     this text
 
-Each label takes less than two minutes on two processors, the whole about six. Every half minute a
+Each label takes less than two minutes on two processors, the whole about seven. Every half minute a
 line says how far it has come; in the end lines say what each label took, which ten tests took longest,
 and how much processor time all of it took. The last line is "N passed, N failed" or "N passed, N failed, N skipped",
 where one test is one program or script under tests/ in one of the builds; the exit status is 0 if
