@@ -100,3 +100,14 @@ double roll(dice *d)
     d->state = d->state * 6364136223846793005u + 1442695040888963407u;
     return (double)(d->state >> 11) / 9007199254740992.0;
 }
+
+skv_wall_map *make_image_map(const skv_terrain *terrain, float radius)
+{
+    skv_wall_map *map;
+    assert_int_equal(
+        skv_wall_map_create(terrain, radius, radius / 3, SKV_KERNEL_SMOOTH, NULL, &map, NULL),
+        SKV_OK);
+    assert_int_equal(skv_wall_map_shade(map, terrain, NULL, NULL), SKV_OK);
+    assert_int_equal(skv_wall_map_add_images(map, terrain, NULL, NULL), SKV_OK);
+    return map;
+}

@@ -3,6 +3,7 @@
 #define SKV_TESTS_TERRAIN_SHAPES_H
 
 #include "skvalp/terrain.h"
+#include "terrain/wall_map.h"
 
 /* A shape by its signed distance in pixels, > 0 in air. */
 typedef struct shape {
@@ -29,6 +30,9 @@ void paint_shape(const shape *shape, int width, int height, bool grey, uint8_t *
 /* Makes a terrain of the picture, which must succeed. */
 skv_terrain *make_terrain(int width, int height, const uint8_t *coverage, float pixel_size,
                           unsigned open_sides);
+
+/* Its map with images, thin walls known; for a smoothing radius of three spacings. */
+skv_wall_map *make_image_map(const skv_terrain *terrain, float radius);
 
 /* A small random generator: the same numbers everywhere. */
 typedef struct dice {

@@ -16,17 +16,6 @@
 enum { SIDE = 120 };
 static const float pixel = 0.01f, h = 0.2f;
 
-static skv_wall_map *make_map(const skv_terrain *terrain, float radius)
-{
-    skv_wall_map *map;
-    assert_int_equal(
-        skv_wall_map_create(terrain, radius, radius / 3, SKV_KERNEL_SMOOTH, NULL, &map, NULL),
-        SKV_OK);
-    assert_int_equal(skv_wall_map_shade(map, terrain, NULL, NULL), SKV_OK);
-    assert_int_equal(skv_wall_map_add_images(map, terrain, NULL, NULL), SKV_OK);
-    return map;
-}
-
 static skv_boundary boundary_of(const skv_terrain *terrain, const skv_wall_map *map)
 {
     return (skv_boundary){.terrain = terrain, .walls = map, .unit = 1, .per_unit = 1};
@@ -45,7 +34,7 @@ static void check_flat_wall(double degrees)
     shape wall = wall_shape("wall", SIDE * 0.5 + 0.3, SIDE * 0.5 + 0.2, degrees);
     paint_shape(&wall, SIDE, SIDE, true, picture);
     skv_terrain *terrain = make_terrain(SIDE, SIDE, picture, pixel, 15);
-    skv_wall_map *map = make_map(terrain, h);
+    skv_wall_map *map = make_image_map(terrain, h);
     const double full = (double)map->kernel.full[SKV_WALL_R];
     double worst = 0, worst_gradient = 0, worst_rest = 0, worst_push = 0;
     for (double d = 0; d < 1.2; d += 0.05) {
@@ -112,7 +101,7 @@ static double fullness(const skv_boundary *b, double x, double y)
 static void check_fullness(const char *name, const skv_terrain *terrain, double x0, double y0,
                            double x1, double y1, double most, double most_rms)
 {
-    skv_wall_map *map = make_map(terrain, h);
+    skv_wall_map *map = make_image_map(terrain, h);
     const skv_boundary b = boundary_of(terrain, map);
     double worst = 0, squares = 0, largest = 0;
     int count = 0;
@@ -164,7 +153,7 @@ static void pushes_are_gradients(void **state)
 {
     (void)state;
     skv_terrain *tank = tank_with_box(0, 0, 0, 0);
-    skv_wall_map *map = make_map(tank, h);
+    skv_wall_map *map = make_image_map(tank, h);
     const float cell = h / SKV_WALL_REACH;
     double worst = 0, largest = 0, squares = 0;
     int count = 0;
@@ -249,7 +238,7 @@ static void paint_and_compare(float radius, unsigned open_sides, skv_pool *pool,
 {
     dice d = {seed};
     skv_terrain *terrain = make_terrain(2 * SIDE, SIDE, NULL, pixel, open_sides);
-    skv_wall_map *map = make_map(terrain, radius);
+    skv_wall_map *map = make_image_map(terrain, radius);
     skv_brush_stroke stroke = {.x1 = 1, .y1 = 0.5f, .radius = pixel};
     bool thin = false;
     for (int i = 0; i < 30; i++) {
@@ -262,7 +251,7 @@ static void paint_and_compare(float radius, unsigned open_sides, skv_pool *pool,
         terrain = painted;
         if (i % 3 != 2)
             continue;
-        skv_wall_map *anew = make_map(painted, radius);
+        skv_wall_map *anew = make_image_map(painted, radius);
         expect_same(map, anew);
         skv_wall_map_destroy(anew);
     }
@@ -291,7 +280,7 @@ static void failures_change_nothing(void **state)
                                          {0.6f, 0.5f, 0.9f, 0.6f, 0.1f, false}};
     skv_terrain *tank = tank_with_box(0, 0, 0, 0), *painted;
     assert_int_equal(skv_terrain_paint(tank, strokes, 2, &painted, NULL), SKV_OK);
-    skv_wall_map *map, *before = make_map(tank, 0.1f), *after = make_map(painted, 0.1f);
+    skv_wall_map *map, *before = make_image_map(tank, 0.1f), *after = make_image_map(painted, 0.1f);
     assert_int_equal(skv_wall_map_create(tank, 0.1f, 0.1f / 3, SKV_KERNEL_SMOOTH, NULL, &map, NULL),
                      SKV_OK);
     assert_int_equal(skv_wall_map_shade(map, tank, NULL, NULL), SKV_OK);
@@ -329,7 +318,7 @@ static void boundaries_convert(void **state)
 {
     (void)state;
     skv_terrain *tank = tank_with_box(59, 0, 61, SIDE);
-    skv_wall_map *map = make_map(tank, h);
+    skv_wall_map *map = make_image_map(tank, h);
     const skv_boundary b = boundary_of(tank, map);
     const skv_boundary seen = skv_boundary_seen(&b, 0.5f, 2, true);
     skv_image_sample m, other;

@@ -74,17 +74,6 @@ static work walk_along(const skv_wall_map *map, const shape *wall, double along,
     return sum;
 }
 
-static skv_wall_map *make_map(const skv_terrain *terrain, float radius)
-{
-    skv_wall_map *map;
-    assert_int_equal(
-        skv_wall_map_create(terrain, radius, radius / 3, SKV_KERNEL_SMOOTH, NULL, &map, NULL),
-        SKV_OK);
-    assert_int_equal(skv_wall_map_shade(map, terrain, NULL, NULL), SKV_OK);
-    assert_int_equal(skv_wall_map_add_images(map, terrain, NULL, NULL), SKV_OK);
-    return map;
-}
-
 /* Walls of all slopes, at 6, 11 and 20 pixels in h. */
 static void slopes_do_no_work(void **state)
 {
@@ -97,7 +86,7 @@ static void slopes_do_no_work(void **state)
         paint_shape(&wall, SIDE, SIDE, true, picture);
         skv_terrain *terrain = make_terrain(SIDE, SIDE, picture, pixel, 15);
         for (int r = 0; r < 3; r++) {
-            skv_wall_map *map = make_map(terrain, radii[r]);
+            skv_wall_map *map = make_image_map(terrain, radii[r]);
             for (int i = 0; i < 12; i++)
                 keep_worst(&worst, walk_along(map, &wall, 0.137 * i - 1.3, NEAREST + 0.05 * (i % 5),
                                               0.9 + 0.07 * i));
@@ -145,7 +134,7 @@ static void check_circles(const char *name, skv_terrain *terrain)
     const float radii[] = {0.06f, 0.2f};
     work worst = {0, 0};
     for (int r = 0; r < 2; r++) {
-        skv_wall_map *map = make_map(terrain, radii[r]);
+        skv_wall_map *map = make_image_map(terrain, radii[r]);
         dice d = {7};
         for (int found = 0; found < CIRCLES;) {
             double side = SIDE * (double)pixel;
