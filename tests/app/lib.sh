@@ -55,12 +55,13 @@ await() {
 # is EXPRESSION: at this moment.
 is() { ask 0 "$1"; }
 
-# start_display WIDTHxHEIGHT: of a number of this process's own, so that tests may run side by side.
+# start_display WIDTHxHEIGHT: of a number of this process's own, so that tests may run side by side. A key that a
+# busy machine lets go late does not repeat.
 start_display() {
     local number=$((100 + $$ % 50000)) told
     export GDK_BACKEND=x11 LIBGL_ALWAYS_SOFTWARE=1
     mkfifo "$work/number"
-    Xvfb ":$number" -noreset -displayfd 3 -screen 0 "${1}x24" -nolisten tcp 3>"$work/number" >/dev/null 2>&1 &
+    Xvfb ":$number" -noreset -r -displayfd 3 -screen 0 "${1}x24" -nolisten tcp 3>"$work/number" >/dev/null 2>&1 &
     server=$!
     read -r -t 120 told <"$work/number" || told=''
     [[ $told == "$number" ]] || fail "Xvfb did not start on display $number"
@@ -103,14 +104,18 @@ repeat() {
 
 running() { kill -0 "$app" 2>/dev/null; }
 key() { xdotool key "$@"; }
-# Input goes to the app's window, or to the one that is over it. A window manager gives it to a new window,
-# too, sooner or later, which would close a menu: it is waited for until it says that it has.
-focus() {
+# gives_input XID: whether the server has given the window its input. It refuses one that does not show yet, as
+# one that a window manager is just taking in.
+gives_input() { xdotool windowfocus "$1" 2>/dev/null && [[ $(xdotool getwindowfocus -f) == "$1" ]]; }
+# focus: input goes to the app's window, or to the one that is over it, and the app and the window manager say
+# so, who gives it to a new window, too, sooner or later, which would close a menu.
+focus() { repeat has_focus || fail "the window on top gets no input: $answer"; }
+has_focus() {
+    local xid
     await 'windows[-1].xid'
-    local xid=$answer
-    xdotool windowfocus "$xid"
-    await 'windows[-1].focus'
-    [[ -z $manager ]] || repeat is_active "$xid" || fail "the window manager knows no active window"
+    xid=$answer
+    gives_input "$xid" && ask 2 "windows[-1].xid == $xid and windows[-1].focus" || return 1
+    [[ -z $manager ]] || is_active "$xid"
 }
 is_active() { [[ $(xprop -root _NET_ACTIVE_WINDOW) == *"# $(printf '0x%x' "$1")" ]]; }
 
@@ -120,6 +125,13 @@ start_app() {
     app=$!
     await 'worlds[0].opened and windows[0].frames'
     focus
+}
+
+# compare: a second world beside the first. Both start again, and what comes before they are where the first was
+# lies in their past.
+compare() {
+    key c
+    await 'len(worlds) == 2 and not seeking and moment == end and worlds[0].time == worlds[1].time'
 }
 
 # ended: waits for the app, which has to end well; and, unless loudly, to have said nothing bad.

@@ -69,7 +69,7 @@ save_readings() {
     press 'Save as CSV…'
     await 'dialog() == "Save the Readings"' # over the card, which keeps what the toolkit calls focus
     await 'windows[1].xid'
-    xdotool windowfocus --sync "$answer"
+    repeat gives_input "$answer"
     key ctrl+a
     xdotool type --delay 5 "$1"
     await "shows('$1', 'Text')"
@@ -89,17 +89,16 @@ save_readings /sys/kept.csv
 await 'message.startswith("kept.csv was not saved: ")'
 close_card() {
     await 'windows[0].xid'
-    xdotool windowfocus --sync "$answer"
+    repeat gives_input "$answer"
     key Escape
     await 'closed()'
     focus
 }
 close_card
 # Of two worlds: a table of three columns, though what theory says of B has a comma in its name.
-key c
-await 'len(worlds) == 2'
+compare
 key space s
-await paused
+await 'paused and not active'
 await '[one.text for one in windows[0].widgets if one.text.startswith("1  Pressure  A")][0]'
 press "$answer" Toggle
 await 'menus() == 1 and all(world.probes[0].samples > 0 for world in worlds)'
