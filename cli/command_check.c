@@ -29,7 +29,7 @@ int check_command(const cli_options *options, skv_error *error)
     skv_world *world = NULL;
     skv_result result = skv_scene_load(options->scene, &wanted, &scene, error);
     if (!result)
-        result = skv_scene_create_world(scene, 1, &world, error);
+        result = skv_scene_create_world(scene, options->threads, &world, error);
     if (!result && !options->quiet) {
         print_notices(scene);
         print_summary(scene, world);

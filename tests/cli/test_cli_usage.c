@@ -210,14 +210,15 @@ static void test_check(void **state)
 {
     for (int i = 0; skv_builtin_scene(i); i++) {
         const char *name = skv_builtin_scene(i)->name;
-        program_result result = SKVALP(*state, "check", name);
+        program_result result = SKVALP(*state, "check", name, "--threads", "1");
         assert_int_equal(result.status, 0);
         assert_int_equal(count_lines(result.out), 1);
         assert_memory_equal(result.out, name, strlen(name));
         assert_non_null(strstr(result.out, "particles"));
         program_free(&result);
     }
-    program_result result = SKVALP(*state, "check", "pool", "--particles", "400", "--quiet");
+    program_result result =
+        SKVALP(*state, "check", "pool", "--particles", "400", "--threads", "2", "--quiet");
     assert_int_equal(result.status, 0);
     assert_string_equal(result.out, "");
     program_free(&result);
