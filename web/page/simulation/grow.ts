@@ -11,7 +11,7 @@ const known = ['setView', 'setUnits', 'setTilt', 'setHidden'];
 
 /** For how long people are let wait until a game has been played again, ms. */
 const MOST_AGAIN = 4000;
-let loading: Promise<any> | undefined, grown = false;
+let loading: Promise<any> | undefined, grown = false, told = -1;
 
 interface From {
     library: Library & { end(): unknown };
@@ -22,30 +22,36 @@ interface From {
  * @param from which lacks them; `listener` is its own
  * @param asked what was last asked of its methods
  * @param foresees they are not wanted yet: what is open goes on from this moment
+ * @param before the tool that was chosen so far, which stays if people are to be told first what they would lose
  * @param load brings the larger module
  * @param make a simulation of it, which is asked from now on
  */
 export async function grow<Loaded extends From>(from: Simulator, { library, files }: Loaded, listener: Listener,
-    asked: Map<string, unknown[]>, foresees: boolean, load: () => Promise<Loaded>,
+    asked: Map<string, unknown[]>, foresees: boolean, before: number | undefined, load: () => Promise<Loaded>,
     make: (larger: Loaded, listener: Listener) => Simulator) {
     const { opening, worlds } = from.playing, { c } = library, { stage } = worlds;
     let reached: number | null = null, own = -1;
+    const whole = Number(worlds.first.moment) * worlds.first.step_ms <= MOST_AGAIN;
     /**
      * What is open, from its start. If it would be missed: with all that was done, which can be undone and shared
-     * then, or at this moment alone if it takes too long to play again or lies before its end.
+     * then, or at this moment alone if it takes too long to play again.
      */
     const again = async () => {
         if (!c.skv_control_would_be_missed(stage)) {
             return opening.current;
         }
-        const { moment, end, step_ms } = worlds.first;
-        const whole = moment === end && Number(end) * step_ms <= MOST_AGAIN;
         const path = whole ? 'kept.skvr' : 'kept';
         await from.playing.settled('save', () => (whole ? c.skv_stage_save : c.skv_stage_save_moment)(stage, path));
-        reached = whole ? Number(end) : null;
+        reached = whole ? Number(worlds.first.moment) : null;
         const bytes = files.get(path)!;
         return { source: { bytes, format: 'skvr' as const, label: 'kept', cautious: false }, settings: {} };
     };
+    if (foresees && !grown && told !== worlds.first.opened && !whole && c.skv_control_would_be_missed(stage)) {
+        told = worlds.first.opened;
+        from.setTool(before!);
+        listener.report({ kind: 'anew', error: null });
+        return;
+    }
     loading ??= load();
     try {
         const larger: Loaded = await loading;

@@ -177,9 +177,9 @@ export interface PointerMessage {
     side: Side;
 }
 
-/** What became of something that was asked for; as skv_outcome. */
+/** What became of something that was asked for, as skv_outcome; or 'anew': it was not done, for the game would begin anew. */
 export interface Report {
-    kind: 'open' | 'save' | 'share' | 'step' | 'edit';
+    kind: 'open' | 'save' | 'share' | 'step' | 'edit' | 'anew';
     /** One line; null: it was done. */
     error: string | null;
 }

@@ -69,7 +69,7 @@ export class Simulator implements Simulation {
     end() {
         this.#opened++;
         this.#pointers.cancel();
-        this.#surroundings.painter!.destroy();
+        this.#surroundings.painter?.destroy();
         return this.#playing.end();
     }
 
@@ -336,10 +336,10 @@ export class Simulator implements Simulation {
     }
 
     chooseTool(tool: number) {
-        const { c, instance } = this.#library;
+        const { c, instance } = this.#library, before = c.skv_stage_tool(this.#worlds.stage);
         this.#ask(c.skv_control_tool, tool);
         if (instance.exports.skv_wasm_wants_more && this.#library.view('skv_tool', c.skv_tool_info(tool)).drops) {
-            this.#surroundings.grow?.(true);
+            this.#surroundings.grow?.(true, before);
         }
     }
 

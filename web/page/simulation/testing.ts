@@ -5,7 +5,7 @@ import * as codecs from '../../src/codecs.js';
 import { Instance } from '../../src/instance.js';
 import { Library } from '../../src/library.js';
 
-import type { Report, State } from './protocol';
+import type { Listener, Report, State } from './protocol';
 import { Simulator } from './simulation';
 
 /** Where the native programs are. */
@@ -46,8 +46,12 @@ export function loadLibrary(clock?: () => number, lean = false, of = module) {
 /**
  * @param tick s that pass whenever the simulation looks at the clock
  * @param cost s that a frame's step takes here for each particle
+ * @param grow bodies are wanted, and the module has none
+ * @param hears states, too
  */
-export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0, lean = false, of = module } = {}) {
+export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0, lean = false, of = module,
+    grow = undefined as ((foresees: boolean, before?: number) => void) | undefined,
+    hears = undefined as Listener['state'] | undefined } = {}) {
     const states: State[] = [], reports: Report[] = [], frames: ((ms: number) => void)[] = [];
     let now = 0, waited = 0, steps = false;
     const { library, files } = loadLibrary(() => {
@@ -61,18 +65,21 @@ export function makeTrial({ particles = 300 as number | null, reversed = false, 
         now += cost * c.skv_world_particle_count(world);
         return step(world, ...given);
     };
-    const simulation = new Simulator({
-        library, files, threads: 1, painter: null, particles, reversed,
-        listener: {
-            state: (state) => states.push(structuredClone(state)),
-            report: (report) => reports.push(report),
-            picture: () => undefined,
+    const listener: Listener = {
+        state: (state) => {
+            states.push(structuredClone(state));
+            hears?.(state);
         },
+        report: (report) => reports.push(report),
+        picture: () => undefined,
+    };
+    const simulation = new Simulator({
+        library, files, threads: 1, painter: null, particles, reversed, listener, grow,
         nextFrame: (callback) => frames.push(callback),
         clock: () => now + (waited += tick),
     });
     return {
-        simulation, library,
+        simulation, library, files, listener,
         /** Reports since they were taken. */
         take: () => reports.splice(0),
         si: false,
