@@ -6,9 +6,14 @@ import { runExperiment } from './experiment';
 import { parts } from './parts';
 import type { LabMessage } from './protocol';
 
-onmessage = async ({ data }: MessageEvent<{ index: number; particles: number }>) => {
+onmessage = async ({ data }: MessageEvent<{ index: number; particles: number; counts: boolean }>) => {
     const tell = (message: LabMessage) => postMessage(message);
     try {
+        const more = () => load(parts, { lean: true, name: 'bodies' });
+        if (data.counts) {
+            tell({ kind: 'counted', particles: (await more()).c.skv_experiment_particles(data.index, data.particles) });
+            return;
+        }
         const run = (library: Library) => runExperiment(library, data.index, data.particles, tell, () => performance.now() / 1000);
         const library = await load(parts, { lean: true });
         try {
@@ -17,7 +22,7 @@ onmessage = async ({ data }: MessageEvent<{ index: number; particles: number }>)
             if (!library.instance.exports.skv_wasm_wants_more?.()) {
                 throw error;
             }
-            run(await load(parts, { lean: true, name: 'bodies' }));
+            run(await more());
         }
     } catch (error) {
         tell({ kind: 'failed', error: error instanceof Error ? error.message : String(error) });

@@ -361,11 +361,13 @@ export interface Row {
 
 export type LabMessage =
     | { kind: 'moment'; share: number; curves: Curve[] }
+    /** Nothing was run: with how many it would be. */
+    | { kind: 'counted'; particles: number }
     | { kind: 'done'; particles: number; rows: Row[]; curves: Curve[]; csv: string; svg: string }
     /** Without words: its script did not come. */
     | { kind: 'failed'; error: string };
 
-/** lab.ts: runs an experiment with as many particles as are chosen in a worker of its own; what it returns ends that. */
+/** lab.ts: runs an experiment with as many particles as are chosen in a worker of its own, or counts them; what it returns ends that. */
 export type RunExperiment = (
     index: number,
     particles: number,

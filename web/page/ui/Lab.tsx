@@ -3,7 +3,8 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Curve, Experiment, LabMessage, Row } from '../simulation/protocol';
-import { wordsOfFailure } from './errands';
+import { countParticles } from '../simulation/lab';
+import { beginErrand, wordsOfFailure } from './errands';
 import { download } from './files';
 import { Icon } from './Icon';
 import { predictions, runs, startExperiment, stopExperiment } from './labs';
@@ -72,7 +73,7 @@ function Results({ rows }: { rows: Row[] }) {
 }
 
 function shownCurves(latest: LabMessage | null | undefined): Curve[] {
-    if (!latest || latest.kind === 'failed')
+    if (!latest || latest.kind === 'failed' || latest.kind === 'counted')
         return [];
     const curves = latest.curves.map((curve) => ({ ...curve, label: word(curve.label) }));
     return latest.kind === 'done' ? curves : curves.filter(({ style }) => style !== 'theory');
@@ -82,7 +83,20 @@ function shownCurves(latest: LabMessage | null | undefined): Curve[] {
 function Amount({ index }: { index: number }) {
     const { particles } = preferences.value;
     const [count, setCount] = useState(0);
-    useEffect(() => void simulation.experimentParticles(index, particles).then(setCount), [index, particles]);
+    useEffect(() => {
+        let shows = true, end: (() => void) | null = null;
+        const show = (known: number) => {
+            if (known > 0)
+                setCount(known);
+            else if (shows) // it comes with the larger module
+                end = beginErrand(() => countParticles(index, particles, (told) => told.kind === 'counted' && setCount(told.particles)), () => {});
+        };
+        void simulation.experimentParticles(index, particles).then(show);
+        return () => {
+            shows = false;
+            end?.();
+        };
+    }, [index, particles]);
     return (
         <p class="caption">{count > 0 ? say(_('It is measured with %s particles.'), fixed(count, 0)) : '\u00a0'}</p>
     );
