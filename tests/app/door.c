@@ -1,7 +1,7 @@
 /* The door: what the app is like at this moment, told to tests. It is linked with the app's own
  * objects into skvalp-play-tested, so the app that people get has none. Invariant: it looks and
- * never acts, but that no tooltips come up, worlds have one thread, and frames: few, and one if a
- * caller asks for it; and without SKVALP_DOOR in the environment it does nothing.
+ * never acts, but that no tooltips come up, toasts stay, worlds have one thread, and frames: few,
+ * and one if a caller asks for it; and without SKVALP_DOOR in the environment it does nothing more.
  *
  * It listens on the Unix socket that SKVALP_DOOR names. Each line that comes is answered by a line
  * of JSON, on the main loop, between two events: the state under the names that the page's
@@ -190,6 +190,7 @@ static void tell_world(GString *json, PlayView *view)
     number(json, "time", picture->frame.time);
     number(json, "particles", picture->frame.particles.count);
     number(json, "awake", picture->frame.awake);
+    number(json, "stepMs", picture->step_ms);
     number(json, "width", camera.world_width);
     number(json, "height", camera.world_height);
     number(json, "hands", picture->hand_count);
@@ -372,6 +373,19 @@ static void tell_app(GString *json, PlayWindow *window)
     g_string_append_c(json, ']');
 }
 
+/* Presses of buttons and keys that came to windows: the toolkit may keep one of a button to itself.
+ */
+static int presses, keys;
+
+static gboolean count_press(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC_UNUSED guint count,
+                            const GValue *values, G_GNUC_UNUSED gpointer data)
+{
+    GdkEventType type = gdk_event_get_event_type(g_value_peek_pointer(&values[1]));
+    presses += type == GDK_BUTTON_PRESS;
+    keys += type == GDK_KEY_PRESS;
+    return TRUE;
+}
+
 /* The app's own window first. What it tells the display knows, too: else keys could still go to a
  * menu of which it tells that it is closed. */
 static char *state(void)
@@ -382,6 +396,8 @@ static char *state(void)
     for (GList *one = windows; one; one = one->next)
         if (PLAY_IS_WINDOW(one->data) && gtk_widget_get_mapped(one->data))
             tell_app(json, one->data);
+    number(json, "presses", presses);
+    number(json, "keys", keys);
     open(json, "windows", '[');
     for (int other = 0; other < 2; other++)
         for (GList *one = windows; one; one = one->next)
@@ -441,6 +457,17 @@ static gboolean hide_tooltip(G_GNUC_UNUSED GtkWidget *widget, G_GNUC_UNUSED int 
     return FALSE;
 }
 
+/* A toast that goes by itself would be gone when a busy machine comes to look: the newest shows,
+ * until another comes or it is pressed. */
+void __wrap_adw_toast_overlay_add_toast(AdwToastOverlay *overlay, AdwToast *toast);
+void __real_adw_toast_overlay_add_toast(AdwToastOverlay *overlay, AdwToast *toast);
+void __wrap_adw_toast_overlay_add_toast(AdwToastOverlay *overlay, AdwToast *toast)
+{
+    adw_toast_set_timeout(toast, 0);
+    adw_toast_set_priority(toast, ADW_TOAST_PRIORITY_HIGH);
+    __real_adw_toast_overlay_add_toast(overlay, toast);
+}
+
 /* After each frame: waits until another may be drawn. */
 static gboolean wait_for_frame(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC_UNUSED guint count,
                                G_GNUC_UNUSED const GValue *values, G_GNUC_UNUSED gpointer data)
@@ -476,6 +503,9 @@ __attribute__((constructor)) static void begin(void)
     g_signal_connect(service, "incoming", G_CALLBACK(on_caller), NULL);
     g_object_unref(address);
     GTK_WIDGET_CLASS(g_type_class_ref(GTK_TYPE_WIDGET))->query_tooltip = hide_tooltip;
+    g_type_class_ref(GDK_TYPE_SURFACE);
+    g_signal_add_emission_hook(g_signal_lookup("event", GDK_TYPE_SURFACE), 0, count_press, NULL,
+                               NULL);
     g_type_class_ref(GDK_TYPE_FRAME_CLOCK);
     g_signal_add_emission_hook(g_signal_lookup("after-paint", GDK_TYPE_FRAME_CLOCK), 0,
                                wait_for_frame, NULL, NULL);

@@ -10,7 +10,7 @@ start_display 800x600
 # luminance EXPRESSION: about a place of the window, in thousandths (Rec. 709, linear).
 luminance() {
     local xid x y
-    await "$1"
+    await "still($1)" # what the door tells has been drawn, too
     read -r xid x y <<<"$answer"
     import -silent -window "$xid" -crop "4x4+$((x - 2))+$((y - 2))" +repage "$work/part.ppm"
     luminance=$(convert "$work/part.ppm" -colorspace RGB -fx '0.2126*r+0.7152*g+0.0722*b' \

@@ -46,9 +46,10 @@ splash() {
         await moment
         feel -1000 $((i % 2 ? -4000 : 4000))
         await "moment > $answer + 4"
+        ! is 'water(0, 60, 100, 100) > 0' || break # it falls back before somebody looks again
     done
     feel -1000 0
-    is 'water(0, 60, 100, 100) > 0'
+    ((i < 6))
 }
 repeat splash || fail "shaking does not splash"
 feel 0 -1000

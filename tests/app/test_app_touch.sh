@@ -131,12 +131,21 @@ await 'paused and worlds[0].camera.zoom == 1'
 # 2. Two together zoom; no wall is drawn.
 key 2
 await 'tool == 1'
-place 'at(45, 70)'
-line="down 0 $x $y"
-place 'at(55, 70)'
-drive "$line; down 1 $x $y"
-glide 0 45 70 25 70 1 55 70 75 70
-drive "up 0; up 1"
+# zooms: whether they did; to a compositor that is held up between the two they come one after the other.
+zooms() {
+    place 'at(45, 70)'
+    line="down 0 $x $y"
+    place 'at(55, 70)'
+    drive "$line; down 1 $x $y"
+    glide 0 45 70 25 70 1 55 70 75 70
+    drive "up 0; up 1"
+    ask 20 'worlds[0].camera.zoom > 1.5 or canUndo'
+    is canUndo || return 0
+    key ctrl+z
+    await 'not canUndo'
+    return 1
+}
+repeat zooms || fail "two fingers draw: $answer"
 await 'worlds[0].camera.zoom > 1.5'
 key ctrl+0
 await 'worlds[0].camera.zoom == 1 and not any(worlds[0].walls) and not canUndo'
@@ -146,13 +155,16 @@ touch 0 42 77
 glide 0 42 77 58 77
 drive up 0
 await "sum(cells('walls', 40, 75, 60, 80)) > 1"
-line=''
-for finger in 0 1 2; do
-    place "at($((30 + 20 * finger)), 30)"
-    line+="down $finger $x $y; "
-done
-drive "${line}up 0; up 1; up 2"
-await 'not any(worlds[0].walls)'
+undoes() { # again, if a compositor that is held up makes a long touch of the tap
+    local line='' finger
+    for finger in 0 1 2; do
+        place "at($((30 + 20 * finger)), 30)"
+        line+="down $finger $x $y; "
+    done
+    drive "${line}up 0; up 1; up 2"
+    ask 20 'not any(worlds[0].walls)'
+}
+repeat undoes || fail "three fingers undo nothing: $answer"
 
 quit_app
 echo "touch: two hands lifted water, two fingers zoomed, one drew, three undid"
