@@ -12,6 +12,7 @@ kept=$work/.local/state/skvalp/kept
 offered='shows("Go On There")'
 
 pour() {
+    await 'water(65, 65, 90, 75) == 0' # what was poured before has fallen: there is no room in water
     key space
     await paused
     await 'worlds[0].particles'
