@@ -206,11 +206,13 @@ static void test_scenes(void **state)
     program_free(&list);
 }
 
+/* That they are sound with as many particles as each has is said by scene/test_builtin. */
 static void test_check(void **state)
 {
     for (int i = 0; skv_builtin_scene(i); i++) {
         const char *name = skv_builtin_scene(i)->name;
-        program_result result = SKVALP(*state, "check", name, "--threads", "1");
+        program_result result =
+            SKVALP(*state, "check", name, "--particles", "400", "--threads", "1");
         assert_int_equal(result.status, 0);
         assert_int_equal(count_lines(result.out), 1);
         assert_memory_equal(result.out, name, strlen(name));
