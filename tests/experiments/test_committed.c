@@ -5,7 +5,8 @@
  * it must reach, each in the root mean square over several starts, as the lab judges them. A figure
  * has got worse if it is farther off than committed by more than a tenth of what it must reach:
  * less than that is chance. That takes minutes, so it is left to SKV_LONG_TESTS=1. Otherwise it is
- * one start with as few particles as an experiment has room for, against committed-short.csv.
+ * one start with as few particles as an experiment has room for, against committed-short.csv,
+ * without the two that take two fifths of that time.
  * Set SKV_WRITE_COMMITTED=1 to write the table anew, and look at its difference before committing
  * it.
  */
@@ -56,9 +57,14 @@ static int starts(void)
 
 static int particles_of(const char *name)
 {
-    bool few = strcmp(name, "vessels") != 0 && strcmp(name, "orifice") != 0 &&
-               strcmp(name, "torricelli") != 0 && strcmp(name, "conjugate-depths") != 0;
+    bool few = strcmp(name, "vessels") != 0 && strcmp(name, "orifice") != 0;
     return few && !long_tests() ? 700 : 1500;
+}
+
+static bool is_left_out(const char *name)
+{
+    return !long_tests() &&
+           (strcmp(name, "conjugate-depths") == 0 || strcmp(name, "torricelli") == 0);
 }
 
 /* Takes a start of an experiment into its lines; returns their number. */
@@ -94,6 +100,9 @@ static int measure_all(line *lines)
     memset(lines, 0, MAX_LINES * sizeof *lines);
     for (int k = 0, added = 0; skv_experiment_info(k); k++, count += added) {
         assert_true(count + MAX_QUANTITIES <= MAX_LINES);
+        added = 0;
+        if (is_left_out(skv_experiment_info(k)->name))
+            continue;
         for (int start = 0; start < starts(); start++)
             added = add_start(&lines[count], k, start);
     }
