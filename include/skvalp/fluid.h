@@ -66,7 +66,7 @@ typedef struct skv_liquid {
     /** Pa, 0..20000: springs between its particles resist a change of shape, as in jelly; 0: none,
      * a liquid. */
     float shear_modulus;
-    float yield;      /**< strain of a spring from which on it gives way for good, 0..1 */
+    float yield; /**< strain of a spring from which on it gives way for good, 0..1; default 0.1 */
     float plasticity; /**< share of what is beyond that which it gives way by in a second, 1/s,
                            0..100, 0 without a shear modulus; 0: it stays elastic, and what
                            touches later does not join */

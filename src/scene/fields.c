@@ -112,22 +112,17 @@ static const skv_field fields[FIELDS] = {
              "by which water and emitters name it; needed; \"water\" is the fluid above")
     OWN_CHOICE(SKV_F_FLUIDS + SKV_LIQUID_MATERIAL, "fluids[].material", "water|oil|honey|mercury",
                "water", "its density and viscosity are as of that liquid at 20 °C")
-    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_DENSITY, "fluids[].density", "kg/m^2", 0.01, 400000, "",
-               "mass of a square metre of the sheet; else the material's")
-    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_VISCOSITY, "fluids[].viscosity", "m^2/s", 0, 0.05, "",
-               "kinematic viscosity; else the material's")
     OWN_TEXT(SKV_F_FLUIDS + SKV_LIQUID_COLOR, "fluids[].color", 7,
              "as it looks where it is deep, \"#rrggbb\"; else by material and place in the list")
-    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_SHEAR_MODULUS, "fluids[].shear_modulus", "Pa", 0, 20000, "0",
-               "springs hold its shape, as in jelly; 0: a liquid")
-    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_YIELD, "fluids[].yield", "", 0, 1, "0.1",
-               "strain from which on its springs give way for good, if it is plastic")
-    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_PLASTICITY, "fluids[].plasticity", "1/s", 0, 100, "0",
-               "how fast they do; 0: it stays elastic")
-    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_INTERFACE, "fluids[].interface_push", "m/s^2", 0, 400, "0",
-               "pushes it and other fluids apart: 20 for short lines, 100 for drops")
-    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_COHESION, "fluids[].cohesion", "m/s^2", 0, 500, "",
-               "surface tension of its own; else fluid.cohesion")
+#define LIQUID_NUMBER(id, member, unit, least, most, standard, extra, help)                        \
+    LIQUID_FIELD(id, member, unit, least, most, #standard, help)
+#define LIQUID_OF_MATERIAL(id, member, unit, least, most, help)                                    \
+    LIQUID_FIELD(id, member, unit, least, most, "", help)
+#define LIQUID_OF_FIRST(id, member, unit, least, most, extra, help)                                \
+    LIQUID_FIELD(id, member, unit, least, most, "", help)
+#define LIQUID_FIELD(id, member, unit, least, most, standard, help)                                \
+    OWN_NUMBER(SKV_F_FLUIDS + SKV_LIQUID_##id, "fluids[]." #member, unit, least, most, standard, help)
+#include "world/liquid_rows.h"
     LINE_FIELDS(SKV_F_SOLID, "solid[]")
     OWN_FLAG(SKV_F_SOLID + SKV_SOLID_CARVE, "solid[].carve", "false",
              "cut the shape out of the solid before it in the list")

@@ -16,15 +16,15 @@
  * to 2.8 times, those of 50 below it (docs/notebook/2026-11-28-light-fluids-by-clavets-law.md). */
 #define LEAST_CLAVET_DENSITY 0.05
 
-/* Fails for a field of a fluid, where it was given, or else for the fluid. */
-static skv_result fail(const skv_draft *draft, int index, int field, const char *message,
+/* Fails for a member of a fluid, where it was given, or else for the fluid. */
+static skv_result fail(const skv_draft *draft, int index, const char *member, const char *message,
                        skv_error *error)
 {
-    const skv_list_fields *list = skv_scene_list(SKV_LIST_FLUIDS);
     const skv_shape_values *values = &draft->values.list[SKV_LIST_FLUIDS].shapes[index];
-    const char *key = strchr(skv_scene_fields(NULL)[list->first + field].path, '.');
     char path[SKV_PATH_SIZE];
-    skv_format(path, sizeof path, "%s[%d]%s", list->name, index, key);
+    skv_format(path, sizeof path, "fluids[].%s", member);
+    int field = skv_scene_find_field(path) - SKV_F_FLUIDS;
+    skv_format(path, sizeof path, "fluids[%d].%s", index, member);
     skv_origin given = values->value[field].origin;
     return skv_draft_fail(draft, given.source != SKV_FROM_DEFAULT ? given : values->origin, path,
                           error, SKV_ERROR_VALUE, "%s", message);
@@ -60,6 +60,12 @@ static skv_liquid liquid_of(const skv_material *material)
     return liquid;
 }
 
+static void take(const skv_value *value, float *number)
+{
+    if (value->origin.source != SKV_FROM_DEFAULT)
+        *number = (float)value->number;
+}
+
 static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scene, skv_error *error)
 {
     const skv_value *value = draft->values.list[SKV_LIST_FLUIDS].shapes[index].value;
@@ -67,35 +73,17 @@ static skv_result build_fluid(const skv_draft *draft, int index, skv_scene *scen
     const char *name = value[SKV_LIQUID_NAME].text, *color = value[SKV_LIQUID_COLOR].text;
     skv_liquid *liquid = &scene->def.liquids[index];
     *liquid = liquid_of(material);
-    if (value[SKV_LIQUID_DENSITY].origin.source != SKV_FROM_DEFAULT)
-        liquid->density = (float)value[SKV_LIQUID_DENSITY].number;
-    if (value[SKV_LIQUID_VISCOSITY].origin.source != SKV_FROM_DEFAULT)
-        liquid->viscosity = (float)value[SKV_LIQUID_VISCOSITY].number;
-    liquid->shear_modulus = (float)value[SKV_LIQUID_SHEAR_MODULUS].number;
-    liquid->yield = (float)value[SKV_LIQUID_YIELD].number;
-    liquid->plasticity = (float)value[SKV_LIQUID_PLASTICITY].number;
-    liquid->interface_push = (float)value[SKV_LIQUID_INTERFACE].number;
-    if (value[SKV_LIQUID_COHESION].origin.source != SKV_FROM_DEFAULT)
-        liquid->cohesion = (float)value[SKV_LIQUID_COHESION].number;
+#define LIQUID_NUMBER(id, member, ...) take(&value[SKV_LIQUID_##id], &liquid->member);
+#include "world/liquid_rows.h"
     if (name == NULL)
-        return fail(draft, index, SKV_LIQUID_NAME, "is missing; water and emitters need it", error);
+        return fail(draft, index, "name", "is missing; water and emitters need it", error);
     skv_format(liquid->name, sizeof liquid->name, "%s", name);
     if (color != NULL && !read_color(color, &liquid->color))
-        return fail(draft, index, SKV_LIQUID_COLOR, "is no color; allowed is \"#rrggbb\"", error);
+        return fail(draft, index, "color", "is no color; allowed is \"#rrggbb\"", error);
     scene->def.liquid_count = index + 1;
     char complaint[160];
-    skv_liquid_member wrong = skv_liquid_complain(&scene->def, index, complaint, sizeof complaint);
-    if (wrong == SKV_LIQUID_SANE)
-        return SKV_OK;
-    return fail(draft, index,
-                wrong == SKV_LIQUID_WRONG_DENSITY      ? SKV_LIQUID_DENSITY
-                : wrong == SKV_LIQUID_WRONG_VISCOSITY  ? SKV_LIQUID_VISCOSITY
-                : wrong == SKV_LIQUID_WRONG_MODULUS    ? SKV_LIQUID_SHEAR_MODULUS
-                : wrong == SKV_LIQUID_WRONG_PLASTICITY ? SKV_LIQUID_PLASTICITY
-                : wrong == SKV_LIQUID_WRONG_INTERFACE  ? SKV_LIQUID_INTERFACE
-                : wrong == SKV_LIQUID_WRONG_COHESION   ? SKV_LIQUID_COHESION
-                                                       : SKV_LIQUID_NAME,
-                complaint, error);
+    const char *wrong = skv_liquid_complain(&scene->def, index, complaint, sizeof complaint);
+    return wrong ? fail(draft, index, wrong, complaint, error) : SKV_OK;
 }
 
 /* Says which of the listed fluids is too light for the clavet law beside the heaviest. The first is

@@ -13,12 +13,15 @@
 
 void skv_liquids_follow(skv_world *world)
 {
-    world->liquids[0] = (skv_liquid){.cookie = skv_liquid_cookie,
-                                     .name = SKV_FIRST_FLUID,
-                                     .density = world->fluid.density,
-                                     .viscosity = world->fluid.viscosity,
-                                     .color = SKV_NO_COLOR,
-                                     .cohesion = world->fluid.cohesion};
+    world->liquids[0] = (skv_liquid){
+        .cookie = skv_liquid_cookie,
+        .name = SKV_FIRST_FLUID,
+        .color = SKV_NO_COLOR,
+#define LIQUID_NUMBER(...)
+#define LIQUID_OF_MATERIAL(id, member, ...) .member = world->fluid.member,
+#define LIQUID_OF_FIRST(id, member, ...)    .member = world->fluid.member,
+#include "world/liquid_rows.h"
+    };
     skv_world_weigh(world);
 }
 

@@ -9,20 +9,12 @@
 #include "world/springs/springs.h"
 #include "world/world_internal.h"
 
+#include <stddef.h>
 #include <string.h>
 
 enum { LIQUID_COOKIE = 0x4c51, MOST_COLOR = 0xffffff };
 
 const uint32_t skv_liquid_cookie = SKV_COOKIE(LIQUID_COOKIE, skv_liquid);
-
-/* m^2/s, as the field of fluid.viscosity allows. */
-#define MOST_VISCOSITY 0.05f
-
-/* m/s^2: layers are calm with so much, and drops gain nothing from more than 100. */
-#define MOST_INTERFACE 400.0
-
-/* m/s^2, as the field of fluid.cohesion allows. */
-#define MOST_COHESION 500.0
 
 /* Of the greatest cohesion, of who has none: less than rounding, but a gradient that has been
  * multiplied by it can be had back. */
@@ -32,6 +24,27 @@ const uint32_t skv_liquid_cookie = SKV_COOKIE(LIQUID_COOKIE, skv_liquid);
  * more than mercury has. */
 #define LEAST_RATIO 0.01
 #define MOST_RATIO  20.0
+
+/* What each fluid has for itself, and the flag of snapshots that have it. */
+static const struct {
+    const char *name, *unit;
+    size_t offset;
+    float least, most, standard;
+    unsigned extra;
+} numbers[] = {
+#define LIQUID_NUMBER(id, member, unit, least, most, standard, extra, help)                        \
+    {#member,           unit, offsetof(skv_liquid, member), (float)(least), (float)(most),         \
+     (float)(standard), extra},
+#include "world/liquid_rows.h"
+};
+enum { NUMBERS = sizeof numbers / sizeof *numbers };
+
+static float number_of(const skv_liquid *liquid, int k)
+{
+    float number;
+    memcpy(&number, (const char *)liquid + numbers[k].offset, sizeof number);
+    return number;
+}
 
 /* ---- What fluids may be ---------------------------------------------------------------------- */
 
@@ -67,52 +80,56 @@ static bool complain_of_density(float own, float first, char *text, size_t size)
     return true;
 }
 
-skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char *text, size_t size)
+/* Whether a number is neither in its range nor a default beside that, and in `text` why. */
+static bool complain_of_number(float own, int k, char *text, size_t size)
+{
+    const bool may_follow = numbers[k].standard == SKV_AS_FIRST;
+    const double least = (double)numbers[k].least, most = (double)numbers[k].most;
+    if (skv_within((double)own, least, most) || (may_follow && own == SKV_AS_FIRST))
+        return false;
+    const char *unit = numbers[k].unit, *space = unit[0] == '\0' ? "" : " ";
+    if (may_follow)
+        skv_format(text, size,
+                   "is out of range; allowed is %g..%g%s%s, and -1 for that of the first fluid",
+                   least, most, space, unit);
+    else
+        skv_format(text, size, "is out of range; allowed is %g..%g%s%s", least, most, space, unit);
+    return true;
+}
+
+const char *skv_liquid_complain(const skv_world_def *def, int index, char *text, size_t size)
 {
     const skv_liquid *liquid = &def->liquids[index];
-    skv_liquid_member wrong = SKV_LIQUID_WRONG_NAME;
-    const char *complaint = complain_of_name(def, index);
+    const char *complaint = complain_of_name(def, index), *wrong = "name";
     if (!complaint && complain_of_density(liquid->density, def->fluid.density, text, size))
-        return SKV_LIQUID_WRONG_DENSITY;
-    if (!complaint && !skv_within((double)liquid->viscosity, 0, (double)MOST_VISCOSITY)) {
-        complaint = "is out of range; allowed is 0..0.05 m^2/s";
-        wrong = SKV_LIQUID_WRONG_VISCOSITY;
-    }
+        return "density";
     if (!complaint && (liquid->color < SKV_NO_COLOR || liquid->color > MOST_COLOR)) {
         complaint = "is out of range; allowed is 0..0xffffff, and -1 for none";
-        wrong = SKV_LIQUID_WRONG_COLOR;
+        wrong = "color";
     }
-    if (!complaint && !skv_within((double)liquid->interface_push, 0, MOST_INTERFACE)) {
-        complaint = "is out of range; allowed is 0..400 m/s^2";
-        wrong = SKV_LIQUID_WRONG_INTERFACE;
-    }
-    if (!complaint && liquid->cohesion != SKV_AS_FIRST &&
-        !skv_within((double)liquid->cohesion, 0, MOST_COHESION)) {
-        complaint = "is out of range; allowed is 0..500 m/s^2, and -1 for that of the first fluid";
-        wrong = SKV_LIQUID_WRONG_COHESION;
+    for (int k = 0; !complaint && k < NUMBERS; k++)
+        if (complain_of_number(number_of(liquid, k), k, text, size))
+            return numbers[k].name;
+    if (!complaint && liquid->plasticity > 0 && !skv_liquid_is_springy(liquid)) {
+        complaint = "needs springs that give way; add a shear_modulus, Pa";
+        wrong = "plasticity";
     }
     if (!complaint)
-        complaint = skv_springs_complain(liquid, &wrong);
-    if (!complaint)
-        return SKV_LIQUID_SANE;
+        return NULL;
     skv_format(text, size, "%s", complaint);
     return wrong;
 }
 
 skv_result skv_check_liquids(const skv_world_def *def, skv_error *error)
 {
-    static const char *const members[] = {
-        "",      "name",       "density",        "viscosity", "color", "shear_modulus",
-        "yield", "plasticity", "interface_push", "cohesion"};
     if (def->liquid_count < 0 || def->liquid_count >= SKV_MAX_FLUIDS)
         return skv_fail(error, SKV_ERROR_LIMIT, "fluids: %d beside the first; allowed is 0..%d",
                         def->liquid_count, SKV_MAX_FLUIDS - 1);
     for (int i = 0; i < def->liquid_count; i++) {
         char text[160];
-        skv_liquid_member wrong = skv_liquid_complain(def, i, text, sizeof text);
-        if (wrong != SKV_LIQUID_SANE)
-            return skv_fail(error, SKV_ERROR_VALUE, "fluid %d: its %s %s", i + 1, members[wrong],
-                            text);
+        const char *wrong = skv_liquid_complain(def, i, text, sizeof text);
+        if (wrong)
+            return skv_fail(error, SKV_ERROR_VALUE, "fluid %d: its %s %s", i + 1, wrong, text);
     }
     return SKV_OK;
 }
@@ -128,10 +145,11 @@ skv_result skv_check_fluid(int fluid, int fluids, skv_error *error)
 unsigned skv_world_liquid_extras(const skv_world *world)
 {
     unsigned extras = skv_world_is_springy(world) ? SKV_WITH_SPRINGS : 0;
-    for (int i = 1; i < world->fluid_count; i++) {
-        extras |= world->liquids[i].interface_push > 0 ? SKV_WITH_INTERFACES : 0u;
-        extras |= world->liquids[i].cohesion != SKV_AS_FIRST ? SKV_WITH_COHESIONS : 0u;
-    }
+    for (int i = 1; i < world->fluid_count; i++)
+        for (int k = 0; k < NUMBERS; k++) /* without springs nothing counts what they are like */
+            if (numbers[k].extra != SKV_WITH_SPRINGS &&
+                number_of(&world->liquids[i], k) != numbers[k].standard)
+                extras |= numbers[k].extra;
     return extras;
 }
 
@@ -198,6 +216,20 @@ static bool exchange_name(skv_port *port, char name[SKV_FLUID_NAME])
     return true;
 }
 
+/* The numbers that every snapshot has, or those that one has besides; others have their default. */
+static void exchange_numbers(skv_port *port, skv_liquid *liquid, bool besides, unsigned extras)
+{
+    for (int k = 0; k < NUMBERS; k++) {
+        float *number = (float *)(void *)((char *)liquid + numbers[k].offset);
+        if ((numbers[k].extra != 0) != besides)
+            continue;
+        if (!besides || numbers[k].extra & extras)
+            skv_exchange_float(port, number);
+        else if (port->from)
+            *number = numbers[k].standard;
+    }
+}
+
 bool skv_exchange_liquids(skv_port *port, skv_world_def *def, unsigned extras)
 {
     uint64_t count = (uint64_t)def->liquid_count;
@@ -213,21 +245,10 @@ bool skv_exchange_liquids(skv_port *port, skv_world_def *def, unsigned extras)
         uint64_t color = (uint64_t)liquid->color + 1;
         liquid->cookie = skv_liquid_cookie;
         sane = exchange_name(port, liquid->name) && sane;
-        skv_exchange_float(port, &liquid->density);
-        skv_exchange_float(port, &liquid->viscosity);
+        exchange_numbers(port, liquid, false, extras);
         skv_exchange(port, &color, 4);
         liquid->color = color <= MOST_COLOR + 1 ? (int)color - 1 : MOST_COLOR + 1;
-        if (extras & SKV_WITH_SPRINGS) {
-            skv_exchange_float(port, &liquid->shear_modulus);
-            skv_exchange_float(port, &liquid->yield);
-            skv_exchange_float(port, &liquid->plasticity);
-        }
-        if (extras & SKV_WITH_INTERFACES)
-            skv_exchange_float(port, &liquid->interface_push);
-        if (extras & SKV_WITH_COHESIONS)
-            skv_exchange_float(port, &liquid->cohesion);
-        else if (port->from)
-            liquid->cohesion = SKV_AS_FIRST;
+        exchange_numbers(port, liquid, true, extras);
     }
     return sane && skv_check_liquids(def, NULL) == SKV_OK;
 }

@@ -21,23 +21,9 @@ enum { SKV_AS_FIRST = -1 };
 /* Whether the fluids of a definition may be one world's; a message names the first that may not. */
 skv_result skv_check_liquids(const skv_world_def *def, skv_error *error);
 
-/* Which of a fluid's values is wrong. */
-typedef enum skv_liquid_member {
-    SKV_LIQUID_SANE,
-    SKV_LIQUID_WRONG_NAME,
-    SKV_LIQUID_WRONG_DENSITY,
-    SKV_LIQUID_WRONG_VISCOSITY,
-    SKV_LIQUID_WRONG_COLOR,
-    SKV_LIQUID_WRONG_MODULUS,
-    SKV_LIQUID_WRONG_YIELD,
-    SKV_LIQUID_WRONG_PLASTICITY,
-    SKV_LIQUID_WRONG_INTERFACE,
-    SKV_LIQUID_WRONG_COHESION
-} skv_liquid_member;
-
-/* The first wrong value of a fluid beside those before it in a definition's list, and in `text`
- * what is wrong with it, such as "is empty; ...". */
-skv_liquid_member skv_liquid_complain(const skv_world_def *def, int index, char *text, size_t size);
+/* The first member of a fluid beside those before it in a definition's list that is wrong, such as
+ * "name", and in `text` what is wrong with it, such as "is empty; ..."; null: nothing is. */
+const char *skv_liquid_complain(const skv_world_def *def, int index, char *text, size_t size);
 
 /* Fails for a number that none of so many fluids has. */
 skv_result skv_check_fluid(int fluid, int fluids, skv_error *error);

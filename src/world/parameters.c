@@ -21,7 +21,7 @@ enum { FLUID_COOKIE = 0x464c, WORLD_COOKIE = 0x574f };
  * changed while a world runs. */
 typedef struct place {
     size_t offset;
-    double standard[2];
+    float standard[2]; /* gcc 12 may compare a double that is narrowed without narrowing it */
     bool live;
 } place;
 
@@ -41,11 +41,11 @@ static const skv_field fields[SKV_P_COUNT] = {
 
 #define AT(member) offsetof(skv_world_def, member)
 #define NUMBER(id, path, member, unit, least, most, standard, live, help)                          \
-    {AT(member), {standard, standard}, live},
+    {AT(member), {(float)(standard), (float)(standard)}, live},
 #define WHOLE(id, path, member, unit, least, most, standard, live, help)                           \
     {AT(member), {standard, standard}, live},
 #define NUMBER_BY_LAW(id, path, member, unit, least, most, standard, clavet, live, help)           \
-    {AT(member), {standard, clavet}, live},
+    {AT(member), {(float)(standard), (float)(clavet)}, live},
 #define WHOLE_BY_LAW(id, path, member, unit, least, most, standard, clavet, live, help)            \
     {AT(member), {standard, clavet}, live},
 #define FLAG(id, path, member, standard, live, help)      {AT(member), {standard, standard}, live},
@@ -144,9 +144,9 @@ static void change_law(skv_world_def *def, int law)
 {
     int old = def->fluid.law == SKV_LAW_CLAVET;
     for (int i = 0; i < SKV_P_COUNT; i++) {
-        const double *standard = places[i].standard;
-        if (is_fluids(i) && load(def, i) == (double)(float)standard[old])
-            store(def, i, standard[law]);
+        const float *standard = places[i].standard;
+        if (is_fluids(i) && load(def, i) == (double)standard[old])
+            store(def, i, (double)standard[law]);
     }
     def->fluid.law = (skv_law)law;
 }
@@ -186,7 +186,7 @@ skv_world_def skv_default_world_def(void)
         def.liquids[i].cookie = skv_liquid_cookie;
     for (int i = 0; i < SKV_P_COUNT; i++) {
         if (places[i].offset != NO_MEMBER)
-            store(&def, i, places[i].standard[0]);
+            store(&def, i, (double)places[i].standard[0]);
     }
     return def;
 }
@@ -202,11 +202,13 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
 skv_liquid skv_default_liquid(void)
 {
     const skv_fluid_def fluid = skv_default_fluid_def(SKV_LAW_CALIBRATED);
-    return (skv_liquid){.cookie = skv_liquid_cookie,
-                        .density = fluid.density,
-                        .viscosity = fluid.viscosity,
-                        .color = SKV_NO_COLOR,
-                        .cohesion = SKV_AS_FIRST};
+    return (skv_liquid){
+        .cookie = skv_liquid_cookie,
+        .color = SKV_NO_COLOR,
+#define LIQUID_OF_MATERIAL(id, member, ...)                         .member = fluid.member,
+#define LIQUID_NUMBER(id, member, unit, least, most, standard, ...) .member = (float)(standard),
+#include "world/liquid_rows.h"
+    };
 }
 
 void skv_liquid_init(skv_liquid *def, size_t size)

@@ -224,6 +224,24 @@ static void materials_are_as_they_are(void **unused)
                                     "number from 0 to 0.05 m^2/s");
 }
 
+/* A fluid of which a scene says its name alone is the one that a program gets. */
+static void defaults_are_those_of_programs(void **unused)
+{
+    (void)unused;
+    skv_scene *scene;
+    skv_error error = {0};
+    skv_liquid standard = skv_default_liquid();
+    memcpy(standard.name, "other", sizeof "other");
+    if (load_text("{\"fluids\": [{\"name\": \"other\"}], \"water\": [{\"shape\": \"box\"}]}", NULL,
+                  &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    skv_world_def def = skv_scene_world_def(scene);
+    assert_memory_equal(&def.liquids[0], &standard, sizeof standard);
+    assert_true(standard.yield == 0.1f && standard.cohesion == -1);
+    skv_terrain_destroy(def.terrain);
+    skv_scene_destroy(scene);
+}
+
 /* Blue up to a third, yellow above it, green over both. */
 static rgb paint_layers(int x, int y, void *user)
 {
@@ -294,9 +312,13 @@ static void yellow_is_painted_oil(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(jelly_keeps_its_corners),   cmocka_unit_test(fluids_arrive),
-        cmocka_unit_test(what_is_wrong_is_told),     cmocka_unit_test(eight_are_all),
-        cmocka_unit_test(materials_are_as_they_are), cmocka_unit_test(yellow_is_painted_oil),
+        cmocka_unit_test(jelly_keeps_its_corners),
+        cmocka_unit_test(fluids_arrive),
+        cmocka_unit_test(what_is_wrong_is_told),
+        cmocka_unit_test(eight_are_all),
+        cmocka_unit_test(materials_are_as_they_are),
+        cmocka_unit_test(defaults_are_those_of_programs),
+        cmocka_unit_test(yellow_is_painted_oil),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,15 +6,6 @@
 #include "world/bodies/bodies.h"
 #include "world/springs/springs.h"
 
-const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong)
-{
-    if (liquid->shear_modulus == 0)
-        return NULL;
-    skv_want_more(NULL);
-    *wrong = SKV_LIQUID_WRONG_MODULUS;
-    return "is not known here";
-}
-
 bool skv_world_is_springy(const skv_world *world)
 {
     (void)world;

@@ -18,11 +18,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Of a fluid: Pa, a strain, 1/s. The stiffest block of 0.2 m sags by 1 %, and takes twice the
- * substeps of water. What has yielded by all of its length holds nothing. What flows in less than a
- * hundredth of a second is a liquid to the eye. */
-enum { MOST_MODULUS = 20000, MOST_YIELD = 1, MOST_PLASTICITY = 100 };
-
 /* A spring that is longer breaks, in h: what is so far apart is in two pieces. Jelly that hits a
  * floor faster than its own waves keeps 99 of 100 springs so; with 1.5 it loses a third. */
 #define BREAKS 3.0f
@@ -69,27 +64,6 @@ int skv_springs_rule(const skv_world *world)
         most = needed > most ? needed : most;
     }
     return most;
-}
-
-const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong)
-{
-    if (!skv_within((double)liquid->shear_modulus, 0, MOST_MODULUS)) {
-        *wrong = SKV_LIQUID_WRONG_MODULUS;
-        return "is out of range; allowed is 0..20000 Pa";
-    }
-    if (!skv_within((double)liquid->yield, 0, MOST_YIELD)) {
-        *wrong = SKV_LIQUID_WRONG_YIELD;
-        return "is out of range; allowed is 0..1";
-    }
-    if (!skv_within((double)liquid->plasticity, 0, MOST_PLASTICITY)) {
-        *wrong = SKV_LIQUID_WRONG_PLASTICITY;
-        return "is out of range; allowed is 0..100 1/s";
-    }
-    if (liquid->plasticity > 0 && !skv_liquid_is_springy(liquid)) {
-        *wrong = SKV_LIQUID_WRONG_PLASTICITY;
-        return "needs springs that give way; add a shear_modulus, Pa";
-    }
-    return NULL;
 }
 
 /* ---- Pushing --------------------------------------------------------------------------------- */

@@ -44,9 +44,6 @@ static inline bool skv_liquid_is_springy(const skv_liquid *liquid)
 }
 bool skv_world_is_springy(const skv_world *world);
 
-/* What is wrong with the numbers of a fluid's springs, and which of them; null: nothing. */
-const char *skv_springs_complain(const skv_liquid *liquid, skv_liquid_member *wrong);
-
 /* How many substeps a frame the stiffest springs of the world's fluids need; 0 without any. */
 int skv_springs_rule(const skv_world *world);
 
