@@ -189,7 +189,11 @@ static skv_result build_blank(builder *c)
     double height = c->value[SKV_F_WORLD_HEIGHT].number;
     double pixel = c->value[SKV_F_WORLD_PIXEL].number;
     double columns = floor(width / pixel + 0.5);
-    double rows = columns > 0.0 ? floor(height / (width / columns) + 0.5) : 0.0;
+    double longest = skv_scene_fields(NULL)[SKV_F_WORLD_HEIGHT].maximum;
+    double side = columns > 0.0 ? width / columns : 0.0;
+    double rows = columns > 0.0 ? floor(height / side + 0.5) : 0.0;
+    if (rows * side > longest * (1 + 1e-6)) /* rounded up beyond what a side may have */
+        rows--;
     double least = columns < rows ? columns : rows, most = columns > rows ? columns : rows;
     if (least < SKV_TERRAIN_MIN_PIXELS || most > SKV_TERRAIN_MAX_PIXELS) {
         char offer[64], message[160];
@@ -202,7 +206,7 @@ static skv_result build_blank(builder *c)
     skv_scene *scene = c->scene;
     scene->width = (int)columns;
     scene->height = (int)rows;
-    scene->pixel_size = width / columns;
+    scene->pixel_size = side;
     scene->coverage = skv_calloc((size_t)scene->width * (size_t)scene->height, 1);
     return scene->coverage != NULL ? SKV_OK : fail_memory(c);
 }

@@ -52,6 +52,36 @@ static void test_too_fine_a_spacing(void **state)
     skv_scene_destroy(scene);
 }
 
+/* The pixel that is offered for a small or a large world makes it, also of the longest side. */
+static void test_offered_pixels(void **state)
+{
+    (void)state;
+    static const struct {
+        double width, height, pixel;
+        int particles;
+    } worlds[] = {{0.01, 0.01, 0.0025, 100}, {0.01, 1, 0.0025, 100}, {0.013, 0.3, 0.0025, 100},
+                  {0.0407, 9, 0.01, 100},    {0.333, 16, 0.1, 1000}, {16, 9, 0.001, 20000},
+                  {7.77, 0.5, 0.0005, 1000}};
+    for (size_t i = 0; i < sizeof worlds / sizeof *worlds; i++) {
+        const char *form = "{ \"particles\": %d, \"world\": { \"width\": %.4f, \"height\": %.4f, "
+                           "\"pixel\": %.9g }, \"water\": [ { \"shape\": \"box\" } ] }";
+        char text[256];
+        skv_scene *scene;
+        skv_error error = {0};
+        snprintf(text, sizeof text, form, worlds[i].particles, worlds[i].width, worlds[i].height,
+                 worlds[i].pixel);
+        assert_int_equal(load_text(text, NULL, &scene, &error), SKV_ERROR_VALUE);
+        const char *offer = strstr(error.text, "each way; ");
+        assert_non_null(offer);
+        double pixel = strtod(offer + strlen("each way; "), NULL);
+        assert_true(pixel > 0);
+        snprintf(text, sizeof text, form, worlds[i].particles, worlds[i].width, worlds[i].height,
+                 pixel);
+        assert_int_equal(load_text(text, NULL, &scene, &error), SKV_OK);
+        skv_scene_destroy(scene);
+    }
+}
+
 static rgb checker(int x, int y, void *user)
 {
     (void)user;
@@ -152,9 +182,8 @@ static void test_too_long_lines(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_too_fine_a_spacing),
-        cmocka_unit_test(test_too_fine_walls),
-        cmocka_unit_test(test_too_many_taps),
+        cmocka_unit_test(test_too_fine_a_spacing), cmocka_unit_test(test_offered_pixels),
+        cmocka_unit_test(test_too_fine_walls),     cmocka_unit_test(test_too_many_taps),
         cmocka_unit_test(test_too_long_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
