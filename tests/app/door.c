@@ -373,15 +373,15 @@ static void tell_app(GString *json, PlayWindow *window)
     g_string_append_c(json, ']');
 }
 
-/* Presses of buttons and keys that came to windows: the toolkit may keep one of a button to itself.
- */
+/* Presses of buttons and keys that came to what shows: the toolkit may keep one of a button to
+ * itself, or give it to a menu that is closed. */
 static int presses, keys;
 
 static gboolean count_press(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC_UNUSED guint count,
                             const GValue *values, G_GNUC_UNUSED gpointer data)
 {
     GdkEventType type = gdk_event_get_event_type(g_value_peek_pointer(&values[1]));
-    presses += type == GDK_BUTTON_PRESS;
+    presses += type == GDK_BUTTON_PRESS && gdk_surface_get_mapped(g_value_get_object(&values[0]));
     keys += type == GDK_KEY_PRESS;
     return TRUE;
 }
