@@ -373,19 +373,6 @@ static void tell_app(GString *json, PlayWindow *window)
     g_string_append_c(json, ']');
 }
 
-/* Presses of buttons and keys that came to what shows: the toolkit may keep one of a button to
- * itself, or give it to a menu that is closed. */
-static int presses, keys;
-
-static gboolean count_press(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC_UNUSED guint count,
-                            const GValue *values, G_GNUC_UNUSED gpointer data)
-{
-    GdkEventType type = gdk_event_get_event_type(g_value_peek_pointer(&values[1]));
-    presses += type == GDK_BUTTON_PRESS && gdk_surface_get_mapped(g_value_get_object(&values[0]));
-    keys += type == GDK_KEY_PRESS;
-    return TRUE;
-}
-
 /* The app's own window first. What it tells the display knows, too: else keys could still go to a
  * menu of which it tells that it is closed. */
 static char *state(void)
@@ -396,8 +383,6 @@ static char *state(void)
     for (GList *one = windows; one; one = one->next)
         if (PLAY_IS_WINDOW(one->data) && gtk_widget_get_mapped(one->data))
             tell_app(json, one->data);
-    number(json, "presses", presses);
-    number(json, "keys", keys);
     open(json, "windows", '[');
     for (int other = 0; other < 2; other++)
         for (GList *one = windows; one; one = one->next)
@@ -503,9 +488,6 @@ __attribute__((constructor)) static void begin(void)
     g_signal_connect(service, "incoming", G_CALLBACK(on_caller), NULL);
     g_object_unref(address);
     GTK_WIDGET_CLASS(g_type_class_ref(GTK_TYPE_WIDGET))->query_tooltip = hide_tooltip;
-    g_type_class_ref(GDK_TYPE_SURFACE);
-    g_signal_add_emission_hook(g_signal_lookup("event", GDK_TYPE_SURFACE), 0, count_press, NULL,
-                               NULL);
     g_type_class_ref(GDK_TYPE_FRAME_CLOCK);
     g_signal_add_emission_hook(g_signal_lookup("after-paint", GDK_TYPE_FRAME_CLOCK), 0,
                                wait_for_frame, NULL, NULL);

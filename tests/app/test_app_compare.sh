@@ -40,7 +40,7 @@ await 'worlds[0].particles == 1000 and worlds[1].particles == 1000'
 press 'Hands and gravity in both worlds'
 await 'not linked and sum(widget.name == "Gravity" for widget in widgets()) == 2'
 point 60 80 1
-push mousedown 1
+xdotool mousedown 1
 point 80 80 1
 let_go
 await 'worlds[1].particles > 1000'
@@ -48,7 +48,7 @@ is 'worlds[0].particles == 1000' || fail "what was poured into B was poured into
 key ctrl+z
 await 'worlds[1].particles == 1000'
 point 50 50 0
-push click 1 # the focus, and water, which goes with the undo
+xdotool click 1 # the focus, and water, which goes with the undo
 await 'worlds[0].particles > 1000'
 key ctrl+z
 await 'worlds[0].particles == 1000'
@@ -70,7 +70,7 @@ await 'worlds[0].probes == worlds[1].probes or worlds[1].probes[0].id == worlds[
 await 'says("  A: ") and says("  B: ")'
 is 'worlds[0].probes[0].x0 == worlds[1].probes[0].x0' || fail "it is elsewhere in B: $answer"
 go 'grip(0, 0, 1)'
-push mousedown 1
+xdotool mousedown 1
 point 30 30 1
 let_go
 await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.02 and abs(worlds[1].probes[0].x0 - 0.48) < 0.02'

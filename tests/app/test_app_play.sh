@@ -49,7 +49,7 @@ await 'paused and worlds[0].particles > 1003'
 key space
 await 'not paused and moment > 20'
 go 'middle("Rewind")'
-push mousedown 1
+xdotool mousedown 1
 await 'paused and not seeking and moment == max(0, round(end + 60 * find("Rewind").value)) < end and find("Rewind").value < -5'
 let_go
 await 'not paused and find("Rewind").value == 0'
@@ -63,7 +63,7 @@ drag 62 77 78 77
 let_go
 await 'sum(cells("walls", 65, 75, 75, 80)) == 2'
 point 62 77
-push mousedown 3
+xdotool mousedown 3
 point 78 77
 xdotool mouseup 3
 await 'sum(cells("walls", 60, 70, 80, 85)) == 0'
@@ -81,7 +81,7 @@ await "brush > 1.1 * $old"
 press 'Size of the tool'
 await 'menus() == 1'
 go 'still(middle("Size of the tool", "Scale", x=0.9))'
-push click 1
+xdotool click 1
 await 'brush > 0.15'
 key Escape
 await 'closed()'
@@ -112,7 +112,7 @@ await 'worlds[0].probes[0].kind == 0 and says("1  Pressure  ") and paused'
 await 'abs(worlds[0].probes[0].x0 - 0.96) < 0.01 and abs(worlds[0].probes[0].y0 - 0.135) < 0.01'
 await 'worlds[0].probes[0].value > 100 and not says("1  Pressure  –")'
 go 'grip()'
-push mousedown 1
+xdotool mousedown 1
 point 30 80
 await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.01 and abs(worlds[0].probes[0].y0 - 0.72) < 0.01'
 await 'worlds[0].probes[0].value is None and says("1  Pressure  no water here")'
@@ -146,24 +146,24 @@ await 'len(worlds[0].probes) == 1 and says("  Ruler  ") and closed()'
 await 'worlds[0].probes[0].x0, worlds[0].probes[0].y0'
 read -r x y <<<"$answer"
 go 'grip(0, 1)'
-push mousedown 1
+xdotool mousedown 1
 point 90 20
 let_go
 await "abs(worlds[0].probes[0].x1 - 1.44) < 0.01 and worlds[0].probes[0].x0 == $x"
 go 'grip()'
-push mousedown 1
+xdotool mousedown 1
 point 20 40
 await 'abs(worlds[0].probes[0].x0 - 0.32) < 0.01 and abs(worlds[0].probes[0].y0 - 0.36) < 0.01'
 let_go
 await "abs(worlds[0].probes[0].x1 - worlds[0].probes[0].x0 - 1.44 + $x) < 0.02"
 await "abs(worlds[0].probes[0].y1 - worlds[0].probes[0].y0 - 0.18 + $y) < 0.02"
 go 'grip()'
-push mousedown 1
+xdotool mousedown 1
 go 'middle("Rewind")'
 let_go
 await 'len(worlds[0].probes) == 1 and worlds[0].probes[0].y0 == 0'
 go 'grip()'
-push mousedown 1
+xdotool mousedown 1
 go 'middle("Hand")'
 let_go
 await 'len(worlds[0].probes) == 1 and worlds[0].probes[0].x0 == 0'

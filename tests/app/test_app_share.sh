@@ -52,7 +52,7 @@ key ctrl+v
 await 'worlds[0].opened == 2 and watching and not paused and shows("Take Over")'
 await 'style.view == "pressure" and len(worlds[0].probes) == 1'
 point 40 70
-push mousedown 1
+xdotool mousedown 1
 await 'withheld == 1 and says("This is a replay") and watching'
 let_go
 key space

@@ -35,7 +35,7 @@ await 'abs(worlds[0].camera.zoom - 1.5625) < 1e-6'
 await 'worlds[0].camera.originX'
 old=$answer
 point 50 50
-push mousedown 2
+xdotool mousedown 2
 point 55 50
 xdotool mouseup 2
 await "worlds[0].camera.originX > $old + 10"
@@ -43,10 +43,10 @@ key ctrl+minus
 await 'abs(worlds[0].camera.zoom - 1.25) < 1e-6'
 # 3. Gravity by its ball: as far out as twice the scene's own strength, and caught in the middle.
 go 'middle("Gravity", x=0.85)'
-push click 1
+xdotool click 1
 await 'gravity.x > 1.2 and abs(gravity.y) < 0.1'
 go 'middle("Gravity", y=0.1)'
-push click 1
+xdotool click 1
 await 'abs(gravity.x) < 0.1 and gravity.y > 1.2'
 press Gravity
 await 'gravity.x == 0 and gravity.y == 0'
