@@ -9,8 +9,13 @@
 
 enum { BODY_COOKIE = 0x424f };
 
-/* m: how far a host's engine may correct where a body is before a substep. */
-#define LEAD_MOST 0.1
+/* m/s and rad/s: no body is told to be faster. */
+#define MOST_SPEED 100.0
+#define MOST_SPIN  1000.0
+
+/* s: a host's engine may correct a pose by as much as the fastest body goes and turns in about a
+ * substep, over which the fluid on its way is swept along. */
+#define LED_FOR 1e-3
 
 skv_body_def skv_default_body_def(void)
 {
@@ -64,26 +69,26 @@ static int clear(skv_world *world, int index)
     return count;
 }
 
-static bool is_sane_pose(float x, float y, float angle)
+static skv_result check_pose(float x, float y, float angle, skv_error *error)
 {
-    return skv_within((double)x, -100, 100) && skv_within((double)y, -100, 100) &&
-           skv_within((double)angle, -100, 100);
-}
-
-static bool is_sane_motion(float vx, float vy, float spin)
-{
-    return skv_within((double)vx, -100, 100) && skv_within((double)vy, -100, 100) &&
-           skv_within((double)spin, -1000, 1000);
-}
-
-static skv_result refuse_pose(skv_error *error)
-{
+    if (skv_within((double)x, -100, 100) && skv_within((double)y, -100, 100) &&
+        skv_within((double)angle, -100, 100))
+        return SKV_OK;
     return skv_fail(error, SKV_ERROR_VALUE,
                     "body: its place or angle is out of range; allowed is -100..100 m and rad");
 }
 
-static skv_result refuse_motion(skv_error *error)
+/* Whether it is what the fastest body does in so many seconds, at most. */
+static bool is_within(double x, double y, double turn, double time)
 {
+    double way = time * MOST_SPEED, most = time * MOST_SPIN;
+    return skv_within(x, -way, way) && skv_within(y, -way, way) && skv_within(turn, -most, most);
+}
+
+static skv_result check_motion(float vx, float vy, float spin, skv_error *error)
+{
+    if (is_within((double)vx, (double)vy, (double)spin, 1))
+        return SKV_OK;
     return skv_fail(error, SKV_ERROR_VALUE,
                     "body: its velocity or spin is out of range; allowed is -100..100 m/s and "
                     "-1000..1000 rad/s");
@@ -125,10 +130,11 @@ static skv_result check_pin(const skv_body_def *def, skv_error *error)
 
 static skv_result check_def(const skv_body_def *def, skv_error *error)
 {
-    if (!is_sane_pose(def->x, def->y, def->angle))
-        return refuse_pose(error);
-    if (!is_sane_motion(def->vx, def->vy, def->spin))
-        return refuse_motion(error);
+    skv_result result = check_pose(def->x, def->y, def->angle, error);
+    if (result == SKV_OK)
+        result = check_motion(def->vx, def->vy, def->spin, error);
+    if (result != SKV_OK)
+        return result;
     if (!skv_within((double)def->density, 10, 50000))
         return skv_fail(error, SKV_ERROR_VALUE,
                         "body: its density is out of range; allowed is 10..50000 kg/m^2");
@@ -136,7 +142,7 @@ static skv_result check_def(const skv_body_def *def, skv_error *error)
         return skv_fail(error, SKV_ERROR_VALUE,
                         "body: its friction or restitution is out of range; allowed is 0..10 and "
                         "0..1");
-    skv_result result = check_owner(def, error);
+    result = check_owner(def, error);
     return result == SKV_OK ? check_pin(def, error) : result;
 }
 
@@ -253,11 +259,9 @@ skv_result skv_world_set_body_pose(skv_world *world, skv_body_id id, float x, fl
 {
     SKV_ASSERT_OR(skv_may_step(world), SKV_ERROR_VALUE);
     int index = find(world, id);
-    if (index < 0)
-        return refuse_id(id, error);
-    if (!is_sane_pose(x, y, angle))
-        return refuse_pose(error);
-    skv_result result = skv_world_begin_removal(world, world->state.count, error);
+    skv_result result = index < 0 ? refuse_id(id, error) : check_pose(x, y, angle, error);
+    if (result == SKV_OK)
+        result = skv_world_begin_removal(world, world->state.count, error);
     if (result != SKV_OK)
         return result;
     wake_around(world, index);
@@ -274,10 +278,9 @@ skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float v
 {
     SKV_ASSERT_OR(skv_may_change(world), SKV_ERROR_VALUE);
     int index = find(world, id);
-    if (index < 0)
-        return refuse_id(id, error);
-    if (!is_sane_motion(vx, vy, spin))
-        return refuse_motion(error);
+    skv_result result = index < 0 ? refuse_id(id, error) : check_motion(vx, vy, spin, error);
+    if (result != SKV_OK)
+        return result;
     skv_rigid *r = &world->bodies->body[index];
     r->vx = (double)vx;
     r->vy = (double)vy;
@@ -295,12 +298,11 @@ static skv_result check_lead(const skv_rigid *r, const skv_motion *way, skv_erro
         return skv_fail(error, SKV_ERROR_VALUE,
                         "body: %u is not hosted, so nobody leads it; set its pose or its velocity",
                         (unsigned)r->id);
-    if (skv_within(way->x, -LEAD_MOST, LEAD_MOST) && skv_within(way->y, -LEAD_MOST, LEAD_MOST) &&
-        skv_within(way->turn, -1, 1))
+    if (is_within(way->x, way->y, way->turn, LED_FOR))
         return SKV_OK;
     return skv_fail(error, SKV_ERROR_VALUE,
                     "body: it is led too far from where it is; allowed is %g m and 1 rad",
-                    LEAD_MOST);
+                    LED_FOR * MOST_SPEED);
 }
 
 /* What the host was told is rounded; what it leaves alone is no change. */
@@ -319,14 +321,13 @@ skv_result skv_world_lead_body(skv_world *world, skv_body_id id, float x, float 
 {
     SKV_ASSERT_OR(world && world->busy == SKV_IN_SUBSTEPS, SKV_ERROR_VALUE);
     int index = find(world, id);
-    if (index < 0)
-        return refuse_id(id, error);
-    if (!is_sane_motion(vx, vy, spin))
-        return refuse_motion(error);
+    skv_result result = index < 0 ? refuse_id(id, error) : check_motion(vx, vy, spin, error);
+    if (result != SKV_OK)
+        return result;
     skv_rigid *r = &world->bodies->body[index];
     skv_motion way = {change_of(x, r->x), change_of(y, r->y), change_of(angle, r->angle)};
     skv_motion spur = {change_of(vx, r->vx), change_of(vy, r->vy), change_of(spin, r->spin)};
-    skv_result result = check_lead(r, &way, error);
+    result = check_lead(r, &way, error);
     if (result != SKV_OK)
         return result;
     r->led = add_motions(&r->led, &way);
