@@ -115,6 +115,35 @@ static double reach_of(const skv_rigid *r, double dt)
     return dt * (speed + fabs(r->spin) * r->shape->outline.reach);
 }
 
+/* m: what lies deeper in something may have points of its rim beyond that thing's middle, for no
+ * body is thinner than a spacing. */
+static double deep_in(const skv_world *world)
+{
+    return -(double)world->fluid.spacing / 2;
+}
+
+/* Contacts with walls, from one on, of what lies deep in them: across one or between two. The sides
+ * that are nearest ask it out all ways. It could go along the sum of their normals; where one is
+ * against that no motion parts all, and to ask for it takes energy out of nowhere. So nothing is
+ * asked for, and it stays. */
+static void let_wedged_be(contacts *all, int from, double deep)
+{
+    double x = 0, y = 0;
+    bool lies_deep = false, against = false;
+    for (int k = from; k < all->count; k++) {
+        const contact *c = &all->list[k];
+        x += c->distance < 0 ? c->nx : 0;
+        y += c->distance < 0 ? c->ny : 0;
+        lies_deep = lies_deep || c->distance < deep;
+    }
+    for (int k = from; k < all->count && lies_deep; k++) {
+        const contact *c = &all->list[k];
+        against = against || (c->distance < 0 && c->nx * x + c->ny * y <= 0);
+    }
+    for (int k = from; k < all->count && against; k++)
+        all->list[k].distance = skv_max(all->list[k].distance, 0);
+}
+
 /* What is within a particle of its pin touches no wall, so that a gate can hang at one. */
 static bool is_axle(const skv_world *world, const skv_rigid *r, double x, double y)
 {
@@ -126,6 +155,7 @@ static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, do
 {
     const skv_terrain *terrain = world->terrain;
     double near = SLOP + reach_of(a, dt);
+    int from = all->count;
     double middle = (double)skv_distance_at(terrain, (float)a->x, (float)a->y);
     if (a->fixed || a->hosted || middle > a->shape->outline.reach + near)
         return;
@@ -139,6 +169,7 @@ static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, do
         if (distance < near)
             add(all, a, NULL, x, y, (double)nx, (double)ny, distance);
     }
+    let_wedged_be(all, from, deep_in(world));
 }
 
 /* The rim points of a that are near b. */
@@ -170,12 +201,11 @@ static int index_of(const skv_bodies *bodies, const skv_rigid *r)
     return (int)(r - bodies->body);
 }
 
-/* Which bodies each lies in, or has in it, so deep that some of its rim may be nearer to the far
- * side: no body is thinner than a spacing. As bits. */
+/* Which bodies each lies deep in, or has in it. As bits. */
 static void find_tangled(const skv_world *world, uint64_t with[SKV_MAX_BODIES])
 {
     const contacts *all = &world->bodies->contacts;
-    const double deep = -(double)world->fluid.spacing / 2;
+    const double deep = deep_in(world);
     memset(with, 0, SKV_MAX_BODIES * sizeof *with);
     for (int k = 0; k < all->count; k++) {
         const contact *c = &all->list[k];
