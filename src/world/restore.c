@@ -80,7 +80,7 @@ static skv_result put_state(skv_world *world, const skv_snapshot *s, skv_error *
         result = skv_world_admit_fluids(world, error);
     skv_bodies *bodies = NULL;
     if (result == SKV_OK && s->with_bodies)
-        result = skv_bodies_load(world, s->bodies, &bodies, error);
+        result = skv_bodies_load(world, s->bodies, s->with_touches, &bodies, error);
     skv_springs *springs = NULL;
     if (result == SKV_OK && (s->liquid_extras & SKV_WITH_SPRINGS))
         result = skv_springs_load(s->springs, &springs, error);

@@ -25,18 +25,19 @@ enum {
     WITH_LOAD = 4,
     WITH_WARM = 8,
     WITH_NAMES = 16,
-    WITH_RAMP = 32,         /* of a world on its way, so that others are read by older libraries */
-    WITH_FLUIDS = 64,       /* of a world with several fluids, likewise; and SKV_LIQUID_EXTRAS */
-    WITH_BODIES = 128,      /* of a world that has had bodies, likewise */
-    WITH_HOLDS = 256,       /* of one whose hands hold some, likewise */
-    WITH_AIR = 1024,        /* of one whose air pushes, likewise */
-    WITH_COMPRESSION = 4096 /* of one whose fluid makes up for its compression, likewise */
+    WITH_RAMP = 32,          /* of a world on its way, so that others are read by older libraries */
+    WITH_FLUIDS = 64,        /* of a world with several fluids, likewise; and SKV_LIQUID_EXTRAS */
+    WITH_BODIES = 128,       /* of a world that has had bodies, likewise */
+    WITH_HOLDS = 256,        /* of one whose hands hold some, likewise */
+    WITH_AIR = 1024,         /* of one whose air pushes, likewise */
+    WITH_COMPRESSION = 4096, /* of one whose fluid makes up for its compression, likewise */
+    WITH_TOUCHES = 16384     /* of one whose bodies lie on something, likewise */
 };
 
-static const skv_envelope kind = {"snapshot", 'V', 1, 1,
-                                  WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
-                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES |
-                                      WITH_HOLDS | WITH_AIR | WITH_COMPRESSION | SKV_LIQUID_EXTRAS};
+static const skv_envelope kind = {
+    "snapshot", 'V', 1, 1,
+    WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM | WITH_NAMES | WITH_RAMP | WITH_FLUIDS |
+        WITH_BODIES | WITH_HOLDS | WITH_AIR | WITH_COMPRESSION | WITH_TOUCHES | SKV_LIQUID_EXTRAS};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -163,7 +164,8 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
         WITH_LOAD | WITH_WARM | WITH_NAMES | (with_terrain ? WITH_TERRAIN : 0u) |
             (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
             (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
-            (world->bodies ? WITH_BODIES : 0u) | (world->air ? WITH_AIR : 0u) |
+            (world->bodies ? WITH_BODIES : 0u) |
+            (skv_bodies_touch(world->bodies) ? WITH_TOUCHES : 0u) | (world->air ? WITH_AIR : 0u) |
             (world->compression > 0 ? WITH_COMPRESSION : 0u) | skv_world_liquid_extras(world) |
             (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
@@ -222,10 +224,11 @@ static skv_result read_head(skv_reader *r, skv_snapshot *s, skv_error *error)
     s->with_fluids = flags & WITH_FLUIDS;
     s->with_holds = flags & WITH_HOLDS;
     s->with_bodies = flags & WITH_BODIES;
+    s->with_touches = flags & WITH_TOUCHES;
     s->liquid_extras = flags & SKV_LIQUID_EXTRAS;
     s->with_air = flags & WITH_AIR;
     s->with_compression = flags & WITH_COMPRESSION;
-    if (s->liquid_extras && !s->with_fluids)
+    if ((s->liquid_extras && !s->with_fluids) || (s->with_touches && !s->with_bodies))
         return refuse(error, "it is damaged; take another copy");
     s->holds = SKV_SAVED | (flags & WITH_WARM ? SKV_SAVED_WITH_WARM : 0u) |
                (flags & WITH_FLUIDS ? SKV_SAVED_WITH_FLUIDS : 0u);
@@ -333,7 +336,7 @@ static skv_result read_facts(skv_reader *r, skv_snapshot *s, skv_error *error)
         result = skv_exchange_holds(&(skv_port){.from = r}, &s->acting, error);
     s->bodies = *r;
     if (result == SKV_OK && s->with_bodies)
-        result = skv_bodies_check(r, s->def.fluid.spacing, error);
+        result = skv_bodies_check(r, s->def.fluid.spacing, s->with_touches, error);
     s->springs = *r;
     if (result == SKV_OK && (s->liquid_extras & SKV_WITH_SPRINGS))
         result =

@@ -10,7 +10,7 @@
 typedef struct skv_snapshot {
     skv_world_def def; /* without terrain and threads; substeps: those at present */
     bool substeps_fixed, with_load, with_names, with_ramp, with_fluids, with_holds, with_bodies;
-    bool with_air, with_compression;
+    bool with_touches, with_air, with_compression;
     unsigned liquid_extras; /* liquids.h */
     unsigned holds;         /* of the particles' attributes: skv_saved */
     skv_load load;

@@ -66,17 +66,17 @@ float skv_placed_body_distance(const skv_placed_body *placed, float x, float y)
     return INFINITY;
 }
 
-skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
+skv_result skv_bodies_check(skv_reader *reader, float spacing, bool with_touches, skv_error *error)
 {
-    (void)reader, (void)spacing;
+    (void)reader, (void)spacing, (void)with_touches;
     return skv_want_more(error);
 }
 
-skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
-                           skv_error *error)
+skv_result skv_bodies_load(const skv_world *world, skv_reader reader, bool with_touches,
+                           skv_bodies **bodies, skv_error *error)
 {
     (void)world, (void)bodies;
-    return skv_bodies_check(&reader, 0, error);
+    return skv_bodies_check(&reader, 0, with_touches, error);
 }
 
 float skv_bodies_distance(const skv_world *world, float x, float y)
@@ -100,7 +100,7 @@ void skv_exchange_held(skv_port *port, skv_hand *hand)
 skv_result skv_exchange_holds(skv_port *port, skv_acting *acting, skv_error *error)
 {
     (void)acting;
-    return skv_bodies_check(port->from, 0, error);
+    return skv_bodies_check(port->from, 0, false, error);
 }
 
 bool skv_world_grasp(const skv_world *world, float x, float y, float reach, skv_hand *hand)

@@ -83,7 +83,7 @@ skv_result skv_springs_check(skv_reader *reader, float most_length, int *particl
                              skv_error *error)
 {
     (void)most_length, (void)particles;
-    return skv_bodies_check(reader, 0, error);
+    return skv_bodies_check(reader, 0, false, error);
 }
 
 skv_result skv_springs_load(skv_reader reader, skv_springs **springs, skv_error *error)

@@ -154,6 +154,13 @@ uint64_t skv_bodies_hash(uint64_t hash, const skv_bodies *bodies)
             skv_put_double(&w, state[i]);
         hash = skv_hash_bytes(hash, bytes, w.used);
     }
+    for (int k = 0; k < bodies->touches; k++) {
+        uint8_t bytes[2 * sizeof(double)];
+        w = (skv_writer){bytes, 0};
+        skv_put_double(&w, bodies->touch[k].normal);
+        skv_put_double(&w, bodies->touch[k].along);
+        hash = skv_hash_bytes(hash, bytes, w.used);
+    }
     return hash;
 }
 
@@ -208,7 +215,7 @@ void skv_bodies_move(skv_world *world, double dt)
         return;
     skv_bodies_take_hold(world);
     if (b->set)
-        skv_bodies_solve_contacts(world, dt);
+        skv_bodies_solve_contacts(world, dt, false);
     b->set = false;
     skv_bodies_spur_layers(world);
     skv_motion way[SKV_MAX_BODIES];
@@ -254,7 +261,7 @@ void skv_bodies_feel(skv_world *world, double dt)
     skv_bodies_drive_motors(b, dt);
     skv_bodies_follow_hands(world, dt);
     b->felt += dt;
-    skv_bodies_solve_contacts(world, dt);
+    skv_bodies_solve_contacts(world, dt, true);
     skv_bodies_part_from_layers(world, before);
     skv_bodies_show(world); /* at rest, for who asks between substeps */
 }

@@ -63,6 +63,7 @@ enum { SKV_MOST_FACES = 1024 };
 /* A contact of body a, made for a substep; see bodies/contacts.c. */
 typedef struct skv_body_contact {
     skv_rigid *a, *b; /* b null: the terrain */
+    int rim;          /* the point of a's rim that touches */
     double x, y;      /* where, against a's centre of mass and b's */
     double bx, by;
     double nx, ny;                  /* out of b */
@@ -79,6 +80,21 @@ typedef struct skv_body_contacts {
     skv_body_contact list[SKV_MOST_CONTACTS];
 } skv_body_contacts;
 
+/* What a contact bore in the last substep. */
+typedef struct skv_body_touch {
+    skv_body_id a, b; /* b 0: the terrain */
+    int rim;
+    double normal, along; /* N/m */
+} skv_body_touch;
+
+/* In the order in which contacts are found. */
+static inline bool skv_touch_precedes(const skv_body_touch *one, const skv_body_touch *other)
+{
+    if (one->a != other->a)
+        return one->a < other->a;
+    return one->b != other->b ? one->b < other->b : one->rim < other->rim;
+}
+
 typedef struct skv_bodies {
     int count;
     skv_rigid body[SKV_MAX_BODIES]; /* in the order in which they were added */
@@ -88,6 +104,8 @@ typedef struct skv_bodies {
     skv_solids solids;
     skv_impulse given[SKV_MAX_BODIES]; /* by the solver, m and m^2 */
     skv_body_contacts contacts;
+    int touches;
+    skv_body_touch touch[SKV_MOST_CONTACTS];
     int faces; /* in the order of bodies; none between substeps */
     skv_body_face face[SKV_MOST_FACES];
     skv_body shown[SKV_MAX_BODIES]; /* as a host sees them */
@@ -213,12 +231,17 @@ void skv_bodies_destroy(skv_bodies *bodies);
 /* Gives a world another list, and frees its own. */
 void skv_bodies_take_over(skv_world *world, skv_bodies *bodies);
 
-/* bodies/snapshot.c: in a snapshot. Reading checks all of it; loading makes a list of what has been
- * read, with the shapes that the world has already, for a world that is like the snapshot's. */
+/* bodies/snapshot.c: in a snapshot, and whether touches are part of it. Reading checks all of it;
+ * loading makes a list of what has been read, with the shapes that the world has already, for a
+ * world that is like the snapshot's. */
 void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies);
-skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error);
-skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
-                           skv_error *error);
+static inline bool skv_bodies_touch(const skv_bodies *bodies)
+{
+    return bodies && bodies->touches > 0;
+}
+skv_result skv_bodies_check(skv_reader *reader, float spacing, bool with_touches, skv_error *error);
+skv_result skv_bodies_load(const skv_world *world, skv_reader reader, bool with_touches,
+                           skv_bodies **bodies, skv_error *error);
 
 /* bodies/film.c: whether films between bodies and walls may ask for pressures; these act on the
  * bodies for `dt`. */
@@ -231,7 +254,8 @@ void skv_bodies_follow_hands(skv_world *world, double dt);
 /* A fixed body is moved as if it were of steel, at least, kg/m^2. */
 #define SKV_STEEL 7850.0f
 
-/* bodies/contacts.c: lets no body move into the terrain or another in the next `dt`. */
-void skv_bodies_solve_contacts(skv_world *world, double dt);
+/* bodies/contacts.c: lets no body move into the terrain or another in the next `dt`; whether they
+ * have had their weight for it, which contacts go on bearing. */
+void skv_bodies_solve_contacts(skv_world *world, double dt, bool weighs);
 
 #endif

@@ -70,6 +70,19 @@ static void exchange_head(skv_port *port, head *h)
     skv_exchange_count(port, &h->count, SKV_MAX_BODIES);
 }
 
+/* What a contact bore in the last substep, and how many did. */
+static void exchange_touch(skv_port *port, skv_body_touch *touch)
+{
+    uint64_t a = touch->a, b = touch->b, rim = (uint64_t)touch->rim;
+    skv_exchange(port, &a, 4);
+    skv_exchange(port, &b, 4);
+    skv_exchange(port, &rim, 2);
+    *touch =
+        (skv_body_touch){(skv_body_id)a, (skv_body_id)b, (int)rim, touch->normal, touch->along};
+    skv_exchange_double(port, &touch->normal);
+    skv_exchange_double(port, &touch->along);
+}
+
 void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies)
 {
     skv_port port = {.to = writer};
@@ -77,6 +90,10 @@ void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies)
     exchange_head(&port, &(head){b->next_id, b->set, b->count});
     for (int k = 0; k < b->count; k++)
         exchange_body(&port, &b->body[k], &b->body[k].shape->outline);
+    if (b->touches > 0)
+        skv_exchange_count(&port, &b->touches, SKV_MOST_CONTACTS);
+    for (int k = 0; k < b->touches; k++)
+        exchange_touch(&port, &b->touch[k]);
 }
 
 static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
@@ -94,7 +111,28 @@ static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
            skv_within((double)r->friction, 0, 10) && skv_within((double)r->restitution, 0, 1);
 }
 
-skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
+static skv_result refuse(skv_error *error)
+{
+    return skv_fail(error, SKV_ERROR_VALUE, "snapshot: a body has values that none can have");
+}
+
+/* Whether touches are in their order, and none bears what no body could. */
+static bool check_touches(skv_port *port)
+{
+    int count = 0;
+    skv_body_touch before = {0};
+    bool sane = skv_exchange_count(port, &count, SKV_MOST_CONTACTS);
+    for (int k = 0; k < count && sane; k++) {
+        skv_body_touch touch = {0};
+        exchange_touch(port, &touch);
+        sane = touch.rim < SKV_MOST_RIM && skv_touch_precedes(&before, &touch) &&
+               skv_within(touch.normal, 0, 1e18) && skv_within(touch.along, -1e18, 1e18);
+        before = touch;
+    }
+    return sane;
+}
+
+skv_result skv_bodies_check(skv_reader *reader, float spacing, bool with_touches, skv_error *error)
 {
     skv_port port = {.from = reader};
     head h = {0};
@@ -107,10 +145,11 @@ skv_result skv_bodies_check(skv_reader *reader, float spacing, skv_error *error)
         skv_outline_measure(&outline);
         if (reader->failed || !is_sane(&r, &outline, spacing) || r.id <= before ||
             r.id >= h.next_id)
-            return skv_fail(error, SKV_ERROR_VALUE,
-                            "snapshot: a body has values that none can have");
+            return refuse(error);
         before = r.id;
     }
+    if (with_touches && !check_touches(&port))
+        return refuse(error);
     return SKV_OK;
 }
 
@@ -130,8 +169,8 @@ static skv_result find_shape(const skv_world *world, const skv_bodies *list, con
     return skv_body_shape_create(world, list, o, shape, error);
 }
 
-skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies **bodies,
-                           skv_error *error)
+skv_result skv_bodies_load(const skv_world *world, skv_reader reader, bool with_touches,
+                           skv_bodies **bodies, skv_error *error)
 {
     skv_port port = {.from = &reader};
     head h = {0};
@@ -155,6 +194,10 @@ skv_result skv_bodies_load(const skv_world *world, skv_reader reader, skv_bodies
         skv_rigid_derive(r);
         b->count++;
     }
+    if (with_touches)
+        skv_exchange_count(&port, &b->touches, SKV_MOST_CONTACTS);
+    for (int k = 0; k < b->touches; k++)
+        exchange_touch(&port, &b->touch[k]);
     *bodies = b;
     return SKV_OK;
 }
