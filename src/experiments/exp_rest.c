@@ -4,7 +4,7 @@
  * for 23 seconds; it has settled at the moment after which it never exceeds 0.02 m/s again. Seconds
  * and speeds are those of scale 1: a larger pool takes longer, and what moves in it is faster.
  * Beside it as much water stands between two walls that lean by 45 degrees, one over it and one
- * below, where a wall's force may do work.
+ * below, along which rows of particles may slip.
  */
 #include "experiments/experiment.h"
 #include "skvalp/query.h"
