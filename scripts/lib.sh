@@ -26,7 +26,7 @@ packages_web=(clang-19 lld-19 binaryen wasi-libc libclang-rt-19-dev-wasm32 cmake
 packages_long=(clang-19 lld-19 gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user file
     lintian gcc-mingw-w64-x86-64 wine64 wine)
 packages_fuzz=(clang-19 libclang-rt-19-dev zlib1g-dev)
-packages_lint=(clang-19 clang-format-19 clang-tidy-19 shellcheck doxygen)
+packages_lint=(clang-19 clang-format-19 clang-tidy-19 shellcheck doxygen python3)
 
 logs=build/logs
 progress_seconds=30 # between two lines that say how far a long command has come

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the form of the sources: clang-format, clang-tidy, shellcheck, doxygen, and that clang compiles all
+# Checks the form of the sources: clang-format, clang-tidy, shellcheck, doxygen, and that clang reads all
 # of it without a warning. Prints one line per check; the exit status is 1 if one failed.
 set -euo pipefail
 
@@ -41,6 +41,18 @@ check() {
     verdict "$name" "lint-$name" "$outcome"
 }
 
+# What clang warns of it knows before it makes code, which takes three times as long. What a build generates is
+# not there, and not ours. Called by name, through check.
+# shellcheck disable=SC2317
+read_all() {
+    python3 -c '
+import json, os, shlex
+for one in json.load(open("build/clang/compile_commands.json", encoding="utf-8")):
+    if os.path.exists(one["file"]):
+        print("cd", shlex.quote(one["directory"]), "&&", one["command"], "-fsyntax-only", end="\0")' |
+        xargs -0 -n 1 -P "$(nproc)" sh -c 2>&1
+}
+
 # One process a file, two minutes a file at most. Called by name, through check.
 # shellcheck disable=SC2317
 tidy() {
@@ -63,8 +75,6 @@ SKVALP_WERROR=ON
 outcome=0
 configure clang -DSKVALP_TESTS=ON || outcome=$?
 verdict "configuring for clang" configure-clang "$outcome"
-outcome=0
-build clang || outcome=$?
-verdict "clang's warnings" build-clang "$outcome"
+check clang-warnings read_all
 check clang-tidy tidy "${product_c[@]}"
 exit "$status"
