@@ -373,12 +373,23 @@ static void tell_app(GString *json, PlayWindow *window)
     g_string_append_c(json, ']');
 }
 
+/* How many clicks buttons have had. */
+static guint clicks;
+
+static gboolean count_click(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC_UNUSED guint count,
+                            G_GNUC_UNUSED const GValue *values, G_GNUC_UNUSED gpointer data)
+{
+    clicks++;
+    return TRUE;
+}
+
 /* The app's own window first. What it tells the display knows, too: else keys could still go to a
  * menu of which it tells that it is closed. */
 static char *state(void)
 {
     gdk_display_flush(gdk_display_get_default());
     GString *json = g_string_new("{");
+    number(json, "clicks", clicks);
     GList *windows = gtk_window_list_toplevels();
     for (GList *one = windows; one; one = one->next)
         if (PLAY_IS_WINDOW(one->data) && gtk_widget_get_mapped(one->data))
@@ -491,4 +502,7 @@ __attribute__((constructor)) static void begin(void)
     g_type_class_ref(GDK_TYPE_FRAME_CLOCK);
     g_signal_add_emission_hook(g_signal_lookup("after-paint", GDK_TYPE_FRAME_CLOCK), 0,
                                wait_for_frame, NULL, NULL);
+    g_type_class_ref(GTK_TYPE_BUTTON);
+    g_signal_add_emission_hook(g_signal_lookup("clicked", GTK_TYPE_BUTTON), 0, count_click, NULL,
+                               NULL);
 }

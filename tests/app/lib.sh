@@ -151,7 +151,7 @@ quit_app() {
     ended
 }
 
-# go EXPRESSION: the pointer to a place that find, middle or at tells; press: and clicks there.
+# go EXPRESSION: the pointer to a place that find, middle or at tells; click: and clicks there; press: on a button.
 go() {
     local xid x y
     spend_press
@@ -171,9 +171,21 @@ spend_press() {
     xdotool mousemove --window "$xid" "$x" "$y" click 1
 }
 point() { go "at($1, $2, ${3:-0})"; }
+# A button's press may be lost without a menu before it, too, seldom: it comes again where no button has clicked.
 press() {
+    local clicks
+    if is 'menus()'; then
+        click "$@"
+        chosen=1
+        return
+    fi
+    await '(clicks,)'
+    clicks=$answer
+    click "$@"
+    ask 5 "clicks != $clicks" || xdotool click 1
+}
+click() {
     go "still(middle('$1', '${2:-}'))"
-    ! is 'menus()' || chosen=1
     xdotool click 1
 }
 # drag X0 Y0 X1 Y1...: the mouse with its button down along points of the first world.

@@ -24,7 +24,7 @@ scroll_to() {
 }
 card='A column of water collapses on a dry floor: where its front is, and when.'
 scroll_to "$card"
-press "$card"
+click "$card"
 await 'page == "experiment" and shows("1. Question") and not says("theory")'
 await 'says("It is measured with 1 000 particles.")'
 press Measure Button

@@ -22,7 +22,7 @@ is "not $written" || fail "numbers that are not Swedish: $answer"
 is 'style.comma' || fail 'the ruler of the picture has a decimal point'
 
 # What is refused stays as it was typed, marked, with the reason below it, until something else is.
-press Y Entry
+click Y Entry
 await 'focused()'
 for wrong in tre 1e9; do
     key ctrl+a

@@ -16,7 +16,7 @@ await paused
 await 'style.view == "water" and worlds[0].legend is None and not shows("legend")'
 key v
 await 'style.view == "pressure" and worlds[0].legend.label == "pressure" and shows("legend")'
-press legend
+click legend
 await 'style.range == worlds[0].legend.high and style.range > 0'
 press Views
 await 'menus() == 1'
@@ -48,7 +48,7 @@ await 'gravity.x > 1.2 and abs(gravity.y) < 0.1'
 go 'middle("Gravity", y=0.1)'
 xdotool click 1
 await 'abs(gravity.x) < 0.1 and gravity.y > 1.2'
-press Gravity
+click Gravity
 await 'gravity.x == 0 and gravity.y == 0'
 
 # 4. Properties, and full screen, which Escape leaves.
