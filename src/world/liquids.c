@@ -31,18 +31,18 @@ static const struct {
     size_t offset;
     float least, most, standard;
     unsigned extra;
-} numbers[] = {
+} liquid_numbers[] = {
 #define LIQUID_NUMBER(id, member, unit, least, most, standard, extra, help)                        \
     {#member,           unit, offsetof(skv_liquid, member), (float)(least), (float)(most),         \
      (float)(standard), extra},
 #include "world/liquid_rows.h"
 };
-enum { NUMBERS = sizeof numbers / sizeof *numbers };
+enum { LIQUID_NUMBERS = sizeof liquid_numbers / sizeof *liquid_numbers };
 
 static float number_of(const skv_liquid *liquid, int k)
 {
     float number;
-    memcpy(&number, (const char *)liquid + numbers[k].offset, sizeof number);
+    memcpy(&number, (const char *)liquid + liquid_numbers[k].offset, sizeof number);
     return number;
 }
 
@@ -83,11 +83,11 @@ static bool complain_of_density(float own, float first, char *text, size_t size)
 /* Whether a number is neither in its range nor a default beside that, and in `text` why. */
 static bool complain_of_number(float own, int k, char *text, size_t size)
 {
-    const bool may_follow = numbers[k].standard == SKV_AS_FIRST;
-    const double least = (double)numbers[k].least, most = (double)numbers[k].most;
+    const bool may_follow = liquid_numbers[k].standard == SKV_AS_FIRST;
+    const double least = (double)liquid_numbers[k].least, most = (double)liquid_numbers[k].most;
     if (skv_within((double)own, least, most) || (may_follow && own == SKV_AS_FIRST))
         return false;
-    const char *unit = numbers[k].unit, *space = unit[0] == '\0' ? "" : " ";
+    const char *unit = liquid_numbers[k].unit, *space = unit[0] == '\0' ? "" : " ";
     if (may_follow)
         skv_format(text, size,
                    "is out of range; allowed is %g..%g%s%s, and -1 for that of the first fluid",
@@ -107,9 +107,9 @@ const char *skv_liquid_complain(const skv_world_def *def, int index, char *text,
         complaint = "is out of range; allowed is 0..0xffffff, and -1 for none";
         wrong = "color";
     }
-    for (int k = 0; !complaint && k < NUMBERS; k++)
+    for (int k = 0; !complaint && k < LIQUID_NUMBERS; k++)
         if (complain_of_number(number_of(liquid, k), k, text, size))
-            return numbers[k].name;
+            return liquid_numbers[k].name;
     if (!complaint && liquid->plasticity > 0 && !skv_liquid_is_springy(liquid)) {
         complaint = "needs springs that give way; add a shear_modulus, Pa";
         wrong = "plasticity";
@@ -146,10 +146,11 @@ unsigned skv_world_liquid_extras(const skv_world *world)
 {
     unsigned extras = skv_world_is_springy(world) ? SKV_WITH_SPRINGS : 0;
     for (int i = 1; i < world->fluid_count; i++)
-        for (int k = 0; k < NUMBERS; k++) /* without springs nothing counts what they are like */
-            if (numbers[k].extra != SKV_WITH_SPRINGS &&
-                number_of(&world->liquids[i], k) != numbers[k].standard)
-                extras |= numbers[k].extra;
+        for (int k = 0; k < LIQUID_NUMBERS;
+             k++) /* without springs nothing counts what they are like */
+            if (liquid_numbers[k].extra != SKV_WITH_SPRINGS &&
+                number_of(&world->liquids[i], k) != liquid_numbers[k].standard)
+                extras |= liquid_numbers[k].extra;
     return extras;
 }
 
@@ -219,14 +220,14 @@ static bool exchange_name(skv_port *port, char name[SKV_FLUID_NAME])
 /* The numbers that every snapshot has, or those that one has besides; others have their default. */
 static void exchange_numbers(skv_port *port, skv_liquid *liquid, bool besides, unsigned extras)
 {
-    for (int k = 0; k < NUMBERS; k++) {
-        float *number = (float *)(void *)((char *)liquid + numbers[k].offset);
-        if ((numbers[k].extra != 0) != besides)
+    for (int k = 0; k < LIQUID_NUMBERS; k++) {
+        float *number = (float *)(void *)((char *)liquid + liquid_numbers[k].offset);
+        if ((liquid_numbers[k].extra != 0) != besides)
             continue;
-        if (!besides || numbers[k].extra & extras)
+        if (!besides || liquid_numbers[k].extra & extras)
             skv_exchange_float(port, number);
         else if (port->from)
-            *number = numbers[k].standard;
+            *number = liquid_numbers[k].standard;
     }
 }
 
