@@ -41,7 +41,7 @@ check() {
     verdict "$name" "lint-$name" "$outcome"
 }
 
-# What clang warns of it knows before it makes code, which takes three times as long. What a build generates is
+# What clang warns of it knows before it makes code, which takes most of the time. What a build generates is
 # not there, and not ours. Called by name, through check.
 # shellcheck disable=SC2317
 read_all() {
