@@ -50,6 +50,12 @@ def is_gone(pid):
         return True
 
 
+def goes_by(widget, name):
+    """Whether it is its name, id or text; a name that ends in * is the beginning of one, for what reads numbers."""
+    known = (widget.name, widget.id, widget.text)
+    return any(one.startswith(name[:-1]) for one in known) if name.endswith("*") else name in known
+
+
 class Look:
     """What expressions can say of one state: its fields, and the functions below."""
 
@@ -66,7 +72,7 @@ class Look:
     def find(self, name, kind=""):
         """The first that shows of this name, id or text; kind is a part of its class's name."""
         for widget in self.widgets():
-            if name in (widget.name, widget.id, widget.text) and kind in widget.type:
+            if goes_by(widget, name) and kind in widget.type:
                 return widget
         return None
 
@@ -111,7 +117,7 @@ class Look:
         for window in self.state.windows:
             for one in window.widgets:
                 px, py = int(one.x + x * one.width), int(one.y + y * one.height)
-                if (name in (one.name, one.id, one.text) and kind in one.type and one.sensitive and one.reached
+                if (goes_by(one, name) and kind in one.type and one.sensitive and one.reached
                         and 0 <= px < window.width and 0 <= py < window.height):
                     return window.get("xid", 0), px, py
         return None
