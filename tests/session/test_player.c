@@ -10,6 +10,7 @@
 
 #include "session/support.h"
 #include "support/kept.h"
+#include "support/long.h"
 #include <skvalp/query.h>
 #include <skvalp/snapshot.h>
 
@@ -524,7 +525,7 @@ static void test_a_random_walk(void **state)
     skv_player *player = open_player(400000);
     uint32_t random = 1;
     skv_error error = {0};
-    for (int turn = 0; turn < 1500; turn++) {
+    for (int turn = 0; turn < 1500 / ONE_OF; turn++) {
         random = random * 1664525u + 1013904223u;
         skv_command command;
         skv_result result = SKV_OK;

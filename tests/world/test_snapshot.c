@@ -330,7 +330,7 @@ static void every_byte_may_be_wrong(void **unused)
         int refused = 0;
         /* All that stands before the particles, and of these one byte in seven. */
         size_t sparse = long_tests() ? 1 : 11;
-        for (size_t at = 0; at < good.size; at += at < good.size / 2 ? 1 : sparse) {
+        for (size_t at = 0; at < good.size; at += at < good.size / 2 ? ONE_OF : sparse) {
             memcpy(bad.bytes, good.bytes, good.size);
             bad.bytes[at] ^= flips[at / sparse % 3];
             assert_true(try_bytes(world, bad, good));
@@ -341,7 +341,7 @@ static void every_byte_may_be_wrong(void **unused)
                 try_to_load(bad);
         }
         /* Most bytes are digits of numbers, which may be others. */
-        assert_true(refused > (int)good.size / 8);
+        assert_true(refused * ONE_OF > (int)good.size / 8);
         free(bad.bytes);
         free(good.bytes);
         skv_world_destroy(world);
@@ -353,7 +353,7 @@ static void a_part_of_a_snapshot_is_refused(void **unused)
     (void)unused;
     skv_world *world = make_small_of(SKV_SOLVER_FAST, 1);
     fixture_saved good = fixture_save(world, true), bad = {malloc(good.size + 8), 0};
-    for (; bad.size < good.size; bad.size++) {
+    for (; bad.size < good.size; bad.size += ONE_OF) {
         /* Of its own memory: a reader that goes too far is seen. */
         uint8_t *exact = malloc(bad.size + !bad.size);
         memcpy(exact, good.bytes, bad.size);
