@@ -276,16 +276,19 @@ static void times_and_speeds_grow_with_the_tank(void **unused)
 {
     (void)unused;
     static const struct {
-        const char *experiment, *scale, *gravity;
+        const char *experiment, *particles, *scale, *gravity;
         double seconds, allowed; /* of a row of rest */
     } cases[] = {
-        {"rest", "1", "9.81", 23, 0.0007},      {"rest", "2", "19.62", 23, 0.0014},
-        {"rest", "0.5", "19.62", 11.5, 0.0007}, {"hydrostatics", "0.25", "9.81", 4.5, 0},
-        {"archimedes", "2", "19.62", 10, 0},
+        {"rest", "300", "1", "9.81", 23, 0.0007},
+        {"rest", "300", "2", "19.62", 23, 0.0014},
+        {"rest", "300", "0.5", "19.62", 11.5, 0.0007},
+        {"hydrostatics", "600", "0.25", "9.81", 4.5, 0},
+        {"archimedes", "600", "2", "19.62", 10, 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const skv_setting list[] = {
-            {"particles", "600"}, {"scale", cases[i].scale}, {"gravity", cases[i].gravity}};
+        const skv_setting list[] = {{"particles", cases[i].particles},
+                                    {"scale", cases[i].scale},
+                                    {"gravity", cases[i].gravity}};
         skv_report *report = run(cases[i].experiment, list, 3);
         int particles, substeps;
         double spacing, seconds;
@@ -423,6 +426,7 @@ static void an_experiment_can_be_stopped(void **unused)
     skv_lab_options options = skv_default_lab_options();
     options.settings = &few;
     options.setting_count = 1;
+    options.threads = 1;
     options.observe = stop_at_half;
     options.user = &reached;
     skv_report *report;
@@ -495,14 +499,18 @@ static void an_experiment_can_be_watched(void **unused)
     }
 }
 
-static skv_world *play_with(int i)
+/* A set-up's world with so many particles; 0: as many as it says. */
+static skv_world *play_with(const char *name, int particles)
 {
+    int i = number_of(name);
     kept text = {0};
+    skv_scene_options options = skv_default_scene_options();
+    options.particles = particles;
     skv_scene *scene = NULL;
     skv_world *world;
     skv_error error;
     if (skv_experiment_scene(i, kept_add, &text, &error) != SKV_OK ||
-        skv_scene_load_memory(text.bytes, text.size, "json", "set-up", NULL, &scene, &error) !=
+        skv_scene_load_memory(text.bytes, text.size, "json", "set-up", &options, &scene, &error) !=
             SKV_OK)
         fail_msg("%s: %s", skv_experiment_info(i)->name, error.text);
     assert_string_equal(skv_scene_name(scene), skv_experiment_info(i)->name);
@@ -521,7 +529,7 @@ static skv_world *play_with(int i)
 static void set_ups_can_be_played_with(void **unused)
 {
     (void)unused;
-    skv_world *drops = play_with(number_of("ringing")), *flume = play_with(number_of("channel"));
+    skv_world *drops = play_with("ringing", 0), *flume = play_with("channel", 2000);
     float gx, gy;
     skv_world_gravity(drops, &gx, &gy);
     assert_true(gx == 0 && gy == 0);
@@ -530,13 +538,13 @@ static void set_ups_can_be_played_with(void **unused)
                 skv_default_fluid_def(SKV_LAW_CALIBRATED).viscosity_linear);
     skv_world_destroy(drops);
     skv_world_destroy(flume);
-    skv_world *tank = play_with(number_of("orifice"));
+    skv_world *tank = play_with("orifice", 3000);
     int before = skv_world_particle_count(tank);
     fixture_run(tank, 40);
     assert_true(skv_world_particle_count(tank) < before - 20);
     skv_world_destroy(tank);
     for (int i = 0; i < 2; i++) {
-        skv_world *tilted = play_with(number_of(i ? "slosh" : "u-tube"));
+        skv_world *tilted = play_with(i ? "slosh" : "u-tube", 1500);
         skv_world_gravity(tilted, &gx, &gy);
         assert_true(gx != 0);
         skv_world_destroy(tilted);

@@ -46,12 +46,30 @@ static double half_plane(skv_kernel pressure, double d, int map)
     return sum;
 }
 
+/* Where maps are compared with it: at these distances, in twentieths of h. */
+enum { NEAREST = -4, FARTHEST = 22 };
+
+/* The half plane's values there, which all walls of a kernel are compared with. */
+typedef struct truths {
+    double at[FARTHEST - NEAREST + 1][4];
+} truths;
+
+static truths find_truths(skv_kernel kernel)
+{
+    truths t;
+    for (int i = NEAREST; i <= FARTHEST; i++)
+        for (int k = 0; k < 4; k++)
+            t.at[i - NEAREST][k] = half_plane(kernel, i * 0.05, k);
+    return t;
+}
+
 /* Largest errors over one wall, as shares of the values at the wall: scalars and vectors. */
 typedef struct errors {
     double scalar, vector, rms;
 } errors;
 
-static errors measure(skv_kernel kernel, double degrees, double radius_pixels, bool grey)
+static errors measure(skv_kernel kernel, const truths *t, double degrees, double radius_pixels,
+                      bool grey)
 {
     const float pixel = 0.004f;
     const float h = (float)radius_pixels * pixel, s = h / 3;
@@ -64,16 +82,12 @@ static errors measure(skv_kernel kernel, double degrees, double radius_pixels, b
     skv_terrain *terrain = make_terrain(side, side, picture, pixel, 15);
     skv_wall_map *map = NULL;
     assert_int_equal(skv_wall_map_create(terrain, h, s, kernel, NULL, &map, NULL), SKV_OK);
-    double at_wall[4];
-    for (int k = 0; k < 4; k++)
-        at_wall[k] = half_plane(kernel, 0, k);
+    const double *at_wall = t->at[-NEAREST];
     errors worst = {0};
     int count = 0;
-    for (int i = -4; i <= 22; i++) {
+    for (int i = NEAREST; i <= FARTHEST; i++) {
         double d = i * 0.05;
-        double truth[4];
-        for (int k = 0; k < 4; k++)
-            truth[k] = half_plane(kernel, d, k);
+        const double *truth = t->at[i - NEAREST];
         for (int k = -20; k <= 20; k++) {
             double along = k * 0.0371 * radius_pixels;
             double x = wall.x + wall.ny * along + d * radius_pixels * wall.nx;
@@ -102,9 +116,10 @@ static errors measure(skv_kernel kernel, double degrees, double radius_pixels, b
     return worst;
 }
 
-static void check_half_plane(skv_kernel kernel, double radius, double angle, bool grey)
+static void check_half_plane(skv_kernel kernel, const truths *t, double radius, double angle,
+                             bool grey)
 {
-    errors e = measure(kernel, angle, radius, grey);
+    errors e = measure(kernel, t, angle, radius, grey);
     print_message("%s, h %5.1f px, %4.1f deg, %s: scalars %.4f (rms %.4f), vectors %.4f\n",
                   kernel == SKV_KERNEL_SMOOTH ? "smooth" : "spiky ", radius, angle,
                   grey ? "grey  " : "binary", e.scalar, e.rms, e.vector);
@@ -120,11 +135,12 @@ static void maps_match_the_half_plane(void **state)
     (void)state;
     const double angles[] = {0, 10, 22.5, 30, 45};
     const double radii[] = {3, 5, 10, 30, 77, 200};
+    const truths spiky = find_truths(SKV_KERNEL_SPIKY), smooth = find_truths(SKV_KERNEL_SMOOTH);
     for (size_t r = 0; r < sizeof radii / sizeof *radii; r++) {
         for (size_t a = 0; a < sizeof angles / sizeof *angles; a++) {
             for (int grey = 0; grey < 2; grey++) {
-                check_half_plane(SKV_KERNEL_SPIKY, radii[r], angles[a], grey);
-                check_half_plane(SKV_KERNEL_SMOOTH, radii[r], angles[a], grey);
+                check_half_plane(SKV_KERNEL_SPIKY, &spiky, radii[r], angles[a], grey);
+                check_half_plane(SKV_KERNEL_SMOOTH, &smooth, radii[r], angles[a], grey);
             }
         }
     }
