@@ -9,6 +9,7 @@
  * asks for a frame of each window, too. Rectangles are in pixels of the window from its upper left
  * corner; a point of the world in m is at (originX + scale x, originY - scale y) in its area.
  */
+#include <X11/extensions/XInput2.h>
 #include <gdk/x11/gdkx.h>
 #include <gio/gunixsocketaddress.h>
 #include <glib/gstdio.h>
@@ -383,6 +384,17 @@ static gboolean count_click(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC_UN
     return TRUE;
 }
 
+/* How many presses of mouse buttons have come from the X server to their end, whatever the toolkit
+ * makes of them. */
+static guint presses;
+
+static gboolean count_press(G_GNUC_UNUSED GdkDisplay *display, const XEvent *event,
+                            G_GNUC_UNUSED gpointer data)
+{
+    presses += event->type == GenericEvent && event->xcookie.evtype == XI_ButtonRelease;
+    return GDK_EVENT_PROPAGATE;
+}
+
 /* The app's own window first. What it tells the display knows, too: else keys could still go to a
  * menu of which it tells that it is closed. */
 static char *state(void)
@@ -390,6 +402,7 @@ static char *state(void)
     gdk_display_flush(gdk_display_get_default());
     GString *json = g_string_new("{");
     number(json, "clicks", clicks);
+    number(json, "presses", presses);
     GList *windows = gtk_window_list_toplevels();
     for (GList *one = windows; one; one = one->next)
         if (PLAY_IS_WINDOW(one->data) && gtk_widget_get_mapped(one->data))
@@ -440,6 +453,11 @@ static gboolean on_caller(G_GNUC_UNUSED GSocketService *service, GSocketConnecti
 {
     GDataInputStream *lines =
         g_data_input_stream_new(g_io_stream_get_input_stream(G_IO_STREAM(caller)));
+    static bool counts;
+    GdkDisplay *known = gdk_display_get_default();
+    if (!counts && GDK_IS_X11_DISPLAY(known))
+        g_signal_connect(known, "xevent", G_CALLBACK(count_press), NULL);
+    counts = true;
     g_object_set_data_full(G_OBJECT(lines), "caller", g_object_ref(caller), g_object_unref);
     g_data_input_stream_read_line_async(lines, G_PRIORITY_DEFAULT, NULL, on_line, caller);
     return TRUE;
@@ -476,6 +494,27 @@ static gboolean wait_for_frame(G_GNUC_UNUSED GSignalInvocationHint *hint, G_GNUC
     return TRUE;
 }
 
+/* The toolkit warns of a widget, by its address, that it draws before it has given it a place: here
+ * with all that it is in. GTK 4.8 does so itself with the two arrows of the path bar in its dialog
+ * of files, if that is drawn before the folder's name has been read from the disk. */
+static GLogWriterOutput write_log(GLogLevelFlags level, const GLogField *fields, gsize count,
+                                  G_GNUC_UNUSED gpointer data)
+{
+    const char *message = "";
+    void *address = NULL;
+    for (gsize i = 0; i < count; i++)
+        if (g_str_equal(fields[i].key, "MESSAGE"))
+            message = fields[i].value;
+    if (sscanf(message, "Trying to snapshot %*s %p without a current allocation", &address) == 1) {
+        GtkWidget *parent = gtk_widget_get_parent(address);
+        if (parent && g_str_equal(G_OBJECT_TYPE_NAME(parent), "GtkPathBar"))
+            return G_LOG_WRITER_HANDLED;
+        for (GtkWidget *one = address; one; one = gtk_widget_get_parent(one))
+            fprintf(stderr, "in %s: ", G_OBJECT_TYPE_NAME(one));
+    }
+    return g_log_writer_default(level, fields, count, NULL);
+}
+
 /* The worlds of the app are small here, and many programs run at once: one thread computes each. */
 int __wrap_skv_platform_cores(void);
 int __wrap_skv_platform_cores(void)
@@ -499,6 +538,7 @@ __attribute__((constructor)) static void begin(void)
     g_signal_connect(service, "incoming", G_CALLBACK(on_caller), NULL);
     g_object_unref(address);
     GTK_WIDGET_CLASS(g_type_class_ref(GTK_TYPE_WIDGET))->query_tooltip = hide_tooltip;
+    g_log_set_writer_func(write_log, NULL, NULL);
     g_type_class_ref(GDK_TYPE_FRAME_CLOCK);
     g_signal_add_emission_hook(g_signal_lookup("after-paint", GDK_TYPE_FRAME_CLOCK), 0,
                                wait_for_frame, NULL, NULL);

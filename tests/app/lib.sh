@@ -171,27 +171,35 @@ spend_press() {
     xdotool mousemove --window "$xid" "$x" "$y" click 1
 }
 point() { go "at($1, $2, ${3:-0})"; }
-# A button's press may be lost without a menu before it, too, seldom: it comes again where no button has clicked.
+# A button's press may be lost without a menu before it, too, seldom: it comes again where the app has read it from
+# the server, has had two frames since, and no button has clicked. What is chosen in a menu closes it by then.
 press() {
-    local clicks
-    if is 'menus()'; then
-        click "$@"
+    local clicks presses menu=1
+    is 'menus()' || menu=''
+    go "still(middle('$1', '${2:-}'))"
+    await '(clicks, presses)'
+    read -r clicks presses <<<"$answer"
+    xdotool click 1
+    if [[ -n $menu ]]; then
+        await "still(presses) > $presses"
         chosen=1
-        return
+    else
+        await "clicks != $clicks or still(presses) > $presses"
+        is "clicks != $clicks" || xdotool click 1
     fi
-    await '(clicks,)'
-    clicks=$answer
-    click "$@"
-    ask 5 "clicks != $clicks" || xdotool click 1
 }
 click() {
     go "still(middle('$1', '${2:-}'))"
     xdotool click 1
 }
-# drag X0 Y0 X1 Y1...: the mouse with its button down along points of the first world.
-drag() {
-    point "$1" "$2"
+# hold EXPRESSION: the mouse with its button down, at a place that stays.
+hold() {
+    go "still($1)"
     xdotool mousedown 1
+}
+# drag X0 Y0 X1 Y1...: and along points of the first world.
+drag() {
+    hold "at($1, $2)"
     shift 2
     while (($# > 0)); do
         point "$1" "$2"

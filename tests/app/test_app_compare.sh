@@ -39,15 +39,14 @@ await 'worlds[0].particles == 1000 and worlds[1].particles == 1000'
 # 3. Unlinked, into B alone; and gravity in A alone, which gives B a ball of its own.
 press 'Hands and gravity in both worlds'
 await 'not linked and sum(widget.name == "Gravity" for widget in widgets()) == 2'
-point 60 80 1
-xdotool mousedown 1
+hold 'at(60, 80, 1)'
 point 80 80 1
 let_go
 await 'worlds[1].particles > 1000'
 is 'worlds[0].particles == 1000' || fail "what was poured into B was poured into A, too: $answer"
 key ctrl+z
 await 'worlds[1].particles == 1000'
-point 50 50 0
+go 'still(at(50, 50))'
 xdotool click 1 # the focus, and water, which goes with the undo
 await 'worlds[0].particles > 1000'
 key ctrl+z
@@ -69,8 +68,7 @@ key m s
 await 'worlds[0].probes == worlds[1].probes or worlds[1].probes[0].id == worlds[0].probes[0].id'
 await 'says("  A: ") and says("  B: ")'
 is 'worlds[0].probes[0].x0 == worlds[1].probes[0].x0' || fail "it is elsewhere in B: $answer"
-go 'grip(0, 0, 1)'
-xdotool mousedown 1
+hold 'grip(0, 0, 1)'
 point 30 30 1
 let_go
 await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.02 and abs(worlds[1].probes[0].x0 - 0.48) < 0.02'

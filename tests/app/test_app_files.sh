@@ -70,13 +70,14 @@ save_readings() {
     await 'dialog() == "Save the Readings"' # over the card, which keeps what the toolkit calls focus
     await 'windows[1].xid'
     repeat gives_input "$answer"
+    await 'any("Text" in one.type and one.text.endswith(".csv") for one in windows[1].widgets)'
     key ctrl+a
     xdotool type --delay 5 "$1"
     await "shows('$1', 'Text')"
     key Return
     await 'not dialog()'
 }
-point 40 25
+go 'still(at(40, 25))'
 key m
 await 'says("1  Pressure") and says("cm of water")'
 press '1  Pressure*' Toggle

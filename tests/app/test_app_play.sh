@@ -48,8 +48,7 @@ await 'paused and worlds[0].particles > 1003'
 # The bar: while a finger is on it, the picture follows; then it plays on from there.
 key space
 await 'not paused and moment > 20'
-go 'middle("Rewind")'
-xdotool mousedown 1
+hold 'middle("Rewind")'
 await 'paused and not seeking and moment == max(0, round(end + 60 * find("Rewind").value)) < end and find("Rewind").value < -5'
 let_go
 await 'not paused and find("Rewind").value == 0'
@@ -111,8 +110,7 @@ key m
 await 'worlds[0].probes[0].kind == 0 and says("1  Pressure  ") and paused'
 await 'abs(worlds[0].probes[0].x0 - 0.96) < 0.01 and abs(worlds[0].probes[0].y0 - 0.135) < 0.01'
 await 'worlds[0].probes[0].value > 100 and not says("1  Pressure  –")'
-go 'grip()'
-xdotool mousedown 1
+hold 'grip()'
 point 30 80
 await 'abs(worlds[0].probes[0].x0 - 0.48) < 0.01 and abs(worlds[0].probes[0].y0 - 0.72) < 0.01'
 await 'worlds[0].probes[0].value is None and says("1  Pressure  no water here")'
@@ -145,25 +143,21 @@ press 'Ruler'
 await 'len(worlds[0].probes) == 1 and says("  Ruler  ") and closed()'
 await 'worlds[0].probes[0].x0, worlds[0].probes[0].y0'
 read -r x y <<<"$answer"
-go 'grip(0, 1)'
-xdotool mousedown 1
+hold 'grip(0, 1)'
 point 90 20
 let_go
 await "abs(worlds[0].probes[0].x1 - 1.44) < 0.01 and worlds[0].probes[0].x0 == $x"
-go 'grip()'
-xdotool mousedown 1
+hold 'grip()'
 point 20 40
 await 'abs(worlds[0].probes[0].x0 - 0.32) < 0.01 and abs(worlds[0].probes[0].y0 - 0.36) < 0.01'
 let_go
 await "abs(worlds[0].probes[0].x1 - worlds[0].probes[0].x0 - 1.44 + $x) < 0.02"
 await "abs(worlds[0].probes[0].y1 - worlds[0].probes[0].y0 - 0.18 + $y) < 0.02"
-go 'grip()'
-xdotool mousedown 1
+hold 'grip()'
 go 'middle("Rewind")'
 let_go
 await 'len(worlds[0].probes) == 1 and worlds[0].probes[0].y0 == 0'
-go 'grip()'
-xdotool mousedown 1
+hold 'grip()'
 go 'middle("Hand")'
 let_go
 await 'len(worlds[0].probes) == 1 and worlds[0].probes[0].x0 == 0'

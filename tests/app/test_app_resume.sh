@@ -12,9 +12,15 @@ kept=$work/.local/state/skvalp/kept
 offered='shows("Go On There")'
 
 pour() {
-    await 'water(65, 65, 90, 75) == 0' # what was poured before has fallen: there is no room in water
-    key space
-    await paused
+    until # what was poured before has fallen, and no wave is there: there is no room in water
+        await 'water(65, 65, 90, 75) == 0'
+        key space
+        await paused
+        is 'water(65, 65, 90, 75) == 0'
+    do
+        key space
+        await 'not paused'
+    done
     await 'worlds[0].particles'
     local before=$answer
     key 3
@@ -33,6 +39,14 @@ pour() {
     do :; done
     await 'worlds[0].particles'
     poured=$answer
+}
+
+# done_by FILE: all that was poured; what is kept after this file was made, for a step came after it, has all.
+done_by() {
+    touch "$1"
+    await '(moment,)'
+    key s
+    await "moment == $answer + 1"
 }
 
 # 1. Who only looked leaves nothing behind; who poured does.
@@ -67,16 +81,18 @@ await "worlds[0].opened == 2 and worlds[0].particles == $poured and closed()"
 first=$app
 pour
 there=$poured
+done_by "$work/first"
 
 # 4. Two windows keep a world each, as they go on; the windows after them go on in one each.
-touch "$work/begun"
 rm "$SKVALP_DOOR"
 start_app pool
 pour
-await "exists('$kept-2.skv')"
-repeat test "$kept-1.skv" -nt "$work/begun" || fail "the first window keeps nothing more"
+done_by "$work/second"
+repeat test "$kept-2.skv" -nt "$work/second" || fail "the second window keeps nothing"
+repeat test "$kept-1.skv" -nt "$work/first" || fail "the first window keeps nothing more"
 kill -KILL "$first" "$app"
 wait "$first" "$app" 2>/dev/null || true
+touch "$kept-2.skv" # the newest
 start_app
 await "$offered and says('Kept: Pool')"
 press 'Go On There'

@@ -9,6 +9,12 @@ command -v xclip >/dev/null || {
     echo "xclip is missing: install xclip"
     exit 1
 }
+copied() { timeout 60 xclip -selection clipboard -o; }
+holds() { [[ $(copied) == "$1" ]]; }
+copy() { # TEXT; who holds it goes on in the background
+    printf '%s' "$1" | timeout 60 xclip -selection clipboard -i
+    repeat holds "$1" || fail "the clipboard does not hold $1"
+}
 start_display 800x600
 start_app pool
 
@@ -29,13 +35,13 @@ await 'end if not active else 0'
 frames=$answer
 key ctrl+shift+c
 await 'says("The link was copied")'
-link=$(timeout 60 xclip -selection clipboard -o)
+link=$(copied)
 [[ $link == skvalp:1.* ]] || fail "what was copied is no link: $link"
 verdict=$("$build/skvalp" replay "$link") || fail "the link does not go as it was recorded"
 [[ $verdict == 'link: '*'as recorded; hash '* ]] || fail "skvalp replay says: $verdict"
 
 # 2. What is no link, pasted: a message.
-printf 'no link' | timeout 60 xclip -selection clipboard -i
+copy 'no link'
 key ctrl+v
 await '"no link to open" in message'
 press 'Close this message'
@@ -43,7 +49,7 @@ await 'not message'
 
 # 3. A link pasted: the view and the probe are there that were seen; a touch does nothing while it is
 # watched. Skipped to its end it says how it went, and waits, as it did when it was copied.
-printf '%s' "$link" | timeout 60 xclip -selection clipboard -i
+copy "$link"
 key minus minus minus
 await 'speed == 0.1'
 key v
@@ -51,8 +57,7 @@ await 'style.view == "speed"'
 key ctrl+v
 await 'worlds[0].opened == 2 and watching and not paused and shows("Take Over")'
 await 'style.view == "pressure" and len(worlds[0].probes) == 1'
-point 40 70
-xdotool mousedown 1
+hold 'at(40, 70)'
 await 'withheld == 1 and says("This is a replay") and watching'
 let_go
 key space

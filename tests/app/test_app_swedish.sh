@@ -23,7 +23,7 @@ is 'style.comma' || fail 'the ruler of the picture has a decimal point'
 
 # What is refused stays as it was typed, marked, with the reason below it, until something else is.
 click Y Entry
-await 'focused()'
+await 'any(one.focus and "Text" in one.type for one in widgets())'
 for wrong in tre 1e9; do
     key ctrl+a
     xdotool type --delay 5 "$wrong"

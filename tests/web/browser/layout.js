@@ -78,7 +78,7 @@ const trials = {
     async 'what lies over the picture lies over nothing else there'(browser) {
         const page = await begin(browser, phone, '?scene=pool&paused=1&view=pressure');
         const lying = ['.header button', '.pill', '.legend', '.ball', '.message'];
-        const hint = await page.locator('.hint').textContent(); // it goes after a while
+        const hint = await page.locator('.hint').textContent();
         assert.match(hint, /finger/);
         assert.doesNotMatch(hint, /mouse/);
         await page.locator('.legend').waitFor();

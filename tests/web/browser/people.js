@@ -5,6 +5,8 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 
+import { longest } from './harness.js';
+
 const fromWeb = createRequire(new URL('../../../web/package.json', import.meta.url));
 export const { decode } = await import(fromWeb.resolve('fast-png'));
 
@@ -123,11 +125,19 @@ export async function blue(page, part) {
     return { share: count / (width * height), x: x / count, y: y / count };
 }
 
-/** Waits until something holds of what is blue, or of a part of it. */
-export async function untilBlue(page, holds, what, part) {
-    for (let i = 0, seen; !holds(seen = await blue(page, part)); i++) {
-        assert.ok(i < 300, `in vain: ${what}, at last ${JSON.stringify(seen)}`);
-        await page.waitForTimeout(50);
+/** Waits until something holds of what `look` gives, which is then given. */
+export async function untilSeen(look, holds, what) {
+    const end = Date.now() + longest;
+    for (;;) {
+        const now = await look();
+        if (holds(now)) {
+            return now;
+        }
+        assert.ok(Date.now() < end, `in vain: ${typeof what === 'string' ? what : what(now)}`);
+        await new Promise((resolve) => setTimeout(resolve, 50));
     }
 }
 
+/** Waits until something holds of what is blue, or of a part of it. */
+export const untilBlue = (page, holds, what, part) =>
+    untilSeen(() => blue(page, part), holds, (now) => `${what}, at last ${JSON.stringify(now)}`);

@@ -2,12 +2,10 @@
 // not, on the page where workers cannot draw, without WebGL, and where a context is lost. Arguments: the
 // folder of the bundle.
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
 
+import { decode, untilSeen } from './people.js';
 import { carryOut } from './trials.js';
 
-const fromWeb = createRequire(new URL('../../../web/package.json', import.meta.url));
-const { decode } = await import(fromWeb.resolve('fast-png'));
 const [bundle] = process.argv.slice(2);
 
 /** What a browser lacks, before anything of the page runs. */
@@ -60,12 +58,8 @@ function waterIn(png) {
 }
 
 /** Waits for a picture with as much water as it should have: the last one may be on its way. */
-async function untilWater(page, isRight, what) {
-    for (let i = 0, water; !isRight(water = waterIn(await page.screenshot())); i++) {
-        assert.ok(i < 300, `${what}: ${water} is water`);
-        await page.waitForTimeout(50);
-    }
-}
+const untilWater = (page, isRight, what) =>
+    untilSeen(async () => waterIn(await page.screenshot()), isRight, (water) => `${what}: ${water} is water`);
 
 async function testModes(browser) {
     const modes = [
