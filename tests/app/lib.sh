@@ -73,8 +73,9 @@ start_manager() {
     printf '<openbox_config xmlns="http://openbox.org/3.4/rc"/>' >"$work/rc.xml"
     openbox --config-file "$work/rc.xml" >/dev/null 2>&1 &
     manager=$!
-    repeat xprop -root _NET_SUPPORTING_WM_CHECK >/dev/null || fail "no window manager came up"
+    repeat is_managed || fail "no window manager came up"
 }
+is_managed() { [[ $(xprop -root _NET_SUPPORTING_WM_CHECK) == *'window id'* ]]; }
 # No settings, languages and services of the machine that runs the test.
 export GSETTINGS_BACKEND=memory HOME=$work DBUS_SESSION_BUS_ADDRESS=disabled:
 export LC_ALL=C.UTF-8 LANGUAGE=en

@@ -1,7 +1,7 @@
 // The page as a frame of another one, which scrolls. Arguments: the folder of the built page.
 import assert from 'node:assert/strict';
 
-import { devtools, stateOf, touch, until } from './people.js';
+import { devtools, stateOf, touch, until, untilSeen } from './people.js';
 import { carryOut } from './trials.js';
 
 const [folder] = process.argv.slice(2);
@@ -38,11 +38,11 @@ const trials = {
         await scrolled(100);
         await page.evaluate(() => scrollTo(0, 0));
         const focused = () => inside.evaluate(() => document.activeElement.className === 'water');
-        for (let taps = 0; !(await focused()); taps++) { // the first may but end what still scrolls
-            assert.ok(taps < 20, 'no tap gives it the focus');
+        await untilSeen(async () => { // the first tap may but end what still scrolls
             await page.evaluate(() => scrollTo(0, 0));
             await page.touchscreen.tap(150, 400);
-        }
+            return focused();
+        }, (isFocused) => isFocused, 'a tap gives it the focus');
         await page.evaluate(() => scrollTo(0, 0));
         await until(page, () => scrollY === 0, 'it stands at its top');
         await inside.evaluate(() => window.skvalp.simulation.setPaused(false));
