@@ -21,7 +21,7 @@ extern "C" {
 typedef struct skv_frame {
     double time;                /**< s, of the substeps taken */
     skv_particles particles;    /**< in the order in which they were added */
-    int awake;                  /**< of them; 0: the world is at rest */
+    int awake;                  /**< of them and of the bodies; 0: the world is at rest */
     const skv_terrain *terrain; /**< never changes */
     float spacing;              /**< s, m */
     float smoothing_radius;     /**< h, m */

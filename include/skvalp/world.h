@@ -132,7 +132,8 @@ SKV_API skv_memory skv_world_memory(const skv_world *world);
 
 /** Plain facts. Reading functions may run on several threads at once, never beside a step. */
 SKV_API int skv_world_particle_count(const skv_world *world);
-/** Particles that do not sleep: those that the last step moved, and those added or woken since. */
+/** Particles and bodies that do not sleep: those that the last step moved, and those added or woken
+ * since. A fixed body counts while it moves. */
 SKV_API int skv_world_awake_count(const skv_world *world);
 /** Of 1/60 s, at present: unless given, they follow the load. */
 SKV_API int skv_world_substeps_per_frame(const skv_world *world);

@@ -16,6 +16,8 @@
  * limits are in spacings and in sqrt(g s), the speed gained in falling half a spacing; how they
  * were found is in docs/notebook/2026-11-24-sleep.md.
  *
+ * Bodies fall asleep at looks round, too, with the fluid in their reach: see world/bodies/rest.c.
+ *
  * Invariant: a calm particle outside awake tiles has no velocity and does not move; who sleeps
  * depends on the particles alone, not on threads.
  */
@@ -73,6 +75,7 @@ void skv_sleep_wake_all(skv_world *world)
 {
     for (int i = 0; i < world->state.count; i++)
         skv_sleep_wake(world, i);
+    skv_bodies_wake_all(world);
 }
 
 static skv_tile *tile_of(const skv_world *world, int i)
@@ -211,8 +214,12 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
     *partial = false;
     if (s->calm)
         wake_for_acting(world);
+    bool sleepers = skv_bodies_sleep(world);
+    for (int i = 0; sleepers && i < world->state.count; i++)
+        if (world->state.unrest[i] != SKV_CALM)
+            skv_bodies_disturb(world, i, false);
     for (int i = 0; s->calm && world->bodies && i < world->state.count; i++)
-        if (skv_bodies_stir(world, i))
+        if (world->state.unrest[i] == SKV_CALM && skv_bodies_stir(world, i))
             skv_sleep_wake(world, i);
     for (int i = 0; s->calm && world->air && i < world->state.count; i++)
         if (skv_air_stirs(world, i))
@@ -281,20 +288,34 @@ static void judge(const skv_world *world, bool look_round)
     }
 }
 
+/* Bodies come to rest with the fluid within their reach, or not at all. */
+static void judge_bodies(skv_world *world)
+{
+    for (int i = 0; i < world->state.count; i++)
+        if (tile_of(world, i)->state == RESTLESS)
+            skv_bodies_disturb(world, i, true);
+    skv_bodies_come_to_rest(world);
+    skv_bodies_show(world);
+}
+
 void skv_sleep_watch(skv_world *world, float dt)
 {
     skv_sleep *s = &world->sleep;
-    if (!s->allowed || s->stepped == 0)
+    if (!s->allowed || (s->stepped == 0 && !skv_bodies_awake(world)))
         return;
     s->watched += (double)dt;
     bool look_round = s->watched >= WINDOW;
+    skv_bodies_watch(world, MOST_DRIFT * world->fluid.spacing);
     if (!look_round && s->calm == 0)
         return;
     sum_up(world);
     judge(world, look_round);
+    if (look_round && world->bodies)
+        judge_bodies(world);
     skv_state *p = &world->state;
     for (int i = 0; i < p->count; i++) {
-        bool restless = tile_of(world, i)->state == RESTLESS;
+        bool restless = tile_of(world, i)->state == RESTLESS ||
+                        (look_round && world->bodies && skv_bodies_stir(world, i));
         if (look_round) {
             set_unrest(world, i, restless ? SKV_RESTLESS : SKV_CALM);
             p->anchor_x[i] = p->x[i];

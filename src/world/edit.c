@@ -8,6 +8,7 @@
 #include "base/exact.h"
 #include "terrain/sample.h"
 #include "world/area.h"
+#include "world/bodies/bodies.h"
 #include "world/remove.h"
 #include "world/springs/springs.h"
 
@@ -140,6 +141,7 @@ skv_result skv_world_set_terrain(skv_world *world, skv_terrain *terrain, int *re
     if (result == SKV_OK) {
         world->terrain = terrain;
         world->boundary.terrain = terrain;
+        skv_bodies_wake_all(world);
         buried = tend_particles(world, before, &e);
         skv_world_revise(world); /* pairs that a new thin wall parts are none */
         skv_terrain_destroy(before);

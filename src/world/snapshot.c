@@ -31,13 +31,15 @@ enum {
     WITH_HOLDS = 256,        /* of one whose hands hold some, likewise */
     WITH_AIR = 1024,         /* of one whose air pushes, likewise */
     WITH_COMPRESSION = 4096, /* of one whose fluid makes up for its compression, likewise */
-    WITH_TOUCHES = 16384     /* of one whose bodies lie on something, likewise */
+    WITH_TOUCHES = 16384,    /* of one whose bodies lie on something, likewise */
+    WITH_STILL = 32768       /* of one with a body that sleep watches, likewise */
 };
 
-static const skv_envelope kind = {
-    "snapshot", 'V', 1, 1,
-    WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM | WITH_NAMES | WITH_RAMP | WITH_FLUIDS |
-        WITH_BODIES | WITH_HOLDS | WITH_AIR | WITH_COMPRESSION | WITH_TOUCHES | SKV_LIQUID_EXTRAS};
+static const skv_envelope kind = {"snapshot", 'V', 1, 1,
+                                  WITH_TERRAIN | SUBSTEPS_FIXED | WITH_LOAD | WITH_WARM |
+                                      WITH_NAMES | WITH_RAMP | WITH_FLUIDS | WITH_BODIES |
+                                      WITH_HOLDS | WITH_AIR | WITH_COMPRESSION | WITH_TOUCHES |
+                                      WITH_STILL | SKV_LIQUID_EXTRAS};
 
 /* ---- Writing --------------------------------------------------------------------------------- */
 
@@ -165,9 +167,10 @@ static size_t write_all(const skv_world *world, bool with_terrain, uint8_t *byte
             (world->ramp.left > 0 ? WITH_RAMP : 0u) | (world->fluid_count > 1 ? WITH_FLUIDS : 0u) |
             (skv_hands_hold_bodies(&world->acting) ? WITH_HOLDS : 0u) |
             (world->bodies ? WITH_BODIES : 0u) |
-            (skv_bodies_touch(world->bodies) ? WITH_TOUCHES : 0u) | (world->air ? WITH_AIR : 0u) |
-            (world->compression > 0 ? WITH_COMPRESSION : 0u) | skv_world_liquid_extras(world) |
-            (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
+            (skv_bodies_touch(world->bodies) ? WITH_TOUCHES : 0u) |
+            (skv_bodies_are_watched(world->bodies) ? WITH_STILL : 0u) |
+            (world->air ? WITH_AIR : 0u) | (world->compression > 0 ? WITH_COMPRESSION : 0u) |
+            skv_world_liquid_extras(world) | (world->substeps_fixed ? SUBSTEPS_FIXED : 0u));
     skv_put(w, world->terrain->hash, 8);
     put_parameters(w, world);
     put_facts(w, world);

@@ -94,11 +94,10 @@ static skv_result take_substeps(skv_world *world, int substeps, float time, bool
     step.particles.part = partial ? world->state.part : NULL;
     if (moves)
         move_fluid(world, &step);
-    skv_bodies_feel(world, dt);
+    skv_bodies_feel(world, dt, moves);
     if (moves && skv_pool_is_stopped(world->pool))
         return skv_fail(error, SKV_STOPPED, "the step was stopped");
-    if (moves)
-        skv_sleep_watch(world, time);
+    skv_sleep_watch(world, time);
     return SKV_OK;
 }
 

@@ -234,7 +234,8 @@ int skv_world_awake_count(const skv_world *world)
 {
     SKV_ASSERT_OR(world, 0);
     int restless = world->state.count - world->sleep.calm;
-    return restless > world->sleep.stepped ? restless : world->sleep.stepped;
+    return skv_bodies_awake(world) +
+           (restless > world->sleep.stepped ? restless : world->sleep.stepped);
 }
 
 float skv_world_spacing(const skv_world *world)

@@ -140,9 +140,9 @@ bool skv_bodies_may_have_films(const skv_world *world)
     return false;
 }
 
-void skv_bodies_feel(skv_world *world, double dt)
+void skv_bodies_feel(skv_world *world, double dt, bool moves)
 {
-    (void)world, (void)dt;
+    (void)world, (void)dt, (void)moves;
 }
 
 void skv_bodies_remove_leavers(skv_world *world)
@@ -177,6 +177,49 @@ bool skv_bodies_stir(const skv_world *world, int particle)
 {
     (void)world, (void)particle;
     return false;
+}
+
+int skv_bodies_awake(const skv_world *world)
+{
+    (void)world;
+    return 0;
+}
+
+bool skv_bodies_sleep(const skv_world *world)
+{
+    (void)world;
+    return false;
+}
+
+bool skv_bodies_are_watched(const skv_bodies *bodies)
+{
+    (void)bodies;
+    return false;
+}
+
+void skv_bodies_wake_all(skv_world *world)
+{
+    (void)world;
+}
+
+void skv_bodies_disturb(skv_world *world, int particle, bool look_round)
+{
+    (void)world, (void)particle, (void)look_round;
+}
+
+void skv_bodies_watch(skv_world *world, float most)
+{
+    (void)world, (void)most;
+}
+
+void skv_bodies_show(skv_world *world)
+{
+    (void)world;
+}
+
+void skv_bodies_come_to_rest(skv_world *world)
+{
+    (void)world;
 }
 
 uint64_t skv_bodies_hash(uint64_t hash, const skv_bodies *bodies)

@@ -53,10 +53,10 @@ static skv_pose pose_of(const skv_rigid *r)
 }
 
 /* A body as a host sees it. */
-static skv_body tell(const skv_bodies *b, const skv_rigid *r)
+static skv_body tell(const skv_rigid *r)
 {
     const skv_outline *o = &r->shape->outline;
-    double per_second = b->felt > 0 ? 1 / b->felt : 0;
+    double per_second = r->felt_for > 0 ? 1 / r->felt_for : 0;
     skv_body body = {
         .id = r->id,
         .x = (float)r->x,
@@ -106,7 +106,7 @@ void skv_bodies_show(skv_world *world)
             .before = pose_of(r),
             .now = pose_of(r),
         };
-        b->shown[k] = tell(b, r);
+        b->shown[k] = tell(r);
     }
     skv_solids_arrange(&b->solids, world->h);
     world->boundary.solids = b->count ? &b->solids : NULL;
@@ -164,27 +164,24 @@ uint64_t skv_bodies_hash(uint64_t hash, const skv_bodies *bodies)
     return hash;
 }
 
-bool skv_bodies_stir(const skv_world *world, int particle)
-{
-    const skv_state *p = &world->state;
-    for (int k = 0; k < world->bodies->count; k++) {
-        const skv_rigid *r = &world->bodies->body[k];
-        bool still = r->fixed && r->vx == 0 && r->vy == 0 && r->spin == 0;
-        if (!still && skv_rigid_stirs(r, p->x[particle], p->y[particle], world->h))
-            return true;
-    }
-    return false;
-}
-
 /* ---- A substep ------------------------------------------------------------------------------- */
 
 void skv_bodies_begin_step(skv_world *world)
 {
-    if (!world->bodies)
-        return;
-    world->bodies->felt = 0;
-    for (int k = 0; k < world->bodies->count; k++)
-        world->bodies->body[k].felt = (skv_impulse){0};
+    if (world->bodies)
+        world->bodies->begins = true;
+}
+
+/* Forgets what those felt in the last step that feel this one; who sleeps goes on as it was. */
+static void begin_to_feel(skv_bodies *b)
+{
+    for (int k = 0; k < b->count && b->begins; k++) {
+        if (b->body[k].asleep)
+            continue;
+        b->body[k].felt = (skv_impulse){0};
+        b->body[k].felt_for = 0;
+    }
+    b->begins = false;
 }
 
 /* Moves one and tells how far its centre of mass goes and how far it turns: of one that turns about
@@ -214,15 +211,18 @@ void skv_bodies_move(skv_world *world, double dt)
     if (!skv_world_has_bodies(world))
         return;
     skv_bodies_take_hold(world);
+    for (int k = 0; k < b->count; k++)
+        b->given[k] = (skv_impulse){0};
+    if (!skv_bodies_awake(world))
+        return;
+    begin_to_feel(b); /* what spurs one comes before what it feels */
     if (b->set)
         skv_bodies_solve_contacts(world, dt, false);
     b->set = false;
     skv_bodies_spur_layers(world);
     skv_motion way[SKV_MAX_BODIES];
-    for (int k = 0; k < b->count; k++) {
+    for (int k = 0; k < b->count; k++)
         way[k] = move(&b->body[k], dt);
-        b->given[k] = (skv_impulse){0};
-    }
     skv_pose before[SKV_MAX_BODIES];
     for (int k = 0; k < b->count; k++)
         before[k] = b->solids.solid[k].now;
@@ -236,11 +236,12 @@ void skv_bodies_move(skv_world *world, double dt)
     }
 }
 
-void skv_bodies_feel(skv_world *world, double dt)
+void skv_bodies_feel(skv_world *world, double dt, bool moves)
 {
     skv_bodies *b = world->bodies;
-    if (!skv_world_has_bodies(world))
+    if (!skv_world_has_bodies(world) || !(moves || skv_bodies_awake(world)))
         return;
+    begin_to_feel(b);
     double s = (double)world->fluid.spacing;
     double scale = -(double)world->fluid.density * s * s / dt;
     skv_motion before[SKV_MAX_BODIES];
@@ -248,6 +249,8 @@ void skv_bodies_feel(skv_world *world, double dt)
     skv_bodies_join_layers(world, before);
     for (int k = 0; k < b->count; k++) {
         skv_rigid *r = &b->body[k];
+        if (r->asleep)
+            continue;
         double x = r->owed.x + scale * b->given[k].x, y = r->owed.y + scale * b->given[k].y;
         double moment = r->owed.moment + scale * b->given[k].moment;
         double weight = r->fixed ? 0 : dt * r->mass;
@@ -255,12 +258,12 @@ void skv_bodies_feel(skv_world *world, double dt)
         r->felt.x += x;
         r->felt.y += y;
         r->felt.moment += moment;
+        r->felt_for += dt;
         skv_rigid_push(r, x + weight * (double)world->gravity_x,
                        y + weight * (double)world->gravity_y, moment);
     }
     skv_bodies_drive_motors(b, dt);
     skv_bodies_follow_hands(world, dt);
-    b->felt += dt;
     skv_bodies_solve_contacts(world, dt, true);
     skv_bodies_part_from_layers(world, before);
     skv_bodies_show(world); /* at rest, for who asks between substeps */

@@ -39,12 +39,16 @@ typedef struct skv_rigid {
     float motor_speed, motor_torque;
     bool fixed, pinned;
     bool held;          /* by a hand, and fixed: see bodies/grip.c */
+    bool asleep;        /* bodies/rest.c: is not moved ... */
+    bool still;         /* ... has not gone far since sleep's last look round ... */
+    skv_motion anchor;  /* ... from where it was then, m, m and rad */
     bool hosted;        /* a host's engine moves it, and lets it meet walls and others of its own */
     skv_motion led;     /* by how much its host has changed its pose, m, m and rad ... */
     skv_motion spurred; /* ... and its velocity since the last substep */
     double around;      /* density of the fluid that lies on it, else of the first one, kg/m^2 */
     double layer[2];    /* mass and inertia of the fluid that lies on it, kg/m and kg m */
-    skv_impulse felt;   /* from the fluid in this step: N s/m and N s */
+    skv_impulse felt;   /* from the fluid in the last step that it felt: N s/m and N s ... */
+    double felt_for;    /* ... and for how long, s */
     skv_impulse owed;   /* by air and films, until it feels them in the same substep */
 } skv_rigid;
 
@@ -100,7 +104,7 @@ typedef struct skv_bodies {
     skv_rigid body[SKV_MAX_BODIES]; /* in the order in which they were added */
     skv_body_id next_id;
     bool set;    /* somebody has added or set one: contacts are yet to be solved */
-    double felt; /* s of which `felt` are the sum */
+    bool begins; /* a step; what bodies felt in the last one is yet to be forgotten */
     skv_solids solids;
     skv_impulse given[SKV_MAX_BODIES]; /* by the solver, m and m^2 */
     skv_body_contacts contacts;
@@ -117,10 +121,10 @@ static inline int skv_world_has_bodies(const skv_world *world)
 }
 
 /* A substep of `dt`: bodies move before the solver does, which is to tell what they gave; then they
- * feel it, and gravity, and each other. Without bodies nothing. */
+ * feel it, if any `moves`, and gravity, and each other. Without bodies nothing. */
 void skv_bodies_begin_step(skv_world *world);
 void skv_bodies_move(skv_world *world, double dt);
-void skv_bodies_feel(skv_world *world, double dt);
+void skv_bodies_feel(skv_world *world, double dt, bool moves);
 
 /* bodies/layer.c: between these two bodies are as hard to move as they are with the fluid that lies
  * on them, which in the end gets its part of what has changed their velocities. */
@@ -203,8 +207,25 @@ static inline double skv_face_moment(const skv_body_face *f, const skv_rigid *bo
     return f->turn - (body->pinned ? body->arm_x * f->y - body->arm_y * f->x : 0);
 }
 
-/* Whether a particle is kept awake by a body that moves or may. */
+/* bodies/rest.c: who is awake, of those that are not fixed where they are; whether any sleeps, and
+ * whether a particle is kept awake by one that does not. */
+static inline bool skv_rigid_is_awake(const skv_rigid *r)
+{
+    return !r->asleep && (!r->fixed || r->held || r->vx != 0 || r->vy != 0 || r->spin != 0);
+}
+int skv_bodies_awake(const skv_world *world);
+bool skv_bodies_sleep(const skv_world *world);
 bool skv_bodies_stir(const skv_world *world, int particle);
+/* Wakes one, all, who sleeps within reach of a particle that does not (at a look round: who is
+ * still), and who sleeps and touches who does not: whether there was any. */
+void skv_rigid_wake(skv_rigid *r);
+void skv_bodies_wake_all(skv_world *world);
+void skv_bodies_disturb(skv_world *world, int particle, bool look_round);
+bool skv_bodies_wake_touched(skv_body_contacts *contacts);
+/* After substeps: who goes farther than `most`, m, is not still. At a look round those that are
+ * fall asleep, and all are watched anew. */
+void skv_bodies_watch(skv_world *world, float most);
+void skv_bodies_come_to_rest(skv_world *world);
 
 /* Adds what decides their future to a hash. */
 uint64_t skv_bodies_hash(uint64_t hash, const skv_bodies *bodies);
@@ -239,6 +260,8 @@ static inline bool skv_bodies_touch(const skv_bodies *bodies)
 {
     return bodies && bodies->touches > 0;
 }
+/* Whether a body is still, whose anchor then is part of it. */
+bool skv_bodies_are_watched(const skv_bodies *bodies);
 skv_result skv_bodies_check(skv_reader *reader, float spacing, bool with_touches, skv_error *error);
 skv_result skv_bodies_load(const skv_world *world, skv_reader reader, bool with_touches,
                            skv_bodies **bodies, skv_error *error);

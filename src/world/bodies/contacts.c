@@ -193,7 +193,7 @@ static void meet_terrain(contacts *all, const skv_world *world, skv_rigid *a, do
     double near = SLOP + reach_of(a, dt);
     int from = all->count;
     double middle = (double)skv_distance_at(terrain, (float)a->x, (float)a->y);
-    if (a->fixed || a->hosted || middle > a->shape->outline.reach + near)
+    if (a->fixed || a->hosted || a->asleep || middle > a->shape->outline.reach + near)
         return;
     for (int k = 0; k < a->shape->rims; k++) {
         double x, y;
@@ -215,7 +215,8 @@ static void meet_body(contacts *all, const skv_solid *solid, skv_rigid *a, skv_r
     double near = SLOP + reach_of(a, dt) + reach_of(b, dt), reach = b->shape->outline.reach + near;
     double dx = a->x - b->x, dy = a->y - b->y, apart = reach + a->shape->outline.reach;
     int from = all->count;
-    if ((a->fixed && b->fixed) || (a->hosted && b->hosted) || dx * dx + dy * dy > apart * apart)
+    if ((a->fixed && b->fixed) || (a->hosted && b->hosted) ||
+        !(skv_rigid_is_awake(a) || skv_rigid_is_awake(b)) || dx * dx + dy * dy > apart * apart)
         return;
     for (int k = 0; k < a->shape->rims; k++) {
         double x, y;
@@ -312,17 +313,50 @@ static void begin_warm(skv_bodies *bodies, double dt)
     }
 }
 
-static void keep(skv_bodies *bodies, double dt)
+static bool sleeps(const skv_bodies *bodies, skv_body_id id)
 {
-    bodies->touches = 0;
-    for (int k = 0; k < bodies->contacts.count; k++) {
-        const contact *c = &bodies->contacts.list[k];
+    bool asleep = false;
+    for (int k = 0; k < bodies->count; k++)
+        asleep = asleep || (bodies->body[k].asleep && bodies->body[k].id == id);
+    return asleep;
+}
+
+/* Takes out what is not between sleepers; returns how many are left. */
+static int keep_asleep(const skv_world *world)
+{
+    skv_bodies *bodies = world->bodies;
+    int kept = 0, count = skv_bodies_sleep(world) ? bodies->touches : 0;
+    for (int k = 0; k < count; k++) {
+        const skv_body_touch *t = &bodies->touch[k];
+        if (sleeps(bodies, t->a) || sleeps(bodies, t->b))
+            bodies->touch[kept++] = *t;
+    }
+    return kept;
+}
+
+/* Notes what contacts bear, among what sleepers do: from the last one on, for both are in order. */
+static void keep(const skv_world *world, double dt)
+{
+    skv_bodies *bodies = world->bodies;
+    const contacts *all = &bodies->contacts;
+    int asleep = keep_asleep(world), to = asleep;
+    for (int k = 0; k < all->count; k++)
+        to += all->list[k].normal > 0;
+    if (to > SKV_MOST_CONTACTS) {
+        to -= asleep;
+        asleep = 0;
+    }
+    bodies->touches = to;
+    for (int k = all->count - 1; k >= 0; k--) {
+        const contact *c = &all->list[k];
         if (!(c->normal > 0))
             continue;
-        skv_body_touch *touch = &bodies->touch[bodies->touches++];
-        *touch = name_of(c);
-        touch->normal = c->normal / dt;
-        touch->along = c->along / dt;
+        skv_body_touch touch = name_of(c);
+        touch.normal = c->normal / dt;
+        touch.along = c->along / dt;
+        while (asleep > 0 && skv_touch_precedes(&touch, &bodies->touch[asleep - 1]))
+            bodies->touch[--to] = bodies->touch[--asleep];
+        bodies->touch[--to] = touch;
     }
 }
 
@@ -345,7 +379,7 @@ static void solve(contact *c)
     push(c, -(c->along - before) * c->ny, (c->along - before) * c->nx);
 }
 
-void skv_bodies_solve_contacts(skv_world *world, double dt, bool weighs)
+static void find_all(skv_world *world, double dt)
 {
     skv_bodies *bodies = world->bodies;
     contacts *all = &bodies->contacts;
@@ -356,6 +390,15 @@ void skv_bodies_solve_contacts(skv_world *world, double dt, bool weighs)
             if (k != i)
                 meet_body(all, &bodies->solids.solid[k], &bodies->body[i], &bodies->body[k], dt);
     }
+}
+
+void skv_bodies_solve_contacts(skv_world *world, double dt, bool weighs)
+{
+    skv_bodies *bodies = world->bodies;
+    contacts *all = &bodies->contacts;
+    do
+        find_all(world, dt);
+    while (skv_bodies_wake_touched(all));
     untangle_all(world);
     for (int k = 0; k < all->count; k++)
         prepare(&all->list[k], dt);
@@ -365,5 +408,5 @@ void skv_bodies_solve_contacts(skv_world *world, double dt, bool weighs)
         for (int k = 0; k < all->count; k++)
             solve(&all->list[k]);
     if (weighs)
-        keep(bodies, dt);
+        keep(world, dt);
 }

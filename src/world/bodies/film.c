@@ -155,7 +155,8 @@ bool skv_bodies_may_have_films(const skv_world *world)
 {
     bool may = false;
     for (int k = 0; k < skv_world_has_bodies(world); k++)
-        may = may || may_have_film(world, &world->bodies->body[k]);
+        may = may ||
+              (!world->bodies->body[k].asleep && may_have_film(world, &world->bodies->body[k]));
     return may;
 }
 
@@ -163,6 +164,6 @@ void skv_bodies_press_films(const skv_world *world, double dt)
 {
     rim all;
     for (int k = 0; k < world->bodies->count; k++)
-        if (place_rim(world, &world->bodies->body[k], &all))
+        if (!world->bodies->body[k].asleep && place_rim(world, &world->bodies->body[k], &all))
             press(world, &world->bodies->body[k], &all, dt);
 }

@@ -118,8 +118,11 @@ void skv_bodies_take_hold(skv_world *world)
     for (int k = 0; k < world->bodies->count; k++) {
         skv_rigid *r = &world->bodies->body[k];
         bool held = false;
-        for (int i = 0; r->fixed && i < world->acting.hand_count; i++)
+        for (int i = 0; i < world->acting.hand_count; i++)
             held = held || world->acting.hands[i].body == r->id;
+        if (held)
+            skv_rigid_wake(r);
+        held = held && r->fixed;
         if (r->held && !held)
             r->vx = r->vy = r->spin = 0;
         r->held = held;

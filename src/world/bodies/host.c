@@ -49,9 +49,17 @@ static int find(const skv_world *world, skv_body_id id)
 static void wake_around(skv_world *world, int index)
 {
     const skv_state *s = &world->state;
+    const skv_rigid *r = &world->bodies->body[index];
     for (int i = 0; i < s->count; i++)
-        if (skv_rigid_stirs(&world->bodies->body[index], s->x[i], s->y[i], world->h))
+        if (skv_rigid_stirs(r, s->x[i], s->y[i], world->h))
             skv_sleep_wake(world, i);
+    for (int k = 0; k < world->bodies->count; k++) {
+        skv_rigid *other = &world->bodies->body[k];
+        double dx = other->x - r->x, dy = other->y - r->y, h = (double)world->h;
+        double reach = r->shape->outline.reach + other->shape->outline.reach + h;
+        if (dx * dx + dy * dy <= reach * reach)
+            skv_rigid_wake(other);
+    }
 }
 
 /* Takes out the particles inside a body; there is room to note it. Returns their number. */
@@ -287,6 +295,7 @@ skv_result skv_world_set_body_velocity(skv_world *world, skv_body_id id, float v
     r->spin = (double)spin;
     if (r->pinned)
         skv_rigid_swing(r);
+    skv_rigid_wake(r);
     world->bodies->set = true;
     skv_bodies_show(world);
     return SKV_OK;
@@ -354,6 +363,7 @@ skv_result skv_world_set_body_motor(skv_world *world, skv_body_id id, float spee
         return result;
     r->motor_speed = speed;
     r->motor_torque = torque;
+    skv_rigid_wake(r);
     skv_bodies_show(world);
     return SKV_OK;
 }

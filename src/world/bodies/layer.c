@@ -45,7 +45,7 @@ typedef struct layers {
 
 static bool may_move(const skv_rigid *r)
 {
-    return !r->fixed || r->held;
+    return !r->asleep && (!r->fixed || r->held);
 }
 
 /* The share of its slip that a particle loses at a side that it touches. */

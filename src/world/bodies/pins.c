@@ -23,10 +23,10 @@ static void hang(skv_rigid *r)
 void skv_rigid_free(skv_rigid *r)
 {
     double mass = 1 / r->mass, inertia = 1 / r->inertia;
-    r->mobility = r->fixed && !r->held ? (skv_mobility){0}
-                  : r->pinned          ? skv_mobility_about_pin(r, inertia)
-                  : r->fixed           ? (skv_mobility){.xx = mass, .yy = mass}
-                                       : (skv_mobility){.xx = mass, .yy = mass, .tt = inertia};
+    r->mobility = (r->fixed && !r->held) || r->asleep ? (skv_mobility){0}
+                  : r->pinned                         ? skv_mobility_about_pin(r, inertia)
+                  : r->fixed                          ? (skv_mobility){.xx = mass, .yy = mass}
+                             : (skv_mobility){.xx = mass, .yy = mass, .tt = inertia};
 }
 
 void skv_rigid_derive(skv_rigid *r)

@@ -30,12 +30,21 @@ static double *pin(skv_rigid *r, int which)
     return numbers[which];
 }
 
-enum { IS_FIXED = 1, IS_PINNED = 2, IS_HELD = 4, IS_HOSTED = 8 };
+/* Where sleep has last looked at it, if it has been still since. */
+enum { ANCHOR = 3 };
+static double *anchor(skv_rigid *r, int which)
+{
+    double *const numbers[ANCHOR] = {&r->anchor.x, &r->anchor.y, &r->anchor.turn};
+    return numbers[which];
+}
+
+enum { IS_FIXED = 1, IS_PINNED = 2, IS_HELD = 4, IS_HOSTED = 8, IS_ASLEEP = 16, IS_STILL = 32 };
 
 static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
 {
     uint64_t id = r->id, held = (r->fixed ? IS_FIXED : 0u) | (r->pinned ? IS_PINNED : 0u) |
-                                (r->held ? IS_HELD : 0u) | (r->hosted ? IS_HOSTED : 0u);
+                                (r->held ? IS_HELD : 0u) | (r->hosted ? IS_HOSTED : 0u) |
+                                (r->asleep ? IS_ASLEEP : 0u) | (r->still ? IS_STILL : 0u);
     skv_exchange(port, &id, 4);
     r->id = (skv_body_id)id;
     exchange_outline(port, outline);
@@ -49,6 +58,11 @@ static void exchange_body(skv_port *port, skv_rigid *r, skv_outline *outline)
     r->pinned = held & IS_PINNED;
     r->held = held & IS_HELD;
     r->hosted = held & IS_HOSTED;
+    r->asleep = held & IS_ASLEEP;
+    r->still = held & IS_STILL;
+    if (r->still)
+        for (int i = 0; i < ANCHOR; i++)
+            skv_exchange_double(port, anchor(r, i));
     if (!r->pinned)
         return;
     for (int i = 0; i < PIN; i++)
@@ -83,6 +97,14 @@ static void exchange_touch(skv_port *port, skv_body_touch *touch)
     skv_exchange_double(port, &touch->along);
 }
 
+bool skv_bodies_are_watched(const skv_bodies *bodies)
+{
+    bool still = false;
+    for (int k = 0; bodies && k < bodies->count; k++)
+        still = still || bodies->body[k].still;
+    return still;
+}
+
 void skv_bodies_save(skv_writer *writer, const skv_bodies *bodies)
 {
     skv_port port = {.to = writer};
@@ -104,6 +126,10 @@ static bool is_sane(skv_rigid *r, const skv_outline *o, float spacing)
         sane = sane && skv_within(*moving(r, i), -most[i], most[i]);
     for (int i = 0; i < PIN; i++)
         sane = sane && skv_within(*pin(r, i), -1e6, 1e6);
+    for (int i = 0; i < ANCHOR; i++)
+        sane = sane && skv_within(*anchor(r, i), -1e9, 1e9);
+    sane = sane && (r->still || !r->asleep) && !(r->still && (r->fixed || r->hosted)) &&
+           !(r->asleep && (r->vx != 0 || r->vy != 0 || r->spin != 0));
     sane = sane && (r->fixed || !r->held) && !(r->hosted && (r->fixed || r->pinned));
     sane = sane && skv_within((double)r->motor_speed, -1000, 1000) &&
            skv_within((double)r->motor_torque, 0, r->fixed ? 0 : 1e6);
