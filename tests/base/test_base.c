@@ -113,6 +113,38 @@ static void note_assertion(const char *condition, const char *file, int line, vo
     reports++;
 }
 
+/* Whether the system says of memory that it was asked for large pages there. */
+static bool asked_for_large_pages(const void *memory, FILE *maps)
+{
+    char line[512];
+    bool within = false;
+    while (fgets(line, sizeof line, maps)) {
+        unsigned long long from, to;
+        if (sscanf(line, "%llx-%llx", &from, &to) == 2)
+            within = from <= (uintptr_t)memory && (uintptr_t)memory < to;
+        else if (within && strncmp(line, "VmFlags:", 8) == 0)
+            return strstr(line, " hg") != NULL;
+    }
+    return false;
+}
+
+static void large_memory_has_large_pages_if_there_are_any(void **unused)
+{
+    (void)unused;
+    FILE *sizes = fopen("/sys/kernel/mm/transparent_hugepage/hpage_pmd_size", "r");
+    FILE *maps = fopen("/proc/self/smaps", "r");
+    size_t size = 0;
+    char *memory = skv_calloc(16 << 20, 1);
+    assert_non_null(memory);
+    if (maps && sizes && fscanf(sizes, "%zu", &size) == 1 && size == 2 << 20)
+        assert_true(asked_for_large_pages(memory + (8 << 20), maps));
+    skv_free(memory);
+    if (sizes)
+        fclose(sizes);
+    if (maps)
+        fclose(maps);
+}
+
 static int checked(int number)
 {
     SKV_ASSERT_OR(number > 0, -1);
@@ -174,6 +206,7 @@ int main(void)
         cmocka_unit_test(messages_are_one_line),
         cmocka_unit_test(messages_cut_long_words),
         cmocka_unit_test(memory_is_zeroed_aligned_and_hooked),
+        cmocka_unit_test(large_memory_has_large_pages_if_there_are_any),
         cmocka_unit_test(assertions_go_to_the_handler),
         cmocka_unit_test(exact_functions_agree_with_libm),
         cmocka_unit_test(the_clock_does_not_run_backwards),

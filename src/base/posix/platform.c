@@ -1,5 +1,6 @@
 /* The platform on Linux and other POSIX systems. Invariant: nothing here has a say in a result;
  * what the environment and the clock tell chooses instruction sets and fills profiles. */
+#define _DEFAULT_SOURCE 1 /* madvise */
 #include "base/platform.h"
 
 #include "base/memory.h"
@@ -7,14 +8,25 @@
 #include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 
+/* Bytes of a large page on most processors: 512 small ones, of which each costs a fault. */
+#define LARGE_PAGE ((size_t)2 << 20)
+
+/* What has room for a large page asks for them: a sixth of a large world's start is faults. */
 void *skv_platform_allocate(size_t bytes)
 {
-    /* aligned_alloc wants a multiple of the alignment. */
-    size_t rounded = (bytes + SKV_ALIGNMENT - 1) & ~(size_t)(SKV_ALIGNMENT - 1);
-    return rounded < bytes ? NULL : aligned_alloc(SKV_ALIGNMENT, rounded);
+    size_t alignment = bytes < LARGE_PAGE ? SKV_ALIGNMENT : LARGE_PAGE;
+    void *memory;
+    if (posix_memalign(&memory, alignment, bytes))
+        return NULL;
+#ifdef MADV_HUGEPAGE
+    if (alignment == LARGE_PAGE)
+        madvise(memory, bytes & ~(LARGE_PAGE - 1), MADV_HUGEPAGE); /* or it stays as it is */
+#endif
+    return memory;
 }
 
 void skv_platform_release(void *memory)
