@@ -120,10 +120,13 @@ has_focus() {
 }
 is_active() { [[ $(xprop -root _NET_ACTIVE_WINDOW) == *"# $(printf '0x%x' "$1")" ]]; }
 
-# start_app ARGUMENT...: until a picture of its world is drawn, and keys come in.
-start_app() {
+# launch ARGUMENT...: asks for nothing; start_app: until a picture of its world is drawn, and keys come in.
+launch() {
     "$build/skvalp-play-tested" "$@" >"$work/app.log" 2>&1 &
     app=$!
+}
+start_app() {
+    launch "$@"
     await 'worlds[0].opened and windows[0].frames'
     focus
 }

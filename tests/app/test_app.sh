@@ -111,8 +111,12 @@ quit_app # in spite of it
 # the window does not wait for it.
 printf '{"particles": 200000, "water": [{"shape": "box", "x1": 0.8, "y1": 0.6}]}' >"$work/many.json"
 starts() { # anew, if the first frame was done before somebody came to look
-    start_app "$work/many.json"
-    ask 10 'moment == 0 and says("starting")' && return
+    local seen
+    launch "$work/many.json"
+    await 'says("starting") and "starting" if moment == 0 else moment'
+    seen=$answer
+    focus
+    [[ $seen == starting ]] && return
     quit_app
     return 1
 }
