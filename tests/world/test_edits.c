@@ -2,6 +2,7 @@
  * was made from the same picture. */
 #include "support/failing_memory.h"
 #include "support/fixture.h"
+#include "support/long.h"
 #include "terrain/terrain.h"
 #include "world/world_internal.h"
 
@@ -139,7 +140,7 @@ static void paint_and_compare(const kind *k, unsigned open_sides, float spacing,
     skv_world *world = make_world(k, make_terrain(open_sides), spacing, threads, SKV_ISA_BEST);
     fixture_fill(world, 0, 0, 0.96f, 0.3f);
     skv_brush_stroke strokes[3] = {{.x1 = 0.3f, .y1 = 0.2f}};
-    for (int frame = 0; frame < 24; frame++) {
+    for (int frame = 0; frame < 28 / ONE_OF; frame++) {
         strokes[0] = next_stroke(&seed, &strokes[2]);
         strokes[1] = next_stroke(&seed, &strokes[0]);
         strokes[2] = next_stroke(&seed, &strokes[1]);
