@@ -182,12 +182,18 @@ skv_world_def skv_default_world_def(void)
 {
     skv_world_def def = {.cookie = SKV_COOKIE(WORLD_COOKIE, skv_world_def)};
     def.fluid.cookie = SKV_COOKIE(FLUID_COOKIE, skv_fluid_def);
-    for (int i = 0; i < SKV_MAX_FLUIDS - 1; i++)
-        def.liquids[i].cookie = skv_liquid_cookie;
     for (int i = 0; i < SKV_P_COUNT; i++) {
         if (places[i].offset != NO_MEMBER)
             store(&def, i, (double)places[i].standard[0]);
     }
+    for (int i = 0; i < SKV_MAX_FLUIDS - 1; i++)
+        def.liquids[i] = (skv_liquid){
+            .cookie = skv_liquid_cookie,
+            .color = SKV_NO_COLOR,
+#define LIQUID_OF_MATERIAL(id, member, ...)                         .member = def.fluid.member,
+#define LIQUID_NUMBER(id, member, unit, least, most, standard, ...) .member = (float)(standard),
+#include "world/liquid_rows.h"
+        };
     return def;
 }
 
@@ -201,14 +207,7 @@ skv_fluid_def skv_default_fluid_def(skv_law law)
 
 skv_liquid skv_default_liquid(void)
 {
-    const skv_fluid_def fluid = skv_default_fluid_def(SKV_LAW_CALIBRATED);
-    return (skv_liquid){
-        .cookie = skv_liquid_cookie,
-        .color = SKV_NO_COLOR,
-#define LIQUID_OF_MATERIAL(id, member, ...)                         .member = fluid.member,
-#define LIQUID_NUMBER(id, member, unit, least, most, standard, ...) .member = (float)(standard),
-#include "world/liquid_rows.h"
-    };
+    return skv_default_world_def().liquids[0];
 }
 
 void skv_liquid_init(skv_liquid *def, size_t size)

@@ -238,6 +238,9 @@ static void defaults_are_those_of_programs(void **unused)
     skv_world_def def = skv_scene_world_def(scene);
     assert_memory_equal(&def.liquids[0], &standard, sizeof standard);
     assert_true(standard.yield == 0.1f && standard.cohesion == -1);
+    memset(standard.name, 0, sizeof standard.name);
+    skv_world_def own = skv_default_world_def();
+    assert_memory_equal(&own.liquids[SKV_MAX_FLUIDS - 2], &standard, sizeof standard);
     skv_terrain_destroy(def.terrain);
     skv_scene_destroy(scene);
 }
