@@ -214,11 +214,12 @@ int skv_sleep_plan(skv_world *world, float dt, bool *partial)
     *partial = false;
     if (s->calm)
         wake_for_acting(world);
-    bool sleepers = skv_bodies_sleep(world);
+    bool sleepers = s->calm < world->state.count && skv_bodies_sleep(world);
     for (int i = 0; sleepers && i < world->state.count; i++)
         if (world->state.unrest[i] != SKV_CALM)
             skv_bodies_disturb(world, i, false);
-    for (int i = 0; s->calm && world->bodies && i < world->state.count; i++)
+    bool movers = skv_bodies_awake(world) > 0;
+    for (int i = 0; s->calm && movers && i < world->state.count; i++)
         if (world->state.unrest[i] == SKV_CALM && skv_bodies_stir(world, i))
             skv_sleep_wake(world, i);
     for (int i = 0; s->calm && world->air && i < world->state.count; i++)
