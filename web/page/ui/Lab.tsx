@@ -115,27 +115,29 @@ function Measurement({ index, experiment }: { index: number; experiment: Experim
     return (
         <div ref={holder} class="measurement">
             <Part title={_('3. Measure')} text={experiment.measure}>
-                <p class="row">
-                    <button
-                        type="button"
-                        class="text suggested"
-                        onClick={() => (run?.running ? stopExperiment() : startExperiment(index))}
-                    >
-                        {run?.running ? _('Stop') : _('Measure')}
-                    </button>
-                    <button
-                        type="button"
-                        class="text"
-                        onClick={() => {
-                            simulation.openExperiment(index);
-                            showPanel(null);
-                        }}
-                    >
-                        {_('Play with the set-up')}
-                    </button>
-                </p>
+                <div class="controls">
+                    <p class="row">
+                        <button
+                            type="button"
+                            class="text suggested"
+                            onClick={() => (run?.running ? stopExperiment() : startExperiment(index))}
+                        >
+                            {run?.running ? _('Stop') : _('Measure')}
+                        </button>
+                        <button
+                            type="button"
+                            class="text"
+                            onClick={() => {
+                                simulation.openExperiment(index);
+                                showPanel(null);
+                            }}
+                        >
+                            {_('Play with the set-up')}
+                        </button>
+                    </p>
+                    {run?.running && <progress aria-label={_('3. Measure')} value={run.share} />}
+                </div>
                 <Amount index={index} />
-                {run?.running && <progress aria-label={_('3. Measure')} value={run.share} />}
                 {curves.length > 0 ? (
                     <Plot
                         xLabel={word(experiment.x_label)}

@@ -5,7 +5,7 @@ import type { Curve } from '../simulation/protocol';
 import { axesOf, wayOf } from './axes';
 import { short } from './numbers';
 
-const HEIGHT = 216, LEFT = 56, RIGHT = 16, TOP = 12, BOTTOM = 24;
+const LEFT = 56, RIGHT = 16, TOP = 12, BOTTOM = 24;
 /** In the page's style. */
 const COLOURS = 6;
 
@@ -36,24 +36,24 @@ function Key({ curve, at }: { curve: Curve; at: number }) {
 }
 
 export function Plot({ xLabel, yLabel, curves, name }: PlotProps) {
-    const holder = useRef<HTMLDivElement>(null);
-    const [width, setWidth] = useState(320);
+    const picture = useRef<SVGSVGElement>(null);
+    const [{ width, height }, setSize] = useState({ width: 320, height: 216 });
     useLayoutEffect(() => {
-        const element = holder.current!;
-        const observer = new ResizeObserver(() => setWidth(element.clientWidth));
+        const element = picture.current!;
+        const observer = new ResizeObserver(([{ contentRect }]) => setSize(contentRect));
         observer.observe(element);
         return () => observer.disconnect();
     }, []);
-    const right = width - RIGHT, bottom = HEIGHT - BOTTOM;
+    const right = width - RIGHT, bottom = height - BOTTOM;
     const { across, up } = axesOf(curves, LEFT, right, TOP, bottom);
     return (
-        <div ref={holder} class="plot">
+        <div class="plot">
             <p>{yLabel}</p>
-            <svg role="img" aria-label={name} width={width} height={HEIGHT}>
+            <svg ref={picture} role="img" aria-label={name}>
                 {across.ticks.map((tick) => (
                     <g key={`x${tick}`}>
                         <path class="grid" d={`M${across.place(tick)} ${TOP}V${bottom}`} />
-                        <text x={across.place(tick)} y={HEIGHT - 6} text-anchor="middle">{short(tick, 6)}</text>
+                        <text x={across.place(tick)} y={height - 6} text-anchor="middle">{short(tick, 6)}</text>
                     </g>
                 ))}
                 {up.ticks.map((tick) => (
