@@ -108,8 +108,8 @@ static void contacts_end(void **unused)
 static size_t find_touches(const fixture_saved *state, int *count)
 {
     enum { TAIL = 8, TOUCH = 26 };
-    for (*count = 1; (size_t)(TAIL + 4 + *count * TOUCH) < state->size; ++*count) {
-        size_t at = state->size - (size_t)(TAIL + 4 + *count * TOUCH);
+    for (*count = 1; TAIL + 4 + (size_t)*count * TOUCH < state->size; ++*count) {
+        size_t at = state->size - TAIL - 4 - (size_t)*count * TOUCH;
         const uint8_t *b = state->bytes + at;
         if (b[0] + 256 * b[1] == *count && b[2] == 0 && b[3] == 0)
             return at;
