@@ -18,6 +18,10 @@
 #include <math.h>
 #include <string.h>
 
+/* An emitter pauses where the fluid around its mouth has more than so many times the pressure that
+ * the substeps are made for: what it would press into a full vessel could not be held. */
+#define MOST_PRESSURE 2
+
 static bool is_full(const skv_world *world)
 {
     return !world->emission_replaces && world->state.count >= world->emission_limit;
@@ -200,14 +204,7 @@ static void keep_order(skv_world *world, int number, const skv_emitter_rows *row
     }
 }
 
-/* m/s; a speed that the solver would not allow is none. */
-static double speed_of(const skv_world *world, const skv_emitter *e)
-{
-    return (double)skv_minf(skv_emitter_speed(e), world->constants.max_speed);
-}
-
-/* Whether the fluid around a mouth has more pressure than the substeps are made for and its stream
- * brings along: what came then could not be held in a full vessel. */
+/* Whether the fluid around a mouth is pressed too hard for more to come. */
 static bool is_pressed(const skv_world *world, const skv_emitter *e, const skv_emitter_rows *rows)
 {
     const skv_state *s = &world->state;
@@ -225,8 +222,7 @@ static bool is_pressed(const skv_world *world, const skv_emitter *e, const skv_e
     /* Of all the substeps that there may be: more are on their way. */
     double more = (double)world->load.most / world->substeps;
     double design = more * more * (double)world->constants.design_pressure;
-    double speed = speed_of(world, e), head = 0.5 * (double)world->fluid.density * speed * speed;
-    return sum > (design + head) * count;
+    return sum > MOST_PRESSURE * design * count;
 }
 
 /* Lets an emitter begin anew once it may go on. */
@@ -243,6 +239,12 @@ static void pause_emitter(skv_world *world, int number, const skv_emitter_rows *
                        world->acting.emitter_ids[number]);
         world->acting.flow.blocked += rows->columns;
     }
+}
+
+/* m/s; a speed that the solver would not allow is none. */
+static double speed_of(const skv_world *world, const skv_emitter *e)
+{
+    return (double)skv_minf(skv_emitter_speed(e), world->constants.max_speed);
 }
 
 static void emit(skv_world *world, float dt)
