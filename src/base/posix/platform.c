@@ -6,6 +6,7 @@
 #include "base/memory.h"
 
 #include <sched.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -20,7 +21,7 @@ void *skv_platform_allocate(size_t bytes)
 {
     size_t alignment = bytes < LARGE_PAGE ? SKV_ALIGNMENT : LARGE_PAGE;
     void *memory;
-    if (posix_memalign(&memory, alignment, bytes))
+    if (bytes > PTRDIFF_MAX || posix_memalign(&memory, alignment, bytes)) /* no object is larger */
         return NULL;
 #ifdef MADV_HUGEPAGE
     if (alignment == LARGE_PAGE)
