@@ -234,6 +234,37 @@ skv_body_id fixture_add_body(skv_world *world, const skv_body_def *def)
     return id;
 }
 
+skv_world *fixture_shaft(float depth, bool sleep, int threads, skv_instruction_set set)
+{
+    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.025f, threads);
+    skv_terrain_def terrain = skv_default_terrain_def();
+    terrain.width = 160;
+    terrain.height = 320;
+    def.instruction_set = set;
+    def.sleep = sleep;
+    assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
+    skv_world *world;
+    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
+    if (depth > 0)
+        fixture_fill(world, 0, 0, 0.4f, depth);
+    return world;
+}
+
+skv_body_id fixture_add_brick(skv_world *world, float x, float y, float density)
+{
+    skv_body_def brick = skv_default_body_def();
+    brick.density = density;
+    brick.x = x;
+    brick.y = y;
+    return fixture_add_body(world, &brick);
+}
+
+void fixture_add_stack(skv_world *world)
+{
+    for (int i = 0; i < FIXTURE_BRICKS; i++)
+        fixture_add_brick(world, 0.2f, 0.0502f + (float)i * 0.1002f, 1900);
+}
+
 skv_body fixture_body(const skv_world *world, skv_body_id id)
 {
     skv_body body;

@@ -95,6 +95,14 @@ void fixture_expect_same_bits(fixture_run_of *run);
 skv_body_id fixture_add_body(skv_world *world, const skv_body_def *def);
 skv_body fixture_body(const skv_world *world, skv_body_id id);
 
+/* A tank 0.4 m wide that is filled to a depth, at 25 mm; with `sleep` what rests there may sleep.
+ */
+skv_world *fixture_shaft(float depth, bool sleep, int threads, skv_instruction_set set);
+/* Adds a brick of 0.1 m; so many of 1900 kg/m^2 on each other in the shaft's middle, from below. */
+enum { FIXTURE_BRICKS = 5 };
+skv_body_id fixture_add_brick(skv_world *world, float x, float y, float density);
+void fixture_add_stack(skv_world *world);
+
 /* Steps whole 1/60 s frames. */
 void fixture_run(skv_world *world, int frames);
 

@@ -10,40 +10,7 @@
 
 #include <cmocka.h>
 
-enum { BRICKS = 5, LONGEST = 1800 };
-
-/* A tank 0.4 m wide that is filled to a depth, in which fluid may sleep. */
-static skv_world *make_tank(float depth, int threads, skv_instruction_set set)
-{
-    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.025f, threads);
-    skv_terrain_def terrain = skv_default_terrain_def();
-    terrain.width = 160;
-    terrain.height = 320;
-    def.instruction_set = set;
-    def.sleep = true;
-    assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
-    skv_world *world;
-    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
-    if (depth > 0)
-        fixture_fill(world, 0, 0, 0.4f, depth);
-    return world;
-}
-
-static skv_body_id add_brick(skv_world *world, float x, float y, float density)
-{
-    skv_body_def brick = skv_default_body_def();
-    brick.density = density;
-    brick.x = x;
-    brick.y = y;
-    return fixture_add_body(world, &brick);
-}
-
-/* The names are 1 to BRICKS, from below. */
-static void add_stack(skv_world *world)
-{
-    for (int i = 0; i < BRICKS; i++)
-        add_brick(world, 0.2f, 0.0502f + (float)i * 0.1002f, 1900);
-}
+enum { BRICKS = FIXTURE_BRICKS, LONGEST = 1800 };
 
 static void wait_for_rest(skv_world *world)
 {
@@ -54,8 +21,8 @@ static void wait_for_rest(skv_world *world)
 
 static skv_world *make_sleeping_stack(float depth)
 {
-    skv_world *world = make_tank(depth, 1, SKV_ISA_BEST);
-    add_stack(world);
+    skv_world *world = fixture_shaft(depth, true, 1, SKV_ISA_BEST);
+    fixture_add_stack(world);
     wait_for_rest(world);
     return world;
 }
@@ -83,8 +50,8 @@ static void stacks_fall_asleep(void **unused)
 static void what_floats_falls_asleep(void **unused)
 {
     (void)unused;
-    skv_world *world = make_tank(0.4f, 1, SKV_ISA_BEST);
-    skv_body_id id = add_brick(world, 0.2f, 0.4f, 500);
+    skv_world *world = fixture_shaft(0.4f, true, 1, SKV_ISA_BEST);
+    skv_body_id id = fixture_add_brick(world, 0.2f, 0.4f, 500);
     wait_for_rest(world);
     skv_body b = fixture_body(world, id);
     assert_near((double)b.force_y / (9.81 * (double)b.mass), 1, 0.05);
@@ -115,7 +82,7 @@ static void spur_the_lowest(skv_world *world)
 
 static void throw_a_brick(skv_world *world)
 {
-    add_brick(world, 0.2f, 0.65f, 1900);
+    fixture_add_brick(world, 0.2f, 0.65f, 1900);
 }
 
 static void draw_at_the_middle_one(skv_world *world)
@@ -165,13 +132,13 @@ static void bodies_wake(void **unused)
 static void digging_wakes(void **unused)
 {
     (void)unused;
-    skv_world *world = make_tank(0, 1, SKV_ISA_BEST);
+    skv_world *world = fixture_shaft(0, true, 1, SKV_ISA_BEST);
     const skv_brush_stroke floor = {0, 0, 0.4f, 0, 0.1f, false};
     skv_terrain *painted;
     assert_int_equal(skv_terrain_paint(skv_world_terrain(world), &floor, 1, &painted, NULL),
                      SKV_OK);
     assert_int_equal(skv_world_set_terrain(world, painted, NULL, NULL), SKV_OK);
-    skv_body_id id = add_brick(world, 0.2f, 0.151f, 1900);
+    skv_body_id id = fixture_add_brick(world, 0.2f, 0.151f, 1900);
     wait_for_rest(world);
     double y = (double)fixture_body(world, id).y;
     assert_near(y, 0.15, 0.002);
@@ -201,9 +168,9 @@ static void water_wakes(void **unused)
 static void what_falls_is_awake(void **unused)
 {
     (void)unused;
-    skv_world *world = make_tank(0.1f, 1, SKV_ISA_BEST);
+    skv_world *world = fixture_shaft(0.1f, true, 1, SKV_ISA_BEST);
     wait_for_rest(world);
-    skv_body_id id = add_brick(world, 0.2f, 0.7f, 1900);
+    skv_body_id id = fixture_add_brick(world, 0.2f, 0.7f, 1900);
     assert_int_equal(skv_world_awake_count(world), 1);
     fixture_run(world, 6);
     assert_int_equal(skv_world_awake_count(world), 1);
@@ -215,7 +182,7 @@ static void what_falls_is_awake(void **unused)
 static void what_swings_is_awake(void **unused)
 {
     (void)unused;
-    skv_world *world = make_tank(0, 1, SKV_ISA_BEST);
+    skv_world *world = fixture_shaft(0, true, 1, SKV_ISA_BEST);
     for (int k = 0; k < 5; k++) {
         skv_body_def def = skv_default_body_def();
         def.shape = skv_box(-0.02f, -0.02f, 0.02f, 0.02f);
@@ -240,10 +207,10 @@ static void what_swings_is_awake(void **unused)
 /* A stack that sleeps with its water, and a brick that comes down beside it. */
 static skv_world *run_partly(int threads, skv_instruction_set set)
 {
-    skv_world *world = make_tank(0.2f, threads, set);
-    add_stack(world);
+    skv_world *world = fixture_shaft(0.2f, true, threads, set);
+    fixture_add_stack(world);
     wait_for_rest(world);
-    add_brick(world, 0.07f, 0.7f, 700);
+    fixture_add_brick(world, 0.07f, 0.7f, 700);
     fixture_run(world, 30);
     return world;
 }
@@ -258,8 +225,8 @@ static void bits_are_the_same(void **unused)
 static void snapshots_go_on(void **unused)
 {
     (void)unused;
-    skv_world *world = make_tank(0.2f, 1, SKV_ISA_BEST);
-    add_stack(world);
+    skv_world *world = fixture_shaft(0.2f, true, 1, SKV_ISA_BEST);
+    fixture_add_stack(world);
     for (int k = 0; k < 30 && skv_world_awake_count(world) > 0; k++)
         fixture_expect_goes_on(world, 31);
     wait_for_rest(world);

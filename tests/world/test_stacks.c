@@ -15,28 +15,12 @@
 
 #define EARTH 9.81
 
-enum { BRICKS = 5 };
+enum { BRICKS = FIXTURE_BRICKS };
 
-/* Bricks on each other in the middle of a tank 0.4 m wide that is filled to a depth. */
 static skv_world *make_stack(float depth, int threads, skv_instruction_set set)
 {
-    skv_world_def def = fixture_def(SKV_LAW_CALIBRATED, SKV_SOLVER_FAST, 0, 0.025f, threads);
-    skv_terrain_def terrain = skv_default_terrain_def();
-    terrain.width = 160;
-    terrain.height = 320;
-    def.instruction_set = set;
-    assert_int_equal(skv_terrain_create(&terrain, &def.terrain, NULL), SKV_OK);
-    skv_world *world;
-    assert_int_equal(skv_world_create(&def, &world, NULL), SKV_OK);
-    if (depth > 0)
-        fixture_fill(world, 0, 0, 0.4f, depth);
-    skv_body_def brick = skv_default_body_def();
-    brick.density = 1900;
-    brick.x = 0.2f;
-    for (int i = 0; i < BRICKS; i++) {
-        brick.y = 0.0502f + (float)i * 0.1002f;
-        fixture_add_body(world, &brick);
-    }
+    skv_world *world = fixture_shaft(depth, false, threads, set);
+    fixture_add_stack(world);
     return world;
 }
 

@@ -48,12 +48,12 @@ static void look(const skv_world *world, rim *all, int k)
                                 skv_facing(nx, ny, (float)(y / length), (float)(-x / length)));
 }
 
-/* Whether part of it may be so near to a wall. */
+/* Whether it is awake and part of it may be so near to a wall. */
 static bool may_have_film(const skv_world *world, const skv_rigid *r)
 {
     float reach = skv_film_reach(world->fluid.spacing);
     float middle = skv_distance_at(world->terrain, (float)r->x, (float)r->y);
-    return !(middle > (float)r->shape->outline.reach + reach);
+    return !r->asleep && !(middle > (float)r->shape->outline.reach + reach);
 }
 
 /* Whether part of it is, and part of it is not. */
@@ -155,8 +155,7 @@ bool skv_bodies_may_have_films(const skv_world *world)
 {
     bool may = false;
     for (int k = 0; k < skv_world_has_bodies(world); k++)
-        may = may ||
-              (!world->bodies->body[k].asleep && may_have_film(world, &world->bodies->body[k]));
+        may = may || may_have_film(world, &world->bodies->body[k]);
     return may;
 }
 
@@ -164,6 +163,6 @@ void skv_bodies_press_films(const skv_world *world, double dt)
 {
     rim all;
     for (int k = 0; k < world->bodies->count; k++)
-        if (!world->bodies->body[k].asleep && place_rim(world, &world->bodies->body[k], &all))
+        if (place_rim(world, &world->bodies->body[k], &all))
             press(world, &world->bodies->body[k], &all, dt);
 }
