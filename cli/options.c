@@ -174,9 +174,6 @@ static skv_result out_of_range(const option_rule *rule, const char *text, skv_er
 static skv_result parse_number(const option_rule *rule, const char *text, double *value,
                                skv_error *error)
 {
-    if (!*text)
-        return skv_fail(error, SKV_ERROR_VALUE, "--%s: it is empty; allowed is %.10g to %.10g%s",
-                        rule->name, rule->minimum, rule->maximum, rule->unit);
     if (!skv_parse_number(text, value)) {
         return skv_fail(error, SKV_ERROR_VALUE,
                         "--%s: '%s' is not a number; allowed is %.10g to %.10g%s", rule->name, text,
@@ -278,6 +275,9 @@ static skv_result parse_style(const option_rule *rule, const char *text, cli_opt
 static skv_result apply(const option_rule *rule, const char *text, cli_options *result,
                         skv_error *error)
 {
+    if (!*text)
+        return skv_fail(error, SKV_ERROR_VALUE, "--%s: it is empty; say --%s %s", rule->name,
+                        rule->name, rule->argument);
     void *field = (char *)result + rule->offset;
     switch (rule->kind) {
     case KIND_FLAG: /* has no value */
@@ -287,10 +287,6 @@ static skv_result apply(const option_rule *rule, const char *text, cli_options *
     case KIND_INTEGER:
         return parse_integer(rule, text, field, error);
     case KIND_FILE:
-        if (!*text) {
-            return skv_fail(error, SKV_ERROR_VALUE, "--%s: the name is empty; name a file",
-                            rule->name);
-        }
         *(const char **)field = text;
         return SKV_OK;
     case KIND_SIZE:
