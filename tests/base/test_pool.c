@@ -1,14 +1,17 @@
 /* The task pool: every index once, for any number of threads, thousands of short runs in a row,
- * on its own threads and on those that a host lends. */
+ * on its own threads and on those that a host lends; and no thread of its own takes a host's
+ * signal. */
 #include "base/pool.h"
 #include "support/host.h"
 
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -264,6 +267,39 @@ static void bad_thread_numbers_are_refused(void **unused)
     assert_non_null(strstr(error.text, "1..64"));
 }
 
+static volatile sig_atomic_t handled;
+
+static void note_signal(int unused)
+{
+    (void)unused;
+    handled = 1;
+}
+
+/* A signal that the host holds back, as the program does while it starts ffmpeg, waits for the host
+ * instead of running its handler on a thread of the pool. */
+static void signals_wait_for_the_host(void **unused)
+{
+    (void)unused;
+    skv_pool *pool;
+    sigset_t held, before;
+    int one = 1;
+    struct sigaction noting = {.sa_handler = note_signal}, old;
+    assert_int_equal(skv_pool_create(4, &pool, NULL), SKV_OK);
+    skv_pool_run(pool, MOST, touch, &one);
+    assert_int_equal(sigaction(SIGTERM, &noting, &old), 0);
+    sigemptyset(&held);
+    sigaddset(&held, SIGTERM);
+    assert_int_equal(pthread_sigmask(SIG_BLOCK, &held, &before), 0);
+    assert_int_equal(kill(getpid(), SIGTERM), 0);
+    for (int round = 0; round < 100; round++)
+        skv_pool_run(pool, MOST, touch, &one);
+    assert_int_equal(handled, 0);
+    assert_int_equal(pthread_sigmask(SIG_SETMASK, &before, NULL), 0);
+    assert_int_equal(handled, 1);
+    assert_int_equal(sigaction(SIGTERM, &old, NULL), 0);
+    skv_pool_destroy(pool);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -274,6 +310,7 @@ int main(void)
         cmocka_unit_test(members_meet_at_barriers),
         cmocka_unit_test(members_gather_and_wait_for_each_other),
         cmocka_unit_test(bad_thread_numbers_are_refused),
+        cmocka_unit_test(signals_wait_for_the_host),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,9 +1,11 @@
-/* Threads on Linux and other POSIX systems. Invariant: a thread sleeps only while it counts among
- * the sleepers, so that waking costs next to nothing when nobody sleeps. */
+/* Threads on Linux and other POSIX systems. Invariants: a thread sleeps only while it counts among
+ * the sleepers, so that waking costs next to nothing when nobody sleeps; a host's signals come to
+ * threads of the host only, which may so hold them back. */
 #include "base/memory.h"
 #include "base/platform.h"
 
 #include <pthread.h>
+#include <signal.h>
 
 enum { MOST_THREADS = 64 };
 
@@ -36,16 +38,29 @@ static void *run_job(void *argument)
     return NULL;
 }
 
+/* What a thread brings on itself stays open: a debugger or a host's crash handler waits for it. */
+static void block_signals_from_outside(sigset_t *before)
+{
+    static const int from_inside[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGABRT};
+    sigset_t outside;
+    sigfillset(&outside);
+    for (size_t i = 0; i < sizeof from_inside / sizeof from_inside[0]; i++)
+        sigdelset(&outside, from_inside[i]);
+    pthread_sigmask(SIG_BLOCK, &outside, before);
+}
+
 bool skv_threads_start(skv_threads *threads, void (*work)(void *argument), void *argument)
 {
     if (threads->count == MOST_THREADS)
         return false;
     struct job *job = &threads->job[threads->count];
     *job = (struct job){work, argument};
-    if (pthread_create(&threads->thread[threads->count], NULL, run_job, job))
-        return false;
-    threads->count++;
-    return true;
+    sigset_t before;
+    block_signals_from_outside(&before); /* a thread begins with its creator's mask */
+    bool started = pthread_create(&threads->thread[threads->count], NULL, run_job, job) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    threads->count += started;
+    return started;
 }
 
 void skv_threads_join(skv_threads *threads)
