@@ -83,7 +83,7 @@ static bool spin(atomic_uint *counter, unsigned old, int most)
     return false;
 }
 
-static void raise(skv_pool *pool, atomic_uint *counter)
+static void count_on(skv_pool *pool, atomic_uint *counter)
 {
     atomic_fetch_add(counter, 1);
     skv_threads_wake(pool->workers);
@@ -140,7 +140,7 @@ void skv_pool_gather(skv_pool *pool, void (*work)(void *context), void *context)
     if (alone)
         return;
     atomic_store(&pool->arrived, 0);
-    raise(pool, &pool->phase);
+    count_on(pool, &pool->phase);
 }
 
 void skv_pool_barrier(skv_pool *pool)
@@ -241,7 +241,7 @@ void skv_pool_destroy(skv_pool *pool)
     if (!pool)
         return;
     pool->quit = true;
-    raise(pool, &pool->generation);
+    count_on(pool, &pool->generation);
     skv_threads_join(pool->workers);
     skv_free(pool);
 }
@@ -296,7 +296,7 @@ void skv_pool_team(skv_pool *pool, skv_member *member, void *context)
         enter(pool);
         return;
     }
-    raise(pool, &pool->generation);
+    count_on(pool, &pool->generation);
     member(0, pool->size, context);
     skv_pool_barrier(pool);
 }
