@@ -90,18 +90,11 @@ pid_t program_start(const char *folder, const char *const *arguments)
     return start(folder, arguments, -1, -1, true);
 }
 
-int program_wait(pid_t pid, double seconds)
+int program_wait(pid_t pid)
 {
-    const struct timespec pause = {.tv_nsec = 10000000};
     int status;
-    for (int i = 0; i < (int)(seconds * 100); i++) {
-        if (waitpid(pid, &status, WNOHANG) == pid)
-            return status_of(status);
-        nanosleep(&pause, NULL);
-    }
-    kill(pid, SIGKILL);
-    waitpid(pid, &status, 0);
-    return -1000;
+    assert_int_equal(waitpid(pid, &status, 0), pid);
+    return status_of(status);
 }
 
 int folder_setup(void **state)
@@ -133,6 +126,12 @@ int folder_entries(const char *folder)
         count++;
     closedir(directory);
     return count;
+}
+
+void folder_await(const char *folder, int entries)
+{
+    while (folder_entries(folder) < entries)
+        nanosleep(&(struct timespec){.tv_nsec = 10000000}, NULL);
 }
 
 static void path_in(char *path, const char *folder, const char *name)

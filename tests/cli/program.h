@@ -26,8 +26,8 @@ void program_free(program_result *result);
 /* Starts skvalp in a process group of its own, as a shell with a terminal does, and returns at
  * once; its output goes to /dev/null. */
 pid_t program_start(const char *folder, const char *const *arguments);
-/* Waits for its end, at most `seconds`; exit status, -signal, or -1000 if it did not end. */
-int program_wait(pid_t pid, double seconds);
+/* Waits for its end; exit status, or -signal. */
+int program_wait(pid_t pid);
 
 /* A fresh folder under the system's place for temporary files; setup and teardown of cmocka. */
 int folder_setup(void **state);
@@ -35,6 +35,8 @@ int folder_teardown(void **state);
 
 /* Number of entries of a folder, hidden ones included. */
 int folder_entries(const char *folder);
+/* Waits until there are so many or more. */
+void folder_await(const char *folder, int entries);
 bool file_exists(const char *folder, const char *name);
 /* A whole file, zero-terminated; null if it is not there. Owned by the caller. */
 char *file_read(const char *folder, const char *name);

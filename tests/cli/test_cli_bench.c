@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include <cmocka.h>
 #include <jansson.h>
@@ -242,9 +241,9 @@ static void test_interrupt(void **state)
 {
     pid_t pid = program_start(*state, (const char *const[]){"skvalp", "bench", "--csv", "bench.csv",
                                                             "--plot", "bench.svg", NULL});
-    nanosleep(&(struct timespec){.tv_nsec = 300000000}, NULL);
+    folder_await(*state, 2);
     kill(-pid, SIGINT);
-    assert_int_equal(program_wait(pid, 60), 130);
+    assert_int_equal(program_wait(pid), 130);
     assert_int_equal(folder_entries(*state), 0);
 }
 

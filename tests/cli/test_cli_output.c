@@ -190,15 +190,13 @@ static void expect_clean_stop(const char *folder, int signal_number, const char 
                               "t.csv",     "--trace-every", "0.1",       "--png",       "a.png",
                               "--video",   "a.mp4",         "--size",    "320x180",     NULL});
     /* Four temporary files; then let it get into the run. */
-    for (int i = 0; i < 500 && folder_entries(folder) < 4; i++)
-        nanosleep(&pause, NULL);
-    assert_int_equal(folder_entries(folder), 4);
+    folder_await(folder, 4);
     for (int i = 0; i < 25; i++)
         nanosleep(&pause, NULL);
     assert_false(file_exists(folder, "a.csv"));
     /* A terminal sends its Ctrl-C to the whole group. */
     assert_int_equal(kill(signal_number == SIGINT ? -pid : pid, signal_number), 0);
-    assert_int_equal(program_wait(pid, 5), 128 + signal_number);
+    assert_int_equal(program_wait(pid), 128 + signal_number);
     assert_int_equal(folder_entries(folder), 0);
     /* Nobody brings the video back. */
     for (int i = 0; i < 10; i++)
@@ -212,14 +210,6 @@ static void test_interrupted(void **state)
     expect_clean_stop(*state, SIGTERM, "3000");
 }
 
-static void wait_for_entries(const char *folder, int count)
-{
-    const struct timespec pause = {.tv_nsec = 20000000};
-    for (int i = 0; i < 1500 && folder_entries(folder) != count; i++)
-        nanosleep(&pause, NULL);
-    assert_int_equal(folder_entries(folder), count);
-}
-
 /* What a program that was killed has left goes when the next one writes there; what another one
  * that lives still writes stays. */
 static void test_killed(void **state)
@@ -228,16 +218,16 @@ static void test_killed(void **state)
                          "--quiet", "--seconds", "3000",      "--csv",       "a.csv",
                          NULL,      "t.csv",     "--png",     "a.png",       NULL};
     pid_t pid = program_start(*state, run);
-    wait_for_entries(*state, 1);
+    folder_await(*state, 1);
     assert_int_equal(kill(pid, SIGKILL), 0);
-    assert_int_equal(program_wait(pid, 5), -SIGKILL);
+    assert_int_equal(program_wait(pid), -SIGKILL);
     assert_int_equal(folder_entries(*state), 1);
     /* No file of ours, though it is called so. */
     file_write(*state, ".skvalp-notes", "mine");
     /* Three files more than that are only there once what was left is gone. */
     run[10] = "--trace";
     pid = program_start(*state, run);
-    wait_for_entries(*state, 4);
+    folder_await(*state, 4);
     program_result result = SKVALP(*state, "run", "pool", SHORT, "--csv", "b.csv");
     assert_int_equal(result.status, 0);
     program_free(&result);
@@ -245,7 +235,7 @@ static void test_killed(void **state)
     assert_true(file_exists(*state, ".skvalp-notes"));
     assert_int_equal(folder_entries(*state), 5);
     assert_int_equal(kill(pid, SIGTERM), 0);
-    assert_int_equal(program_wait(pid, 5), 128 + SIGTERM);
+    assert_int_equal(program_wait(pid), 128 + SIGTERM);
     assert_int_equal(folder_entries(*state), 2);
 }
 

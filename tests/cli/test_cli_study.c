@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 
 #include <cmocka.h>
 
@@ -294,15 +293,13 @@ static void test_bad_usage(void **state)
 /* Ctrl+C in the middle of a run leaves the folder as it was. */
 static void test_interrupted(void **state)
 {
-    const struct timespec pause = {.tv_nsec = 10000000};
     for (int i = 0; i < 2; i++) {
         pid_t job =
             program_start(*state, (const char *const[]){"skvalp", "lab", "momentum", "--set",
                                                         "particles=100000", "--job=run.csv", NULL});
-        while (folder_entries(*state) == 0)
-            nanosleep(&pause, NULL);
+        folder_await(*state, 1);
         assert_int_equal(kill(job, i ? SIGTERM : SIGINT), 0);
-        assert_int_equal(program_wait(job, 600), 128 + (i ? SIGTERM : SIGINT));
+        assert_int_equal(program_wait(job), 128 + (i ? SIGTERM : SIGINT));
         assert_int_equal(folder_entries(*state), 0);
     }
 }
@@ -311,21 +308,19 @@ static void test_interrupted(void **state)
  * once more if the job was done before that. */
 static void test_swept_away(void **state)
 {
-    const struct timespec pause = {.tv_nsec = 10000000};
     int swept = 0;
     while (swept == 0) {
         pid_t job =
             program_start(*state, (const char *const[]){"skvalp", "lab", "momentum", "--set",
                                                         "particles=2000", "--job=run.csv", NULL});
-        while (folder_entries(*state) == 0)
-            nanosleep(&pause, NULL);
+        folder_await(*state, 1);
         kill(job, SIGSTOP);
         program_result removed = program_run(
             *state, (const char *const[]){"find", ".", "-type", "f", "-delete", "-print", NULL});
         swept = strstr(removed.out, "/.skvalp-") ? 1 : 0;
         program_free(&removed);
         kill(job, SIGCONT);
-        assert_int_equal(program_wait(job, 600), 0);
+        assert_int_equal(program_wait(job), 0);
     }
     assert_int_equal(folder_entries(*state), 1);
     char *table = file_read(*state, "run.csv");
