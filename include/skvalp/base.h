@@ -148,8 +148,9 @@ typedef struct skv_task_system {
 
 /** Threads of the library's own that several worlds share: skv_world_def.pool. Only one of these
  * worlds may step at a time, and the pool must outlive them. `threads`: 1..SKV_MAX_THREADS, 0: one
- * per physical core. SKV_ERROR_VALUE out of that range, SKV_ERROR_LIMIT if the system refuses to
- * start so many; `*pool` is null then. Destroying null is allowed. */
+ * per physical core. They take no signals that the system or another program sends: a host's
+ * handlers run on threads of the host. SKV_ERROR_VALUE out of that range, SKV_ERROR_LIMIT if the
+ * system refuses to start so many; `*pool` is null then. Destroying null is allowed. */
 typedef struct skv_pool skv_pool;
 SKV_API skv_result skv_pool_create(int threads, skv_pool **pool, skv_error *error);
 SKV_API void skv_pool_destroy(skv_pool *pool);
