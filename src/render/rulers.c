@@ -155,13 +155,28 @@ skv_result skv_overlay_ruler(skv_strokes *strokes, const skv_overlay_scene *scen
     return result;
 }
 
+/* Four digits, or all before the point; no exponent, for which figures have no signs. */
+static void format_digits(char text[24], double value)
+{
+    int decimals = 0;
+    for (double least = 1000; decimals < 9 && value < least; least /= 10)
+        decimals++;
+    skv_format(text, 24, "%.*f", decimals, value);
+    size_t length = strlen(text);
+    while (decimals-- > 0 && text[length - 1] == '0')
+        text[--length] = '\0';
+    if (text[length - 1] == '.')
+        text[length - 1] = '\0';
+}
+
 /* A figure of the scale in the unit that is shown: pressure as depth of the liquid at rest, if
  * anything presses it down. */
 static void format_figure(char text[32], const skv_legend *legend, double value, bool with_unit)
 {
+    char digits[24];
     bool as_depth = legend->depth > 0;
-    skv_format(text, 32, "%.4g%s%s", as_depth ? 100 * value * legend->depth : value,
-               with_unit && (as_depth || *legend->unit) ? " " : "",
+    format_digits(digits, as_depth ? 100 * value * legend->depth : value);
+    skv_format(text, 32, "%s%s%s", digits, with_unit && (as_depth || *legend->unit) ? " " : "",
                !with_unit ? ""
                : as_depth ? "cm"
                           : legend->unit);

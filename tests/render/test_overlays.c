@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "base/memory.h"
+#include "render/figures.h"
 #include "render/overlays.h"
 
 enum { WIDTH = 800, HEIGHT = 450 };
@@ -270,6 +271,31 @@ static void decimals_are_of_a_language(void **state)
     close_stage(&s);
 }
 
+/* Each figure of a scale is drawn whole, however large or small. */
+static void scales_have_their_figures(void **state)
+{
+    (void)state;
+    static const struct {
+        double high;
+        const char *figures[2];
+    } scales[] = {{0.8, {"0.4", "0.8 m/s"}},
+                  {0.00002, {"0.00001", "0.00002 m/s"}},
+                  {2469.125, {"1235", "2469 m/s"}},
+                  {30000, {"15000", "30000 m/s"}},
+                  {1e9, {"500000000", "1000000000 m/s"}}};
+    stage s;
+    open_stage(&s, still);
+    for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
+        s.legend = (skv_legend){.shown = true, .unit = "m/s", .high = scales[i].high};
+        draw(&s, SKV_OVERLAY_LEGEND);
+        int count = 1 + SKV_LEGEND_COLORS + skv_figures_count("0");
+        for (int k = 0; k < 2; k++)
+            count += skv_figures_count(scales[i].figures[k]);
+        assert_int_equal(s.strokes.count, count);
+    }
+    close_stage(&s);
+}
+
 /* One particle in ten, each on its particle; the same ones wherever they are. */
 static void tracers_mark_a_tenth(void **state)
 {
@@ -302,6 +328,7 @@ int main(void)
         cmocka_unit_test(streamlines_of_a_rotation_are_circles),
         cmocka_unit_test(rulers_tell_the_truth),
         cmocka_unit_test(decimals_are_of_a_language),
+        cmocka_unit_test(scales_have_their_figures),
         cmocka_unit_test(tracers_mark_a_tenth),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
