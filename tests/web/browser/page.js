@@ -714,6 +714,9 @@ const trials = {
             return [before, window.told.length, (performance.now() - begun) / 1000];
         });
         assert.ok(after - before < 6 * seconds, `${after - before} states in ${seconds} s`);
+        await does('pause', {}, () => window.skvalp.state.value.paused);
+        await does('seek', { frame: 1e9 }, () => window.skvalp.state.value.moment === window.skvalp.state.value.end);
+        await does('gravity', { x: 9, y: 0 }, () => Math.abs(window.skvalp.state.value.gravity.x - 2) < 1e-3);
         const link = await ask('share');
         assert.match(link, /^1\./);
         await does('open', { scene: 'waves' }, () => window.skvalp.state.value.worlds[0].name === 'waves');
@@ -730,6 +733,8 @@ const trials = {
             ['set', { path: 'fluid.nosuch', value: 1 }, /no parameter 'fluid.nosuch'/],
             ['set', { path: 'gravity.y', value: 'up' }, /'gravity.y' does not take 'up'/],
             ['set', { path: 'gravity.y', value: 1e9 }, /does not take/],
+            ['set', { path: 'gravity.y', value: '0x10' }, /does not take '0x10'/],
+            ['set', { path: 'gravity.y', value: ' -5' }, /does not take ' -5'/],
             ['set', { path: 'fluid.material', value: 'gold' }, /does not take 'gold'.*honey/],
             ['gravity', { y: -1 }, /'x' takes a number/],
             ['gravity', { x: 0, y: NaN }, /'y' takes a number/],

@@ -6,14 +6,11 @@ import { showView } from './actions';
 import { catalogue, simulation, state } from './model';
 import { opened } from './reports';
 import { payloadOf } from './links';
-
-function isNumber(value: unknown, least: number, most: number): value is number {
-    return typeof value === 'number' && value >= least && value <= most;
-}
+import { refusalOf } from './refusal';
 
 /** Throws if it is none, or out of range. */
 function numberOf(name: string, value: unknown, least = -Infinity, most = Infinity): number {
-    if (!isNumber(value, least, most) || !Number.isFinite(value))
+    if (typeof value !== 'number' || !Number.isFinite(value) || value < least || value > most)
         throw new Error(`'${name}' takes ${Number.isFinite(most) ? `a number from ${least} to ${most}` : 'a number'}`);
     return value;
 }
@@ -27,8 +24,7 @@ function parameterOf(path: unknown, value: unknown): [string, string] {
     const { type, choices, minimum, maximum } = field;
     const takes = type === 'choice' ? choices.includes(text)
         : type === 'boolean' ? /^(true|false)$/.test(text)
-            : type === 'text' || (text.trim() !== '' && isNumber(Number(text), minimum, maximum)
-                && (type !== 'integer' || Number.isInteger(Number(text))));
+            : refusalOf(field, text) === null;
     if (!takes)
         throw new Error(`'${field.path}' does not take '${text}': ${choices.join(', ') || `${minimum} to ${maximum}`}`);
     return [field.path, text];
