@@ -187,7 +187,9 @@ void skv_rig_build(rig *s, const rig_plan *plan)
     skv_scene *scene = load(s, plan, s->settings.spacing);
     skv_world *world = scene ? make_world(s, scene) : NULL;
     if (world) {
-        skv_rig_keep(s, skv_scene_fill(scene, world, s->error));
+        /* No plan depends on the fluid, which would take a second to come to rest. */
+        if (!s->sketch)
+            skv_rig_keep(s, skv_scene_fill(scene, world, s->error));
         take_over(s, world);
     }
     skv_scene_destroy(scene);
@@ -274,14 +276,14 @@ skv_instrument skv_rig_add(rig *s, skv_instrument_kind kind, double x0, double y
     def.window = window;
     int frames = frames_in(s->total);
     def.capacity = frames < HISTORY ? HISTORY : frames;
-    if (skv_rig_ok(s))
+    if (skv_rig_ok(s) && !s->sketch)
         skv_rig_keep(s, skv_lab_add(s->lab, &def, &id, s->error));
     return id;
 }
 
 double skv_rig_read(const rig *s, skv_instrument id, int channel)
 {
-    return skv_rig_ok(s) ? skv_lab_reading(s->lab, id, channel) : (double)NAN;
+    return skv_rig_ok(s) && !s->sketch ? skv_lab_reading(s->lab, id, channel) : (double)NAN;
 }
 
 double skv_rig_mean_level(const rig *s, const skv_instrument *gauges, int count)
@@ -398,7 +400,7 @@ void skv_rig_wait(rig *s, double seconds)
 
 void skv_rig_sample(rig *s)
 {
-    if (skv_rig_ok(s))
+    if (skv_rig_ok(s) && !s->sketch)
         skv_rig_keep(s, skv_lab_sample(s->lab, s->world, s->error));
 }
 

@@ -41,8 +41,9 @@ struct rig {
     draw_curves *draw; /* null: the experiment adds its points itself, or it is too early */
     const void *set_up;
     struct foresight *foresight; /* for the observer; null before it is needed */
-    /* Where the last plan goes if only that is asked for: no frame is stepped, and it ends with
-     * SKV_STOPPED where measuring begins, at the second wait at the latest. Else null. */
+    /* Where the last plan goes if only that is asked for: its world stays empty, no frame is
+     * stepped, readings are NaN, and it ends with SKV_STOPPED where measuring begins, at the second
+     * wait at the latest. Else null. */
     rig_plan *sketch;
     /* Whether not even the world of that plan is made: it ends with SKV_STOPPED where it would be,
      * and only how many particles the passages need is looked at after that. */
