@@ -5,6 +5,8 @@
 set -euo pipefail
 build=$(realpath "${1:?usage: test_web_bits.sh BUILD SOURCE}")
 cd "${2:?usage: test_web_bits.sh BUILD SOURCE}"
+# shellcheck source=tests/bits/lib.sh
+source tests/bits/lib.sh
 # shellcheck source=tests/web/lib.sh
 source tests/web/lib.sh
 make_modules
@@ -19,8 +21,11 @@ if [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
 fi
 for threads in "${team[@]}"; do
     for frames in "${lengths[@]}"; do
-        same "worlds, $threads threads" <(awk -v frames="$frames" '$2 == frames' tests/bits/golden.txt) \
-            in_wasm "$threads" bits "$frames"
+        # Of the reference solver, which takes most of it, a second is seen without threads.
+        fast=()
+        ((threads == 1 || frames == 6)) || fast=(fast)
+        same "worlds, $threads threads" <(golden_worlds "$frames" "${fast[@]}") \
+            in_wasm "$threads" bits "$frames" "${fast[@]}"
     done
     same "scenes, $threads threads" <(grep -E "^($names) " tests/bits/golden-scenes.txt) \
         in_wasm "$threads" scenes "$names"

@@ -6,6 +6,8 @@
 set -euo pipefail
 build=$(realpath "${1:?usage: test_web_chromium.sh BUILD SOURCE}")
 cd "${2:?usage: test_web_chromium.sh BUILD SOURCE}"
+# shellcheck source=tests/bits/lib.sh
+source tests/bits/lib.sh
 # shellcheck source=tests/web/lib.sh
 source tests/web/lib.sh
 make_modules
@@ -21,13 +23,14 @@ fi
 "$build/write_replays" "$work"
 replays=("$work"/{game,skewed,wind}.skvr)
 
-awk -v frames="$frames" '$2 == frames' tests/bits/golden.txt >"$work/bits"
+# The reference solver's worlds are test_web_bits', in the same modules.
+golden_worlds "$frames" fast >"$work/bits"
 played "${replays[@]}" >"$work/replay"
 "$build/web_reference" lab 400 | grep '^slosh:' >"$work/lab"
 
 mkdir "$work/got"
 bundle "$work/bundle" probe.js
-jobs=("bits $frames" "replay ${replays[*]}" "lab 400 slosh")
+jobs=("bits $frames fast" "replay ${replays[*]}" "lab 400 slosh")
 if ((runs > 16)); then
     cp tests/bits/golden-scenes.txt "$work/scenes"
     jobs+=('scenes .*')
