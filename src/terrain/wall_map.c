@@ -92,14 +92,16 @@ static int sort_square(const skv_wall_builder *b, double x, double y, double sid
     return kind;
 }
 
-static void fill_window(const skv_wall_builder *b, int x0, int y0, window *w)
+/* Fills the window of a block; `kept` is how many columns it holds already. */
+static void fill_window(const skv_wall_builder *b, int x0, int y0, int kept, window *w)
 {
     for (int y = 0; y < WINDOW; y++) {
         float least = 1;
         uint64_t some = 0;
         for (int x = 0; x < WINDOW; x++) {
-            float share = skv_wall_solid_share(b, x0 + x, y0 + y);
-            w->share[y][x] = share;
+            if (x >= kept)
+                w->share[y][x] = skv_wall_solid_share(b, x0 + x, y0 + y);
+            float share = w->share[y][x];
             least = share < least ? share : least;
             some |= (uint64_t)(share > 0) << x;
         }
@@ -188,11 +190,26 @@ static void sort_blocks(const skv_wall_builder *b)
     map->count = (size_t)count;
 }
 
+static void build_block(const skv_wall_builder *b, int x, int y, int kept, window *w,
+                        skv_wall_block *made)
+{
+    fill_window(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, kept, w);
+    fill_block(&b->map->kernel, w, made);
+}
+
 void skv_wall_build_block(const skv_wall_builder *b, int x, int y, skv_wall_block *made)
 {
     window w;
-    fill_window(b, x * BLOCK - SKV_WALL_REACH, y * BLOCK - SKV_WALL_REACH, &w);
-    fill_block(&b->map->kernel, &w, made);
+    build_block(b, x, y, 0, &w, made);
+}
+
+/* Leaves those of a window's columns that the block to the right of it needs, too; says how many.
+ */
+static int keep_columns(window *w)
+{
+    for (int y = 0; y < WINDOW; y++)
+        memmove(w->share[y], w->share[y] + BLOCK, (WINDOW - BLOCK) * sizeof w->share[y][0]);
+    return WINDOW - BLOCK;
 }
 
 /* Those of some rows. */
@@ -200,11 +217,14 @@ static void build_blocks(int begin, int end, void *context)
 {
     const skv_wall_builder *b = context;
     const skv_wall_map *map = b->map;
+    window w;
     for (int y = begin; y < end; y++) {
+        int kept = 0;
         for (int x = 0; x < map->columns; x++) {
             int32_t number = map->index[(size_t)y * (size_t)map->columns + (size_t)x];
             if (number >= 0)
-                skv_wall_build_block(b, x, y, &map->blocks[number]);
+                build_block(b, x, y, kept, &w, &map->blocks[number]);
+            kept = number >= 0 ? keep_columns(&w) : 0;
         }
     }
 }
