@@ -6,6 +6,7 @@
  * many threads there are. Invariant afterwards: rows begin at multiples of eight and end with at
  * least eight dummies that lie far away, so that blocks of eight need no masks at range ends.
  */
+#include "base/simd.h"
 #include "solver/direction.h"
 #include "solver/rows/rows_internal.h"
 
@@ -191,13 +192,38 @@ static void put_dummies(skv_rows *rows, int row)
     }
 }
 
+/* After how many of a row's particles one of the same cell may still come. */
+static int farthest_in_cell(const skv_rows *rows, const int *start)
+{
+    int most = 0;
+    for (int c = 0; c < rows->cells_used; c++)
+        most = start[c + 1] - start[c] > most ? start[c + 1] - start[c] : most;
+    return most - 1;
+}
+
+/* Whether one of eight particles, whose x these are, may lie where one of the `most` after it does.
+ * Who is a millionth of h apart does not. */
+static bool may_coincide(const float *x, int most)
+{
+    v8 least = v8_set(1), own = v8_load(x);
+    for (; most > 0; most--) {
+        v8 way = v8_sub(v8_load(x + most), own);
+        least = v8_min(least, v8_mul(way, way));
+    }
+    return v8_any_below(least, v8_set(1e-12f));
+}
+
 /* Particles in exactly one place would stay together for ever: the pair has no direction. The later
  * one is put a thousandth of h aside, to whichever side leaves it in its cell. */
 void skv_rows_separate_coincident(skv_rows *rows, int row)
 {
     const skv_row_particles *p = &rows->set[rows->current];
     const int *start = rows->cell_start + (size_t)row * (size_t)rows->stride;
-    for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
+    const int end = rows->row_end[row], most = farthest_in_cell(rows, start);
+    for (int i = rows->row_start[row]; i < end; i++) {
+        /* Eight at once; but behind the end dummies lie in one place. */
+        while (i % ROW_LANES == 0 && i + ROW_LANES + most < end && !may_coincide(p->x + i, most))
+            i += ROW_LANES;
         int cell = column_of(rows, p->x[i]);
         for (int j = i + 1; j < start[cell + 1]; j++) {
             if (p->x[i] != p->x[j] || p->y[i] != p->y[j])
