@@ -20,6 +20,9 @@ static float outside(const skv_solid *s, float x, float y)
     return length_of(x - s->now.x, y - s->now.y) - s->reach;
 }
 
+/* Two radii, and what rounding may make of them. */
+#define REACHED 2.001f
+
 void skv_solids_arrange(skv_solids *solids, float h)
 {
     float low = INFINITY, high = -INFINITY;
@@ -31,7 +34,8 @@ void skv_solids_arrange(skv_solids *solids, float h)
     solids->strips_a_metre = SKV_STRIPS / (high - low + 2 * h);
     memset(solids->beside, 0, sizeof solids->beside);
     for (int k = 0; k < solids->count; k++) {
-        float x = solids->solid[k].now.x, far = solids->solid[k].reach + 2 * h;
+        const skv_solid *s = &solids->solid[k];
+        float x = s->now.x, far = s->reach + skv_solid_way(s) + REACHED * h;
         for (int at = skv_strip_of(solids, x - far); at <= skv_strip_of(solids, x + far); at++)
             solids->beside[at] |= (uint64_t)1 << k;
     }
@@ -176,6 +180,9 @@ static float weight_of(const skv_part_of_walls *part)
 static void find_weights(const skv_walls_met *met, float weight[SKV_MOST_PARTS])
 {
     float sum = 0;
+    weight[0] = 1; /* all goes by the only one */
+    if (met->count == 1)
+        return;
     for (int k = 0; k < met->count; k++)
         sum += weight[k] = weight_of(&met->part[k]);
     for (int k = 0; k < met->count; k++)

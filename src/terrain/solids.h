@@ -40,7 +40,8 @@ typedef struct skv_solids {
     skv_solid solid[SKV_MOST_SOLIDS];
     float spacing; /* of the fluid, m */
     skv_image_law law;
-    /* Strips along the world's x from `low` on, m: which solids may be within two radii of each. */
+    /* Strips along the world's x from `low` on, m: which solids may be, or on their way in the
+     * substep have been, within two radii of each. */
     float low, strips_a_metre;
     uint64_t beside[SKV_STRIPS];
 } skv_solids;
@@ -51,7 +52,8 @@ static inline int skv_strip_of(const skv_solids *solids, float x)
     return (int)skv_clamp((x - solids->low) * solids->strips_a_metre, 0, SKV_STRIPS - 1);
 }
 
-/* Finds the strips for solids that lie where they are `now`, and a smoothing radius. */
+/* Finds the strips for solids that lie where they are `now` and have come their ways, and a
+ * smoothing radius. */
 void skv_solids_arrange(skv_solids *solids, float h);
 
 /* What one solid is to a particle: with walls by images its share of D's slope (nx, ny) and the

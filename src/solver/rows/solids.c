@@ -19,21 +19,28 @@ static void middle_of(const skv_boundary *boundary, const skv_solid *solid, floa
 void skv_rows_expect_solids(const skv_rows *rows, int row, const skv_boundary *boundary)
 {
     const skv_row_particles *p = &rows->set[rows->current];
-    const int begin = rows->row_start[row], end = rows->row_end[row];
-    for (int i = begin; i < end; i++)
-        p->clearance[i] = p->clearance[i] < FREE ? p->clearance[i] : FREE;
-    for (int k = 0; k < boundary->solids->count; k++) {
-        const skv_solid *solid = &boundary->solids->solid[k];
-        float x, y, near = (solid->reach + skv_solid_way(solid)) * boundary->per_unit;
-        const float most = (near + FREE) * (near + FREE);
-        middle_of(boundary, solid, &x, &y);
-        for (int i = begin; i < end; i++) {
-            float dx = p->x[i] - x, dy = p->y[i] - y, square = dx * dx + dy * dy;
-            if (square >= most)
-                continue;
-            float away = sqrtf(square) - near;
-            p->clearance[i] = away < p->clearance[i] ? away : p->clearance[i];
+    const skv_solids *solids = boundary->solids;
+    struct {
+        float x, y, near, most;
+    } circle[SKV_MOST_SOLIDS];
+    for (int k = 0; k < solids->count; k++) {
+        const skv_solid *solid = &solids->solid[k];
+        circle[k].near = (solid->reach + skv_solid_way(solid)) * boundary->per_unit;
+        circle[k].most = (circle[k].near + FREE) * (circle[k].near + FREE);
+        middle_of(boundary, solid, &circle[k].x, &circle[k].y);
+    }
+    const float *along = boundary->swapped ? p->y : p->x; /* the world's x */
+    for (int i = rows->row_start[row]; i < rows->row_end[row]; i++) {
+        float clear = p->clearance[i] < FREE ? p->clearance[i] : FREE;
+        uint64_t left = solids->beside[skv_strip_of(solids, along[i] * boundary->unit)];
+        for (; left; left &= left - 1) {
+            const int k = __builtin_ctzll(left);
+            float dx = p->x[i] - circle[k].x, dy = p->y[i] - circle[k].y;
+            float square = dx * dx + dy * dy;
+            float away = square < circle[k].most ? sqrtf(square) - circle[k].near : FREE;
+            clear = away < clear ? away : clear;
         }
+        p->clearance[i] = clear;
     }
 }
 
@@ -99,12 +106,11 @@ static void sample_particle(const skv_rows *rows, int i, const skv_constants *c,
     skv_rows_sample_solids(boundary, c->images, x, y, all);
 }
 
-/* What a particle has been sampled beside. */
+/* The parts of what a particle has been sampled beside. */
 static void recall(const skv_near_wall *wall, bool images, skv_walls_met *met)
 {
     const skv_near_wall *part = wall->solid < 0 ? wall + 1 : wall;
     met->count = wall->solid < 0 ? -wall->solid : 1;
-    met->sum = part_of(wall, images);
     for (int k = 0; k < met->count; k++)
         met->part[k] = part_of(&part[k], images);
 }
@@ -174,7 +180,7 @@ static void book_turn(const skv_rows *rows, const skv_near_wall *wall, const skv
     const int i = wall->particle;
     skv_walls_met met;
     recall(wall, c->images, &met);
-    float flat = c->images ? c->image_gradient * skv_flat_slope(met.sum.distance) : 0;
+    float flat = c->images ? c->image_gradient * skv_flat_slope(wall->at.image.distance) : 0;
     for (int k = 0; k < met.count; k++) {
         const skv_part_of_walls *part = &met.part[k];
         if (part->solid == 0)

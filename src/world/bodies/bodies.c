@@ -234,6 +234,7 @@ void skv_bodies_move(skv_world *world, double dt)
         s->dy = (float)way[k].y;
         s->turn = (float)way[k].turn;
     }
+    skv_solids_arrange(&b->solids, world->h);
 }
 
 void skv_bodies_feel(skv_world *world, double dt, bool moves)
