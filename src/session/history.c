@@ -56,33 +56,44 @@ const skv_key *skv_history_find(const skv_history *history, skv_position positio
     return until ? &history->list[until - 1] : NULL;
 }
 
-skv_result skv_history_add(skv_history *history, const skv_world *world, skv_position position,
-                           skv_error *error)
+skv_result skv_history_insert(skv_history *history, const skv_key *key, skv_error *error)
 {
-    const skv_key *there = skv_history_find(history, position);
-    if (there && !skv_before(there->position, position))
-        return SKV_OK;
     skv_result result = reserve(history, 1, error);
     if (result != SKV_OK)
         return result;
-    skv_key key = {.position = position, .size = skv_world_snapshot_size(world, false)};
+    int at = count_until(history, key->position);
+    memmove(&history->list[at + 1], &history->list[at],
+            (size_t)(history->count - at) * sizeof *history->list);
+    history->list[at] = *key;
+    history->count++;
+    history->bytes += key->size;
+    return SKV_OK;
+}
+
+bool skv_history_has(const skv_history *history, skv_position position)
+{
+    const skv_key *there = skv_history_find(history, position);
+    return there && !skv_before(there->position, position);
+}
+
+skv_result skv_history_add(skv_history *history, const skv_world *world, skv_position position,
+                           skv_error *error)
+{
+    if (skv_history_has(history, position))
+        return SKV_OK;
+    skv_key key = {.position = position,
+                   .terrain = skv_world_terrain(world)->hash,
+                   .size = skv_world_snapshot_size(world, false)};
     key.bytes = skv_calloc(key.size, 1);
     if (!key.bytes)
         return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a key frame of %zu bytes",
                         key.size);
-    result = skv_world_save(world, false, key.bytes, key.size, error);
-    if (result != SKV_OK) {
+    skv_result result = skv_world_save(world, false, key.bytes, key.size, error);
+    if (result == SKV_OK)
+        result = skv_history_insert(history, &key, error);
+    if (result != SKV_OK)
         skv_free(key.bytes);
-        return result;
-    }
-    key.terrain = skv_world_terrain(world)->hash;
-    int at = count_until(history, position);
-    memmove(&history->list[at + 1], &history->list[at],
-            (size_t)(history->count - at) * sizeof *history->list);
-    history->list[at] = key;
-    history->count++;
-    history->bytes += key.size;
-    return SKV_OK;
+    return result;
 }
 
 skv_result skv_history_join(skv_history *history, skv_history *later, skv_error *error)

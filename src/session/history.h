@@ -23,6 +23,10 @@ void skv_history_free(skv_history *history);
 skv_result skv_history_add(skv_history *history, const skv_world *world, skv_position position,
                            skv_error *error);
 
+/* Adds one, whose bytes it takes over; there is none at its position. */
+skv_result skv_history_insert(skv_history *history, const skv_key *key, skv_error *error);
+bool skv_history_has(const skv_history *history, skv_position position);
+
 /* The last one at or before a position; null if there is none. */
 const skv_key *skv_history_find(const skv_history *history, skv_position position);
 

@@ -3,7 +3,10 @@
  * Invariant: a key frame's state and position belong together, so that the world is the one that
  * start and log give at `now`, whichever was taken up.
  */
+#include <string.h>
+
 #include "base/assert.h"
+#include "base/memory.h"
 #include "session/player.h"
 #include "skvalp/snapshot.h"
 #include "terrain/terrain.h"
@@ -33,6 +36,32 @@ void skv_player_keep(skv_player *player)
 {
     if (skv_history_add(&player->keys, player->world, player->now, NULL) == SKV_OK)
         keep_limit(player);
+}
+
+void skv_player_write_key(skv_player *player, int i, skv_write *write, void *user)
+{
+    skv_player_keep(player);
+    const skv_key *key = &player->keys.list[i];
+    if (i < player->keys.count && write((const char *)key, sizeof *key, user))
+        write((const char *)key->bytes, key->size, user);
+}
+
+bool skv_player_take_key(skv_player *player, const uint8_t *written)
+{
+    const skv_position end = {player->end, player->log.size};
+    skv_key key;
+    memcpy(&key, written, sizeof key);
+    if (key.position.frame > end.frame || key.position.at > end.at ||
+        skv_history_has(&player->keys, key.position))
+        return false;
+    key.bytes = skv_calloc(key.size, 1);
+    if (!key.bytes)
+        return false;
+    memcpy(key.bytes, written + sizeof key, key.size);
+    if (skv_history_insert(&player->keys, &key, NULL) == SKV_OK)
+        return true;
+    skv_free(key.bytes);
+    return false;
 }
 
 skv_result skv_player_make_start(const skv_player *player, skv_world **world, skv_error *error)

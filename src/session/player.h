@@ -53,6 +53,11 @@ skv_result skv_player_seek_to(skv_player *player, skv_position goal, bool from_h
                               skv_error *error);
 /* Makes a key frame of this moment, if memory allows. */
 void skv_player_keep(skv_player *player);
+/* Writes key frame `i`, of which this moment is one, as it lies in memory; nothing beyond the last.
+ * The same program takes it back in a player of this one's replay; no file holds it, for nobody
+ * checks that it is of that log. False if there is one of its moment, none such, or no memory. */
+void skv_player_write_key(skv_player *player, int i, skv_write *write, void *user);
+bool skv_player_take_key(skv_player *player, const uint8_t *written);
 
 /* branches.c */
 void skv_branch_free(skv_branch *branch);
@@ -72,7 +77,7 @@ skv_result skv_player_find_marks(skv_player *player, size_t at, skv_error *error
 skv_result skv_player_show(skv_player *player, const skv_showing *showing, const uint8_t *second,
                            size_t size, skv_error *error);
 
-/* As skv_player_share, up to the log's end. */
+/* As skv_player_share, up to the log's end, and with all of its checks. */
 skv_result skv_player_share_whole(const skv_player *player, skv_write *write, void *user,
                                   skv_error *error);
 

@@ -124,8 +124,8 @@ static skv_result pack_log(parts *p, skv_position until, bool checks, const skv_
     return result;
 }
 
-static skv_result write_replay(const skv_player *player, skv_position until, bool shared,
-                               skv_write *write, void *user, skv_error *error)
+static skv_result write_replay(const skv_player *player, skv_position until, bool with_start,
+                               bool checks, skv_write *write, void *user, skv_error *error)
 {
     /* The start is the first key frame, whose terrain need not be the present one. */
     skv_world *start = NULL;
@@ -133,10 +133,10 @@ static skv_result write_replay(const skv_player *player, skv_position until, boo
     skv_result result = skv_player_make_start(player, &start, error);
     if (result != SKV_OK)
         return result;
-    if (!shared)
+    if (with_start)
         result = save_start(&p, start, error);
     if (result == SKV_OK)
-        result = pack_log(&p, until, !shared, start, error);
+        result = pack_log(&p, until, checks, start, error);
     if (result == SKV_OK)
         result = write_all(&p, write, user, error);
     skv_world_destroy(start);
@@ -149,7 +149,7 @@ skv_result skv_player_save(const skv_player *player, skv_write *write, void *use
 {
     SKV_ASSERT_OR(player && write && !player->seeking, SKV_ERROR_VALUE);
     skv_position end = {player->end, player->log.size};
-    return write_replay(player, end, false, write, user, error);
+    return write_replay(player, end, true, true, write, user, error);
 }
 
 static skv_result pack_none(parts *p, const skv_world *start, skv_error *error)
@@ -191,8 +191,8 @@ static bool makes_start(const skv_player *player)
     return same;
 }
 
-static skv_result share_until(const skv_player *player, skv_position until, skv_write *write,
-                              void *user, skv_error *error)
+static skv_result share_until(const skv_player *player, skv_position until, bool checks,
+                              skv_write *write, void *user, skv_error *error)
 {
     if (!player->recipe)
         return skv_fail(error, SKV_ERROR_VALUE,
@@ -202,20 +202,21 @@ static skv_result share_until(const skv_player *player, skv_position until, skv_
         return skv_fail(error, SKV_ERROR_VALUE,
                         "it does not begin as its scene does in this version of skvalp; share it "
                         "as a file");
-    return write_replay(player, until, true, write, user, error);
+    return write_replay(player, until, false, checks, write, user, error);
 }
 
 skv_result skv_player_share(const skv_player *player, skv_write *write, void *user,
                             skv_error *error)
 {
     SKV_ASSERT_OR(player && write && !player->seeking, SKV_ERROR_VALUE);
-    return share_until(player, player->now, write, user, error);
+    return share_until(player, player->now, false, write, user, error);
 }
 
 skv_result skv_player_share_whole(const skv_player *player, skv_write *write, void *user,
                                   skv_error *error)
 {
-    return share_until(player, (skv_position){player->end, player->log.size}, write, user, error);
+    return share_until(player, (skv_position){player->end, player->log.size}, true, write, user,
+                       error);
 }
 
 /* ---- Reading --------------------------------------------------------------------------------- */

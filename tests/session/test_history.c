@@ -1,13 +1,19 @@
-/* Key frames that are dropped: of the last half minute evenly, of what is older the more. */
-#include "session/history.h"
+/* Key frames that are dropped: of the last half minute evenly, of what is older the more; and those
+ * that go with a replay to another player of the same program. */
+#include "session/player.h"
+#include "session/support.h"
 #include "support/fixture.h"
+#include "support/kept.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
+
+#include <skvalp/query.h>
 
 enum { EVERY = 30, KEYS = 301, KEPT = 60 };
 
@@ -44,8 +50,98 @@ static void the_older_the_wider_apart(void **unused)
     skv_world_destroy(world);
 }
 
+/* ---- Handed over ----------------------------------------------------------------------------- */
+
+/* Frames: from a key frame to the next; at which something is done, and how long is played. */
+enum { BETWEEN = 15, PAINTED = 40, SET = 97, END = 130 };
+
+static uint64_t hash_of(const skv_player *player)
+{
+    return skv_world_hash(skv_player_world(player));
+}
+
+/* A game of two edits; hashes before each, and at its end. */
+static skv_player *play_game(uint64_t hashes[3], kept *half)
+{
+    skv_player *player = open_player(0);
+    skv_command paint = {.kind = SKV_COMMAND_PAINT}, set = {.kind = SKV_COMMAND_SET};
+    paint.paint.count = 1;
+    paint.paint.list[0] = (skv_brush_stroke){0.5f, 0.05f, 0.5f, 0.3f, 0.02f, false};
+    strcpy(set.set.path, "fluid.viscosity");
+    strcpy(set.set.text, "0.01");
+    for (int f = 0; f < END; f++) {
+        if (f == PAINTED || f == SET) {
+            hashes[f == SET] = hash_of(player);
+            assert_int_equal(skv_player_edit(player, f == SET ? &set : &paint, NULL), SKV_OK);
+        }
+        assert_int_equal(skv_player_step(player, NULL), SKV_OK);
+        if (f == PAINTED)
+            assert_int_equal(skv_player_save(player, kept_add, half, NULL), SKV_OK);
+    }
+    hashes[2] = hash_of(player);
+    return player;
+}
+
+static skv_player *load(const kept *replay)
+{
+    skv_player *player;
+    assert_int_equal(skv_player_load(replay->bytes, replay->size, NULL, &player, NULL), SKV_OK);
+    return player;
+}
+
+/* How many frames it takes to where it is on its way to. */
+static int settle(skv_player *player)
+{
+    int steps = 0;
+    for (; skv_player_seeking(player); steps++)
+        assert_int_equal(skv_player_step(player, NULL), SKV_OK);
+    return steps;
+}
+
+/* How many key frames it takes. */
+static int hand_over(skv_player *from, skv_player *to)
+{
+    int taken = 0;
+    kept key = {0};
+    for (int i = 0; skv_player_write_key(from, i, kept_add, &key), key.size > 0; i++) {
+        taken += skv_player_take_key(to, (const uint8_t *)key.bytes);
+        kept_clear(&key);
+    }
+    return taken;
+}
+
+static void who_takes_keys_steps_little(void **unused)
+{
+    (void)unused;
+    kept whole = {0}, half = {0};
+    uint64_t hashes[3];
+    skv_player *first = play_game(hashes, &half);
+    assert_int_equal(skv_player_save(first, kept_add, &whole, NULL), SKV_OK);
+    skv_player *second = load(&whole), *shorter = load(&half);
+    /* All but the start, which is there, and the end's. */
+    assert_int_equal(hand_over(first, second), END / BETWEEN + 1);
+    assert_int_equal(skv_player_seek(second, END, NULL), SKV_OK);
+    assert_true(settle(second) < BETWEEN);
+    assert_int_equal(hash_of(second), hashes[2]);
+    assert_int_equal(skv_player_mismatch(second), -1);
+    for (int i = 1; i >= 0; i--) {
+        assert_int_equal(skv_player_undo(second, NULL), SKV_OK);
+        assert_true(settle(second) < BETWEEN);
+        assert_int_equal(skv_player_frame(second), i ? SET : PAINTED);
+        assert_int_equal(hash_of(second), hashes[i]);
+    }
+    /* Of moments that a log does not have it takes none. */
+    assert_int_equal(hand_over(first, shorter), PAINTED / BETWEEN);
+    skv_player_destroy(first);
+    skv_player_destroy(second);
+    skv_player_destroy(shorter);
+    kept_clear(&whole);
+    kept_clear(&half);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_older_the_wider_apart)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_older_the_wider_apart),
+                                       cmocka_unit_test(who_takes_keys_steps_little)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,8 +4,8 @@ import { expect, test, vi } from 'vitest';
 import { loadLarger, makeTrial } from './testing';
 import type { Listener } from './protocol';
 
-/** Of 300 particles a frame's step takes 30 ms here, and 140 of them more than people are let wait, s. */
-const COST = 1e-4;
+/** Frames from a key frame to the next. */
+const BETWEEN = 15;
 
 /** A game that can grow. */
 async function play(frames: number) {
@@ -15,11 +15,17 @@ async function play(frames: number) {
     let told: Listener | undefined;
     const ending = <Trial extends ReturnType<typeof makeTrial>>(trial: Trial) =>
         ({ files: trial.files, library: Object.assign(trial.library, { end: () => undefined }) });
-    const larger = makeTrial({ of, cost: COST, hears: (state) => told?.state(state) });
+    const larger = makeTrial({ of, hears: (state) => told?.state(state) });
+    const { instance } = larger.library, { skv_wasm_take_key: take } = instance.exports;
+    /** Of each world the moments of which it has taken the state. */
+    const taken: number[][] = [[], []];
+    instance.exports = { ...instance.exports, skv_wasm_take_key: (stage: number, side: number, key: number) => {
+        taken[side].push(take(stage, side, key) ? Number(instance.data().getBigInt64(key, true)) : NaN);
+    } };
     const small: ReturnType<typeof makeTrial> = makeTrial({
-        lean: true, cost: COST,
-        grow: (foresees, before) => growing.push(grow(small.simulation, ending(small), small.listener, new Map(), foresees,
-            before, async () => ending(larger), (_, listener) => {
+        lean: true,
+        grow: (foresees) => growing.push(grow(small.simulation, ending(small), small.listener, new Map(), foresees,
+            async () => ending(larger), (_, listener) => {
                 told = listener;
                 return larger.simulation;
             })),
@@ -30,15 +36,20 @@ async function play(frames: number) {
     while (!small.library.view('skv_tool', c.skv_tool_info(bodies)).drops)
         bodies++;
     simulation.open('pool');
+    simulation.setStyle({}); // of which the stage hears, as of a page's
     simulation.set('fluid.viscosity', '0.01');
     small.run(frames);
     const choose = async () => {
         simulation.chooseTool(bodies);
         await Promise.all(growing);
-        void larger.state; // which is told, and where it was is sought
-        larger.run(2 * frames);
     };
-    return { small, larger, bodies, choose };
+    return { small, larger, bodies, choose, taken };
+}
+
+/** Of key frames of a game that has come so far, after the start, and where it is. */
+function moments(moment: number) {
+    const whole = Array.from({ length: Math.floor(moment / BETWEEN) }, (_, i) => BETWEEN * (i + 1));
+    return whole.at(-1) === moment ? whole : [...whole, moment];
 }
 
 test('a short game goes on whole', async () => {
@@ -57,15 +68,43 @@ test('a game that was rewound goes on whole, where it was', async () => {
     expect(larger.state).toMatchObject({ moment: 10, end: 30, paused: true, canUndo: true, watching: false });
 });
 
-test('of a long game is said what would be lost, before it is', async () => {
-    const { small, larger, bodies, choose } = await play(200);
-    const { tool } = small.state;
-    small.take();
+test('a long game goes on whole at once, and what was done is undone at once', async () => {
+    const { small, larger, bodies, choose, taken } = await play(100);
+    small.simulation.set('fluid.viscosity', '0.02');
+    small.run(100);
+    const { moment } = small.state, kept = await small.simulation.keep();
+    const viscosity = () => larger.state.worlds[0].parameters['fluid.viscosity'];
     await choose();
-    expect(small.take()).toEqual([{ kind: 'anew', error: null }]);
-    expect(small.state).toMatchObject({ tool, canUndo: true });
-    expect(larger.state.worlds[0].name).toBe('');
+    expect(larger.state).toMatchObject({ tool: bodies, moment, end: moment, canUndo: true, watching: false, mismatch: false });
+    expect(await larger.simulation.keep()).toEqual(kept);
+    expect(taken).toEqual([moments(moment), []]);
+    expect(viscosity()).toBe('0.02');
+    larger.simulation.undo();
+    expect(viscosity()).toBe('0.01');
+    larger.simulation.undo();
+    expect(larger.state).toMatchObject({ moment: 0, canUndo: false, mismatch: false });
+    expect(small.take().concat(larger.take()).filter(({ error }) => error)).toEqual([]);
+});
+
+test('two worlds that are compared go on whole at once', async () => {
+    const { small, larger, choose, taken } = await play(2 * BETWEEN);
+    small.simulation.compare({ 'fluid.viscosity': '0.04' });
+    small.run(100);
+    small.simulation.set('fluid.viscosity', '0.02', 1);
+    small.run(100);
+    const { moment, end } = small.state, kept = await small.simulation.keep();
     await choose();
-    expect(larger.state).toMatchObject({ tool: bodies, canUndo: false });
-    expect(larger.state.worlds[0].particles).toBe(small.state.worlds[0].particles);
+    expect(larger.state).toMatchObject({ moment, end, canUndo: true, watching: false, mismatch: false });
+    expect(await larger.simulation.keep()).toEqual(kept);
+    expect(taken).toEqual([moments(moment), moments(moment)]);
+});
+
+test('a game that cannot be opened again goes on from where it was', async () => {
+    const { small, larger, bodies, choose } = await play(100);
+    const { moment } = small.state, { set } = small.files;
+    expect(moment).toBeGreaterThan(0);
+    small.files.set = (path, bytes) => set.call(small.files, path, path === 'kept.skvr' ? bytes.fill(0) : bytes);
+    await choose();
+    expect(larger.state).toMatchObject({ tool: bodies, moment: 0, canUndo: false });
+    expect(larger.state.worlds[0].time).toBe(small.state.worlds[0].time);
 });

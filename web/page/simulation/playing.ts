@@ -37,7 +37,7 @@ export interface Surroundings {
     /** devicemotion has the other signs here: Apple's. */
     reversed: boolean;
     /** Bodies are wanted, and the module has none: in what is to be opened, or, as is foreseen, in what is open. */
-    grow?: (foresees: boolean, before?: number) => void;
+    grow?: (foresees: boolean) => void;
 }
 
 type Waiting = { resolve: () => void; reject: (error: Error) => void };

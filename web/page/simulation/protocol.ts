@@ -177,9 +177,9 @@ export interface PointerMessage {
     side: Side;
 }
 
-/** What became of something that was asked for, as skv_outcome; or 'anew': it was not done, for the game would begin anew. */
+/** What became of something that was asked for, as skv_outcome. */
 export interface Report {
-    kind: 'open' | 'save' | 'share' | 'step' | 'edit' | 'anew';
+    kind: 'open' | 'save' | 'share' | 'step' | 'edit';
     /** One line; null: it was done. */
     error: string | null;
 }

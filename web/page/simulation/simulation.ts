@@ -336,10 +336,10 @@ export class Simulator implements Simulation {
     }
 
     chooseTool(tool: number) {
-        const { c, instance } = this.#library, before = c.skv_stage_tool(this.#worlds.stage);
+        const { c, instance } = this.#library;
         this.#ask(c.skv_control_tool, tool);
         if (instance.exports.skv_wasm_wants_more && this.#library.view('skv_tool', c.skv_tool_info(tool)).drops) {
-            this.#surroundings.grow?.(true, before);
+            this.#surroundings.grow?.(true);
         }
     }
 

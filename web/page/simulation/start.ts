@@ -24,7 +24,7 @@ type Loading = ReturnType<typeof loadModule>;
  * @param grow bodies are wanted, and the module has none
  */
 function make({ library, files, threads }: Awaited<Loading>, canvas: HTMLCanvasElement | OffscreenCanvas,
-    listener: Listener, grow?: (foresees: boolean, before?: number) => void) {
+    listener: Listener, grow?: (foresees: boolean) => void) {
     let simulation: Simulator | null = null;
     const painter = new Painter(library, canvas, (trouble) => {
         listener.picture(trouble);
@@ -50,9 +50,9 @@ export async function start(canvas: HTMLCanvasElement | OffscreenCanvas, loading
     const first = await loading;
     /** What was last asked of each method. */
     const asked = new Map<string, unknown[]>();
-    const small = make(first, canvas, listener, async (foresees, before) => {
+    const small = make(first, canvas, listener, async (foresees) => {
         const { grow } = await import('./grow');
-        await grow(small, first, listener, asked, foresees, before, () => loadModule(first.threads, 'bodies'),
+        await grow(small, first, listener, asked, foresees, () => loadModule(first.threads, 'bodies'),
             (larger, its) => (now = make(larger, canvas, its)));
     });
     let now = small;

@@ -50,7 +50,7 @@ export function loadLibrary(clock?: () => number, lean = false, of = module) {
  * @param hears states, too
  */
 export function makeTrial({ particles = 300 as number | null, reversed = false, tick = 0, cost = 0, lean = false, of = module,
-    grow = undefined as ((foresees: boolean, before?: number) => void) | undefined,
+    grow = undefined as ((foresees: boolean) => void) | undefined,
     hears = undefined as Listener['state'] | undefined } = {}) {
     const states: State[] = [], reports: Report[] = [], frames: ((ms: number) => void)[] = [];
     let now = 0, waited = 0, steps = false;

@@ -17,8 +17,6 @@ export function opened(): Promise<void> {
 export function listenToReports(report: Report): void {
     if (report.kind === 'open')
         waiting.splice(0).forEach((tell) => tell(report.error));
-    if (report.kind === 'anew')
-        toast(_('This game is too long to be played again with bodies: undo and links would begin here. Choose the tool once more if that is wanted.'), 2);
     if (report.error) {
         complain(report.error);
         if (!world.value?.name)
