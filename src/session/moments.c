@@ -42,8 +42,10 @@ void skv_player_write_key(skv_player *player, int i, skv_write *write, void *use
 {
     skv_player_keep(player);
     const skv_key *key = &player->keys.list[i];
-    if (i < player->keys.count && write((const char *)key, sizeof *key, user))
+    if (i < player->keys.count) {
+        write((const char *)key, sizeof *key, user);
         write((const char *)key->bytes, key->size, user);
+    }
 }
 
 bool skv_player_take_key(skv_player *player, const uint8_t *written)
