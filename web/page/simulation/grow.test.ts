@@ -108,3 +108,17 @@ test('a game that cannot be opened again goes on from where it was', async () =>
     expect(larger.state).toMatchObject({ tool: bodies, moment: 0, canUndo: false });
     expect(larger.state.worlds[0].time).toBe(small.state.worlds[0].time);
 });
+
+test('what is opened while a game is handed over goes on instead of it', async () => {
+    const { small, larger, bodies, choose, taken } = await play(100);
+    const { set } = small.files;
+    small.files.set = (path, bytes) => {
+        if (path === 'kept.skvr')
+            queueMicrotask(() => small.simulation.open('funnel'));
+        return set.call(small.files, path, bytes);
+    };
+    await choose();
+    expect(larger.state).toMatchObject({ tool: bodies, moment: 0, canUndo: false });
+    expect(larger.state.worlds[0].name).toBe('funnel');
+    expect(taken).toEqual([[], []]);
+});

@@ -53,10 +53,15 @@ export async function grow<Loaded extends From>(from: Simulator, { library, file
     try {
         const larger: Loaded = await loading;
         await larger.library.instance.bringCodecs();
-        if (foresees && !grown) {
-            opening.next ??= await again();
+        while (foresees && !grown && opening.current && !opening.next) {
+            const before = worlds.first.opened, here = await again();
+            if (!opening.next && worlds.first.opened === before) {
+                opening.next = here;
+            } else { // something else was opened meanwhile, which goes on
+                keys = [];
+            }
         }
-        if (grown || !opening.next) { // something else was opened meanwhile
+        if (grown || !opening.next) {
             return;
         }
         grown = true;
