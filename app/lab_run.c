@@ -9,6 +9,7 @@
 
 #include "settings.h"
 #include "words.h"
+#include "workers.h"
 
 #define WIDTH       480
 #define MOST_CURVES 8
@@ -178,7 +179,7 @@ void play_lab_run(int experiment, int particles, const skv_render_style *style, 
                .stop = g_object_ref(stop),
                .show = show,
                .user = user};
-    g_thread_unref(g_thread_new("experiment", work, r));
+    play_workers_start("experiment", work, r);
 }
 
 /* The set-up, to play with: made on a thread, opened on the main loop. */

@@ -5,9 +5,9 @@
 
 #include "actions.h"
 #include "quit.h"
-#include "thumbnails.h"
 #include "window.h"
 #include "words.h"
+#include "workers.h"
 
 /* The exit status by which run.sh knows that it has to make pictures instead. */
 enum { NO_DISPLAY = 3 };
@@ -74,6 +74,6 @@ int main(int argc, char **argv)
     g_signal_connect(application, "activate", G_CALLBACK(on_activate), (gpointer)scene);
     int status = g_application_run(G_APPLICATION(application), 1, argv);
     g_object_unref(application);
-    play_thumbnails_finish();
+    play_workers_finish();
     return status;
 }

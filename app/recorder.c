@@ -10,6 +10,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "workers.h"
+
 #define FRAMES_A_SECOND 60
 #define EVERY           2 /* frames a picture: 30 pictures a second */
 #define WIDTH           1280
@@ -22,6 +24,7 @@ typedef struct job {
     GCancellable *stop;
     PlayRecorded *told;
     gpointer user;
+    bool done;
     char error[256];
 } job;
 
@@ -169,33 +172,33 @@ static bool make_video(job *work, skv_player *player, const char *output)
     return done;
 }
 
-static void run(GTask *task, G_GNUC_UNUSED gpointer source, gpointer data,
-                G_GNUC_UNUSED GCancellable *stop)
+static gboolean on_ended(gpointer data)
+{
+    job *work = data;
+    work->told(1, true, work->done ? NULL : work->error, work->user);
+    g_free(work->replay);
+    g_free(work->path);
+    g_object_unref(work->stop);
+    g_free(work);
+    return G_SOURCE_REMOVE;
+}
+
+static gpointer run(gpointer data)
 {
     job *work = data;
     char *output = g_strconcat(work->path, ".part", NULL);
     skv_player *player = load(work);
     gint64 from = MAX(0, work->moment - (gint64)(work->seconds * FRAMES_A_SECOND));
-    bool done = player && can_write(work, output) && go_to(work, player, from) &&
-                make_video(work, player, output);
-    if (done && g_rename(output, work->path) != 0)
-        done = fail(work, g_strerror(errno));
-    if (!done)
+    work->done = player && can_write(work, output) && go_to(work, player, from) &&
+                 make_video(work, player, output);
+    if (work->done && g_rename(output, work->path) != 0)
+        work->done = fail(work, g_strerror(errno));
+    if (!work->done)
         g_remove(output);
     skv_player_destroy(player);
     g_free(output);
-    g_task_return_boolean(task, done);
-}
-
-static void on_ended(G_GNUC_UNUSED GObject *source, GAsyncResult *result, gpointer data)
-{
-    job *work = data;
-    bool done = g_task_propagate_boolean(G_TASK(result), NULL);
-    work->told(1, true, done ? NULL : work->error, work->user);
-    g_free(work->replay);
-    g_free(work->path);
-    g_object_unref(work->stop);
-    g_free(work);
+    g_idle_add_full(G_PRIORITY_DEFAULT, on_ended, work, NULL);
+    return NULL;
 }
 
 void play_record(const char *replay, const char *path, gint64 moment, double seconds,
@@ -211,8 +214,5 @@ void play_record(const char *replay, const char *path, gint64 moment, double sec
                   .stop = g_object_ref(stop),
                   .told = told,
                   .user = user};
-    GTask *task = g_task_new(NULL, NULL, on_ended, work);
-    g_task_set_task_data(task, work, NULL);
-    g_task_run_in_thread(task, run);
-    g_object_unref(task);
+    play_workers_start("video", run, work);
 }

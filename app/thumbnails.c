@@ -1,9 +1,10 @@
 /* Thumbnails: a small world of each scene, played for a moment and drawn without a display.
- * Invariant: nothing of it happens on the thread of the interface, and nothing after
- * play_thumbnails_finish. */
+ * Invariant: nothing of it happens on the thread of the interface. */
 #include "thumbnails.h"
 
 #include <skvalp/scene.h>
+
+#include "workers.h"
 
 #define WIDTH     320
 #define HEIGHT    180
@@ -13,6 +14,7 @@
 typedef struct job {
     char **names;
     skv_render_style style;
+    GCancellable *stop;
     PlayShowThumbnail *show;
     gpointer user;
 } job;
@@ -25,27 +27,6 @@ typedef struct ready {
     PlayShowThumbnail *show;
     gpointer user;
 } ready;
-
-/* How many threads work or are going to; the program waits for them before it ends. */
-static GMutex lock;
-static GCond fewer;
-static int working;
-
-static void count_working(int change)
-{
-    g_mutex_lock(&lock);
-    working += change;
-    g_cond_signal(&fewer);
-    g_mutex_unlock(&lock);
-}
-
-void play_thumbnails_finish(void)
-{
-    g_mutex_lock(&lock);
-    while (working > 0)
-        g_cond_wait(&fewer, &lock);
-    g_mutex_unlock(&lock);
-}
 
 static gboolean on_ready(gpointer data)
 {
@@ -96,45 +77,37 @@ static GdkTexture *draw(skv_offscreen *offscreen, const char *name, const skv_re
     return texture;
 }
 
-static void make_all(const job *work, GCancellable *stop)
+static void make_all(const job *work)
 {
     skv_offscreen *offscreen;
     if (skv_offscreen_create(WIDTH, HEIGHT, &offscreen, NULL) != SKV_OK)
         return; /* names and descriptions do */
-    for (int i = 0; work->names[i] && !g_cancellable_is_cancelled(stop); i++) {
-        GdkTexture *texture = draw(offscreen, work->names[i], &work->style, stop);
+    for (int i = 0; work->names[i] && !g_cancellable_is_cancelled(work->stop); i++) {
+        GdkTexture *texture = draw(offscreen, work->names[i], &work->style, work->stop);
         if (!texture)
             continue;
         ready *made = g_new(ready, 1);
-        *made =
-            (ready){g_object_ref(stop), g_strdup(work->names[i]), texture, work->show, work->user};
+        *made = (ready){g_object_ref(work->stop), g_strdup(work->names[i]), texture, work->show,
+                        work->user};
         g_idle_add(on_ready, made);
     }
     skv_offscreen_destroy(offscreen);
 }
 
-static void run(GTask *task, G_GNUC_UNUSED gpointer source, gpointer data, GCancellable *stop)
-{
-    make_all(data, stop);
-    g_task_return_boolean(task, TRUE);
-    count_working(-1);
-}
-
-static void free_job(gpointer data)
+static gpointer run(gpointer data)
 {
     job *work = data;
+    make_all(work);
     g_strfreev(work->names);
+    g_object_unref(work->stop);
     g_free(work);
+    return NULL;
 }
 
 void play_thumbnails_make(const char *const *names, const skv_render_style *style,
                           GCancellable *stop, PlayShowThumbnail *show, gpointer user)
 {
     job *work = g_new(job, 1);
-    *work = (job){g_strdupv((char **)names), *style, show, user};
-    GTask *task = g_task_new(NULL, stop, NULL, NULL);
-    g_task_set_task_data(task, work, free_job);
-    count_working(1);
-    g_task_run_in_thread(task, run);
-    g_object_unref(task);
+    *work = (job){g_strdupv((char **)names), *style, g_object_ref(stop), show, user};
+    play_workers_start("thumbnails", run, work);
 }

@@ -12,7 +12,4 @@ typedef void PlayShowThumbnail(const char *name, GdkTexture *texture, gpointer u
 void play_thumbnails_make(const char *const *names, const skv_render_style *style,
                           GCancellable *stop, PlayShowThumbnail *show, gpointer user);
 
-/* Waits until no thread makes any: a program that ends takes from a thread what it draws with. */
-void play_thumbnails_finish(void);
-
 #endif

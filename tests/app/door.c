@@ -522,6 +522,37 @@ int __wrap_skv_platform_cores(void)
     return 1;
 }
 
+/* The app's own threads that were started and not joined. The linker takes calls in GLib for calls
+ * of these, which therefore can't be hidden. */
+static gint threads;
+#pragma GCC visibility push(default)
+
+GThread *__real_g_thread_new(const gchar *name, GThreadFunc work, gpointer data);
+GThread *__wrap_g_thread_new(const gchar *name, GThreadFunc work, gpointer data);
+GThread *__wrap_g_thread_new(const gchar *name, GThreadFunc work, gpointer data)
+{
+    g_atomic_int_inc(&threads);
+    return __real_g_thread_new(name, work, data);
+}
+
+gpointer __real_g_thread_join(GThread *thread);
+gpointer __wrap_g_thread_join(GThread *thread);
+gpointer __wrap_g_thread_join(GThread *thread)
+{
+    g_atomic_int_add(&threads, -1);
+    return __real_g_thread_join(thread);
+}
+
+#pragma GCC visibility pop
+
+/* One that outlives main may draw with what its end takes from it: that goes wrong seldom, but here
+ * it is told. */
+__attribute__((destructor)) static void end(void)
+{
+    if (g_atomic_int_get(&threads) > 0)
+        fprintf(stderr, "CRITICAL: the app ended before %d of its threads\n", threads);
+}
+
 /* Before main, which knows nothing of it, and before classes of widgets copy what this one does. */
 __attribute__((constructor)) static void begin(void)
 {
