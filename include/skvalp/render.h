@@ -129,7 +129,8 @@ SKV_API skv_result skv_renderer_draw(skv_renderer *renderer, const skv_frame *fr
                                      const skv_mark *marks, int mark_count, skv_error *error);
 
 /** A context without a display (EGL surfaceless) with a framebuffer of its own, for pictures and
- * videos. Becomes current on the calling thread. SKV_ERROR_DEVICE where EGL offers none. */
+ * videos. Becomes current on the calling thread, which has none, nor anything else of EGL's, once
+ * it is destroyed there. SKV_ERROR_DEVICE where EGL offers none. */
 typedef struct skv_offscreen skv_offscreen;
 SKV_API skv_result skv_offscreen_create(int width, int height, skv_offscreen **offscreen,
                                         skv_error *error);

@@ -185,12 +185,14 @@ void skv_offscreen_destroy(skv_offscreen *offscreen)
         skv_renderer_destroy(offscreen->renderer);
         glDeleteFramebuffers(1, &offscreen->framebuffer);
         glDeleteRenderbuffers(1, &offscreen->color);
-        eglMakeCurrent(offscreen->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
     if (offscreen->context != EGL_NO_CONTEXT)
         eglDestroyContext(offscreen->display, offscreen->context);
     if (offscreen->surface != EGL_NO_SURFACE)
         eglDestroySurface(offscreen->display, offscreen->surface);
+    /* The context goes now, and what EGL keeps of the thread: of one that outlives main, libglvnd
+     * would free it twice. */
+    eglReleaseThread();
     skv_free(offscreen->rows);
     skv_free(offscreen);
 }
