@@ -41,16 +41,16 @@ export function readAddress() {
 
     function open(): void {
         beginAmounts(Number(asked.get('particles')) || 0);
+        const waits = asked.get('paused') === '1';
+        const rests = !waits && lessMotion.value && controls.value !== 'none' && asked.get('paused') !== '0';
+        if (waits || rests)
+            simulation.setPaused(true); // before there is water, or it moves until it hears of this
         openAsked();
         showView(asked.get('view'));
         if (asked.has('bench'))
             showPanel('bench');
-        if (asked.get('paused') === '1')
-            simulation.setPaused(true);
-        else if (lessMotion.value && controls.value !== 'none' && asked.get('paused') !== '0') {
-            simulation.setPaused(true);
+        if (rests)
             toast(_('The system asks for less motion: the water waits until you press Play.'));
-        }
     }
 
     const language = asked.get('lang') ?? '';
