@@ -350,7 +350,12 @@ const trials = {
     },
 
     async 'what was done goes on after the page was left, and what is damaged is refused in words'(browser) {
-        const page = await begin(browser, small, '?scene=pool&particles=500');
+        // It is kept when it is left alone: what is kept every ten seconds would be the newest, whenever that was.
+        const keepsNothingByItself = () => {
+            const { setInterval } = window;
+            window.setInterval = (act, ms, ...given) => ms >= 5000 ? 0 : setInterval(act, ms, ...given);
+        };
+        const page = await begin(browser, { ...small, before: keepsNothingByItself }, '?scene=pool&particles=500');
         const build = async (page) => {
             await page.keyboard.press('2');
             await page.mouse.move(150, 150);
@@ -390,6 +395,7 @@ const trials = {
 
         // Another tab, which is left later, keeps its own world beside it.
         const other = await page.context().newPage();
+        await other.addInitScript(keepsNothingByItself);
         await other.goto(page.url().replace(/\?.*/, '?scene=fountain&particles=500'));
         await water(other);
         await build(other);
@@ -490,9 +496,12 @@ const trials = {
         await until(page, () => window.skvalp.state.value.moment > 60, 'it plays');
         const link = await page.evaluate(() => window.skvalp.simulation.share());
         await page.evaluate(() => window.skvalp.simulation.setSpeed(0.1));
-        await page.evaluate((link) => (location.hash = link), link);
+        await page.evaluate((link) => { // however slow it is played, it would be over once it is looked at
+            const { simulation, state } = window.skvalp;
+            const end = state.subscribe(({ watching }) => watching && (simulation.setPaused(true), setTimeout(() => end())));
+            location.hash = link;
+        }, link);
         await button(page, 'Take Over').waitFor();
-        await page.evaluate(() => window.skvalp.simulation.setPaused(true)); // however slow it is played, it would be over
         await until(page, () => window.skvalp.state.value.paused && window.skvalp.state.value.watching, 'it waits on the way');
         const { end } = await stateOf(page);
         await page.mouse.move(200, 150);
