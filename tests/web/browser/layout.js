@@ -2,7 +2,7 @@
 // stays where it is. Arguments: the folder of the built page.
 import assert from 'node:assert/strict';
 
-import { begin, button, chooseFromMenu, close, desk, phone, small, until, water } from './people.js';
+import { begin, button, chooseFromMenu, close, desk, phone, resize, small, until, water } from './people.js';
 import { carryOut } from './trials.js';
 
 const [folder] = process.argv.slice(2);
@@ -120,7 +120,7 @@ const trials = {
         await page.keyboard.press(' ');
         await until(page, () => window.skvalp.state.value.paused, 'it stands still');
         for (const [width, height] of [[360, 740], [568, 320], [1366, 768]]) {
-            await page.setViewportSize({ width, height });
+            await resize(page, width, height);
             const widths = [];
             for (const [words, times, slow, moment] of
                 [['real time', 1, false, 10], ['%s× of real time', 0.25, true, 10], ['at rest', 1, false, 4], ['paused', 1, false, 0]]) {
@@ -135,7 +135,7 @@ const trials = {
         const page = await begin(browser, small, '?scene=pool&paused=1');
         for (const [width, height] of [[341, 192], [320, 256], [480, 270], [683, 384], [568, 320], [280, 653]]) {
             const size = `${width}x${height}`;
-            await page.setViewportSize({ width, height });
+            await resize(page, width, height);
             assert.deepEqual(await cutOff(page), [], size);
             for (const name of ['Hand', 'Size of the tool', 'Undo', 'Stopwatch']) {
                 const part = button(page, name);
@@ -147,6 +147,8 @@ const trials = {
             await page.evaluate(() => scrollTo(0, 0));
             await button(page, 'Main menu').click();
             const last = button(page, 'About Skvalp');
+            await last.waitFor();
+            await still(page); // it rises from below
             await last.scrollIntoViewIfNeeded();
             const [{ left, right, bottom }] = await boxesOf(page, '.panel');
             assert.ok(left >= 0 && right <= width && bottom <= height + 1, `${size}: the menu from ${left} to ${right}`);

@@ -23,6 +23,12 @@ export async function until(page, holds, what, given) {
     await page.waitForFunction(holds, given).catch(() => assert.fail(`in vain: ${what}`));
 }
 
+/** Gives the page another size, and waits until it has it. */
+export async function resize(page, width, height) {
+    await page.setViewportSize({ width, height });
+    await until(page, ([width, height]) => innerWidth === width && innerHeight === height, `it is ${width}x${height}`, [width, height]);
+}
+
 /** Waits until water is there. */
 export async function water(page) {
     await until(page, () => window.skvalp?.state.value?.worlds[0].particles > 0, 'water comes');
