@@ -144,6 +144,16 @@ export async function untilSeen(look, holds, what) {
     }
 }
 
+/** Waits until what is blue stays as it is, for the last picture may be on its way; gives that. */
+export async function stillBlue(page) {
+    let last;
+    return untilSeen(() => blue(page), (now) => {
+        const before = last;
+        last = now;
+        return before?.x === now.x && before.y === now.y && before.share === now.share;
+    }, 'the picture stands still');
+}
+
 /** Waits until something holds of what is blue, or of a part of it. */
 export const untilBlue = (page, holds, what, part) =>
     untilSeen(() => blue(page, part), holds, (now) => `${what}, at last ${JSON.stringify(now)}`);

@@ -97,7 +97,9 @@ async function testLostContext(browser) {
         const context = document.querySelector('canvas').getContext('webgl2');
         const extension = context.getExtension('WEBGL_lose_context');
         extension.loseContext();
-        await new Promise((resolve) => setTimeout(resolve, 200));
+        while (window.trial.pictures.length === 0) {
+            await new Promise((resolve) => setTimeout(resolve, 20));
+        }
         window.trial.simulation.stepOnce();
         extension.restoreContext();
     });
