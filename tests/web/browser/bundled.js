@@ -19,8 +19,8 @@ const isolation = {
 };
 const seenIn = async (browser, address) => {
     const page = await browser.open(address, { isolated: true });
-    await page.waitForFunction(() => window.seen);
-    return page.evaluate(() => window.seen);
+    const seen = await page.waitForFunction(() => window.seen); // a server may load the page once more
+    return seen.jsonValue();
 };
 /** One that nobody listens at: the page that vite serves is told of it, so it has to be known before. */
 const freePort = () => new Promise((resolve) => {
