@@ -41,6 +41,13 @@ void skv_envelope_seal(uint8_t *bytes, size_t size)
     skv_put(&(skv_writer){bytes, CHECKSUM_AT}, checksum(bytes, size), 8);
 }
 
+bool skv_envelope_is_sealed(const uint8_t *bytes, size_t size)
+{
+    skv_reader reader = {.bytes = bytes, .size = size, .at = SIZE_AT};
+    return size >= HEAD && skv_get(&reader, 8) == size &&
+           skv_get(&reader, 8) == checksum(bytes, size);
+}
+
 bool skv_envelope_is(const skv_envelope *kind, const uint8_t *bytes, size_t size)
 {
     bool same = size >= sizeof magic;
@@ -55,7 +62,8 @@ skv_result skv_envelope_open(skv_reader *r, const skv_envelope *kind, unsigned *
     r->at = sizeof magic;
     unsigned version = (unsigned)skv_get(r, 4);
     *flags = (unsigned)skv_get(r, 4);
-    uint64_t size = skv_get(r, 8), sum = skv_get(r, 8);
+    uint64_t size = skv_get(r, 8);
+    skv_get(r, 8); /* the checksum */
     if (!r->failed && (version > kind->version || version < kind->oldest))
         return skv_fail(error, SKV_ERROR_FORMAT,
                         "%s: its version is %u, this library reads %u; use the library that wrote "
@@ -64,7 +72,7 @@ skv_result skv_envelope_open(skv_reader *r, const skv_envelope *kind, unsigned *
     if (r->failed || size > r->size)
         return skv_fail(error, SKV_ERROR_FORMAT, "%s: it is cut short; take the whole of it",
                         kind->name);
-    if (size < r->size || *flags & ~kind->flags || sum != checksum(r->bytes, r->size))
+    if (*flags & ~kind->flags || !skv_envelope_is_sealed(r->bytes, r->size))
         return skv_fail(error, SKV_ERROR_FORMAT, "%s: it is damaged; take another copy",
                         kind->name);
     return SKV_OK;

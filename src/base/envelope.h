@@ -20,6 +20,9 @@ void skv_envelope_put(skv_writer *writer, const skv_envelope *kind, unsigned fla
 /* Writes size and checksum into the head of bytes that are complete. */
 void skv_envelope_seal(uint8_t *bytes, size_t size);
 
+/* Whether they are, to the last byte, as they were sealed. */
+bool skv_envelope_is_sealed(const uint8_t *bytes, size_t size);
+
 /* Whether bytes begin as those of a kind do. */
 bool skv_envelope_is(const skv_envelope *kind, const uint8_t *bytes, size_t size);
 /* The version that they say, 0 if they are too short to say one. */

@@ -28,7 +28,7 @@ void skv_letters_write(const uint8_t *bytes, size_t size, char *letters)
         *letters = alphabet[held << (6 - bits) & 63];
 }
 
-bool skv_letters_read(const char *letters, uint8_t *bytes, size_t *size)
+const char *skv_letters_read(const char *letters, uint8_t *bytes, size_t *size)
 {
     unsigned held = 0;
     int bits = 0;
@@ -38,7 +38,7 @@ bool skv_letters_read(const char *letters, uint8_t *bytes, size_t *size)
             continue;
         const char *found = strchr(alphabet, *letters);
         if (!found)
-            return false;
+            return letters;
         held = (held << 6 | (unsigned)(found - alphabet)) & 0xffff;
         bits += 6;
         if (bits >= 8) {
@@ -47,5 +47,5 @@ bool skv_letters_read(const char *letters, uint8_t *bytes, size_t *size)
         }
     }
     /* What is left of the last letter is no byte: 2 or 4 bits, all 0. */
-    return bits < 6 && (held & ((1U << bits) - 1)) == 0;
+    return bits < 6 && (held & ((1U << bits) - 1)) == 0 ? NULL : letters;
 }

@@ -2,7 +2,6 @@
 #ifndef SKV_LINK_LETTERS_H
 #define SKV_LINK_LETTERS_H
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -12,7 +11,8 @@ size_t skv_bytes_of(size_t letters);
 
 void skv_letters_write(const uint8_t *bytes, size_t size, char *letters);
 
-/* White space is passed over. False if these are no letters, or end within a byte. */
-bool skv_letters_read(const char *letters, uint8_t *bytes, size_t *size);
+/* White space is passed over. Null, or where the first character is that is no letter: at the end,
+ * if they end within a byte. */
+const char *skv_letters_read(const char *letters, uint8_t *bytes, size_t *size);
 
 #endif

@@ -1,7 +1,8 @@
 /* Links (docs/share.md): a version, and a replay deflated and written in letters.
  *
  * Invariant: nothing that a link claims is believed: the letters bound what is inflated from, and
- * SKV_LARGEST_LINKED what it becomes. What the bytes say is the player's to judge.
+ * SKV_LARGEST_LINKED what it becomes. What comes out is, to the last byte, what was sealed; what it
+ * says is the player's to judge.
  */
 #include "skvalp/link.h"
 
@@ -9,6 +10,7 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "base/envelope.h"
 #include "base/memory.h"
 #include "link/deflate.h"
 #include "link/letters.h"
@@ -107,6 +109,21 @@ skv_result skv_link_write(const void *replay, size_t size, const char *page, skv
 
 /* ---- Reading --------------------------------------------------------------------------------- */
 
+/* Names what stands before the wrong letter: the version at least. */
+static skv_result fail_letter(const char *payload, const char *wrong, skv_error *error)
+{
+    enum { NAMED = 12 };
+    const char *end = wrong, *from;
+    if (!*wrong)
+        return fail_damaged(error);
+    while (end[-1] <= ' ')
+        end--;
+    for (from = end; from > payload - 2 && end - from < NAMED && from[-1] > ' ';)
+        from--;
+    return skv_fail(error, SKV_ERROR_FORMAT, "link: it is damaged after \"%.*s\"; copy all of it",
+                    (int)(end - from), from);
+}
+
 /* Inflates into `room` bytes, one of them too many. */
 static skv_result expand(const uint8_t *packed, size_t size, uint8_t *to, size_t room, size_t *used,
                          skv_error *error)
@@ -124,9 +141,13 @@ static skv_result read_payload(const char *payload, uint8_t *packed, uint8_t *by
                                skv_write *write, void *user, skv_error *error)
 {
     size_t packed_size, size = 0;
-    if (!skv_letters_read(payload, packed, &packed_size))
-        return fail_damaged(error);
+    const char *wrong = skv_letters_read(payload, packed, &packed_size);
+    if (wrong)
+        return fail_letter(payload, wrong, error);
     skv_result result = expand(packed, packed_size, bytes, SKV_LARGEST_LINKED + 1, &size, error);
+    /* A wrong letter can inflate to something else. */
+    if (result == SKV_OK && !skv_envelope_is_sealed(bytes, size))
+        result = fail_damaged(error);
     if (result == SKV_OK && !write((const char *)bytes, size, user))
         result = skv_fail(error, SKV_ERROR_FILE, "link: it could not be written");
     return result;

@@ -1,8 +1,10 @@
 /* What a link holds, taken apart layer by layer; the first byte says where to begin: any text as a
  * link, any bytes as what a link has deflated, as a packed log, as a scene's recipe, as how it is
- * shown; and any bytes go into a link and come out of it the same. */
+ * shown; and any bytes that are sealed go into a link and come out
+ * of it the same. */
 #include "fuzz.h"
 
+#include "base/envelope.h"
 #include "base/memory.h"
 #include "link/letters.h"
 #include "scene/recipe.h"
@@ -45,15 +47,20 @@ static void try_deflated(const uint8_t *data, size_t size)
 
 static void try_round(const uint8_t *data, size_t size)
 {
-    kept link = {0}, back = {0};
+    kept sealed = {0}, link = {0}, back = {0};
     skv_error error = {0};
-    skv_result result = skv_link_write(data, size, NULL, kept_add, &link, &error);
+    kept_add((const char *)data, size, &sealed);
+    skv_envelope_seal((uint8_t *)sealed.bytes, size);
+    skv_result result = skv_link_write(sealed.bytes, size, NULL, kept_add, &link, &error);
     fuzz_expect_answer(result, &error);
     if (result == SKV_OK) {
-        fuzz_expect(skv_link_read(link.bytes, kept_add, &back, NULL) == SKV_OK, "a link is read");
-        fuzz_expect(back.size == size && memcmp(back.bytes, data, size) == 0,
+        bool read = skv_link_read(link.bytes, kept_add, &back, NULL) == SKV_OK;
+        fuzz_expect(read == skv_envelope_is_sealed((uint8_t *)sealed.bytes, size),
+                    "a link is read if what it holds is sealed");
+        fuzz_expect(!read || (back.size == size && memcmp(back.bytes, sealed.bytes, size) == 0),
                     "what went into a link comes out");
     }
+    kept_clear(&sealed);
     kept_clear(&link);
     kept_clear(&back);
 }

@@ -459,6 +459,54 @@ static void test_old_links(void **state)
     }
 }
 
+/* Whatever becomes of a letter, it is the link that is called damaged: not what it turns into. */
+static void test_damaged_links(void **state)
+{
+    (void)state;
+    static const char letters[] = "Aq_";
+    kept whole = {0};
+    const char *link = old_links[1].link;
+    assert_int_equal(skv_link_read(link, kept_add, &whole, NULL), SKV_OK);
+    for (size_t at = strlen("skvalp:1."), i = 0; at < strlen(link); i++) {
+        char damaged[256] = "";
+        kept inside = {0};
+        skv_error error;
+        memcpy(damaged, link, strlen(link));
+        damaged[at] = letters[i % (sizeof letters - 1)];
+        if (skv_link_read(damaged, kept_add, &inside, &error) == SKV_OK) {
+            assert_int_equal(inside.size, whole.size);
+            assert_memory_equal(inside.bytes, whole.bytes, whole.size);
+        } else if (!strstr(error.text, "link: it is damaged")) {
+            fail_msg("letter %zu as %c: %s", at, damaged[at], error.text);
+        }
+        at += i % (sizeof letters - 1) == sizeof letters - 2;
+        kept_clear(&inside);
+    }
+    kept_clear(&whole);
+}
+
+/* What is no letter has a place, which is named by what stands before it. */
+static void test_place_of_damage(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *link, *after;
+    } cases[] = {
+        {"skvalp:1.6wz2DuLlkuJiYoCA*ijd8Z", "\"DuLlkuJiYoCA\""},
+        {"skvalp:1.6wz2DuLlku\nJiY \n*oCA", "\"JiY\""},
+        {"https://example.org/water/#1.%3C", "\"1.\""},
+        {"skvalp:1.6w\303\2512DuLlku", "\"1.6w\""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        kept inside = {0};
+        skv_error error;
+        assert_int_equal(skv_link_read(cases[i].link, kept_add, &inside, &error), SKV_ERROR_FORMAT);
+        if (!strstr(error.text, cases[i].after) || strchr(error.text, '\n'))
+            fail_msg("%s: %s", cases[i].link, error.text);
+        assert_null(inside.bytes);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -468,6 +516,8 @@ int main(void)
         cmocka_unit_test(test_moment),
         cmocka_unit_test(test_watching),
         cmocka_unit_test(test_hostile),
+        cmocka_unit_test(test_damaged_links),
+        cmocka_unit_test(test_place_of_damage),
         cmocka_unit_test(test_old_links),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

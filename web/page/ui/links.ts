@@ -2,9 +2,9 @@
 import { complain, simulation } from './model';
 import { _ } from './words';
 
-/** What a link holds: after '#' of an address, or after "skvalp:". */
+/** What a link holds, or what is left of it: after '#' of an address, or after "skvalp:". */
 export function payloadOf(text: string): string | null {
-    return /(?:#|^skvalp:)(\d+\.[\w\s-]+)$/.exec(text.trim())?.[1] ?? null;
+    return /(?:#|^skvalp:)(\d+\..+)$/s.exec(text.trim())?.[1] ?? null;
 }
 
 export function openLinkText(text: string): void {
