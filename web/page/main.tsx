@@ -33,7 +33,7 @@ function follow(): void {
     effect(() => void keepAwake(plays.value && !hidden.value));
     effect(() => simulation.setHidden(hidden.value));
     document.addEventListener('visibilitychange', () => (hidden.value = document.hidden));
-    window.addEventListener('hashchange', () => address.openAnew());
+    window.addEventListener('hashchange', () => address.openAsked());
     followHistory();
 }
 

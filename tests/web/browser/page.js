@@ -669,9 +669,20 @@ const trials = {
         assert.ok((await kept({})).si, 'what another tab had kept is lost');
 
         page = await begun(small, '?scene=nowhere');
-        await page.getByRole('alert').filter({ hasText: 'no scene of this name. (nowhere)' }).waitFor();
+        await page.getByRole('alert').filter({ hasText: /scene=nowhere: .*dam-break, / }).waitFor();
         await plays(page, 'an unknown scene');
         assert.equal((await stateOf(page)).worlds[0].name, 'dam-break');
+
+        const wrong = { view: 'nothing', lang: 'xx', controls: 'some', paused: 'yes', embed: 'true', particles: '1e9', bench: '7' };
+        page = await begun(small, `?${new URLSearchParams(wrong)}`);
+        const alert = page.getByRole('alert').filter({ hasText: 'particles=1e9: ' });
+        await alert.waitFor();
+        for (const [name, value] of Object.entries(wrong))
+            assert.match(await alert.textContent(), new RegExp(`${name}=${value}: `));
+        assert.match(await alert.textContent(), /view=nothing: there is none; there is .*pressure.*lang=xx: .*en, .*sv/);
+        page = await begun(small, '?view=pressure&lang=en&controls=play&paused=0&embed=0&particles=600&else=7');
+        await plays(page, 'what can be had');
+        assert.equal(await page.getByRole('alert').count(), 0);
 
         page = await begun(still, '?paused=0');
         await plays(page, 'less motion, but asked for');

@@ -23,6 +23,7 @@ export const showing = signal<Showing | null>(null);
 
 /** Particles; one size that the address names (?bench=300) in place of these. */
 const SIZES = [1000, 3000, 8000];
+export const SMALLEST = 100, LARGEST = 100_000;
 const WATCHED = 2000; // ms
 
 let end: (() => void) | null = null;
@@ -30,7 +31,7 @@ let wasPaused = false;
 
 function sizes(): number[] {
     const asked = Number(new URLSearchParams(location.search).get('bench'));
-    return asked >= 100 ? [Math.min(Math.round(asked), 100_000)] : SIZES;
+    return asked >= SMALLEST ? [Math.min(Math.round(asked), LARGEST)] : SIZES;
 }
 
 /** Watches the water play for a while. */

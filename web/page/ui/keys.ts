@@ -9,7 +9,6 @@ import {
 import { catalogue, compared, dismiss, keyboardHand, message, panel, showPanel, simulation } from './model';
 import { FRAMES, ready, togglePanel } from './model';
 import { preferences } from './preferences';
-import { openLinkText } from './links';
 import { saveFile } from './files';
 import { toggleFullscreen } from './device';
 
@@ -172,6 +171,6 @@ export function attachKeys(): void {
     window.addEventListener('paste', (event) => {
         const text = event.clipboardData?.getData('text') ?? '';
         if (ready.value && !(event.target as HTMLElement).closest?.('input, textarea') && text)
-            openLinkText(text);
+            void import('./links').then((module) => module.openLinkText(text));
     });
 }

@@ -6,7 +6,7 @@ import { shown } from './numbers';
 import { say, word } from './words';
 
 /** In a sentence; null if it is taken. `plain` is as the library reads it. */
-export function refusalOf({ type, minimum, maximum }: Field, plain: string): string | null {
+export function refusalOf({ type, minimum, maximum }: Pick<Field, 'type' | 'minimum' | 'maximum'>, plain: string): string | null {
     if (type !== 'number' && type !== 'integer')
         return null;
     const value = /^[-+]?\d+(\.\d+)?(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
