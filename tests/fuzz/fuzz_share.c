@@ -1,7 +1,6 @@
 /* What a link holds, taken apart layer by layer; the first byte says where to begin: any text as a
  * link, any bytes as what a link has deflated, as a packed log, as a scene's recipe, as how it is
- * shown; and any bytes that are sealed go into a link and come out
- * of it the same. */
+ * shown; and any bytes that are sealed go into a link and come out of it the same. */
 #include "fuzz.h"
 
 #include "base/envelope.h"

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "${2:?usage: test_locks.sh BUILD SOURCE}"
 
 python3 - <<'END'
-import json, pathlib, subprocess, sys
+import json, pathlib, sys
 manifests = [path.with_name("package.json") for path in pathlib.Path(".").rglob("package-lock.json")
              if "node_modules" not in path.parts and "build" not in path.parts]
 bad, held = [], 0
