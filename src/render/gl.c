@@ -64,9 +64,10 @@ bool skv_gl_is_software(void)
 {
     static const char *const names[] = {"llvmpipe", "softpipe", "SwiftShader", "Software"};
     const char *renderer = (const char *)glGetString(GL_RENDERER);
-    for (size_t i = 0; renderer && i < sizeof names / sizeof *names; i++)
-        if (strstr(renderer, names[i]))
-            return true;
+    for (const char *at = renderer; at && *at; at++)
+        for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+            if (strncmp(at, names[i], strlen(names[i])) == 0)
+                return true;
     return false;
 }
 

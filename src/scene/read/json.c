@@ -47,8 +47,9 @@ static skv_result report(const skv_draft *draft, const char *text, size_t size,
     case SKV_JSON_OTHER:
         break;
     }
-    if (strstr(failure->words, "near 'NaN") != NULL ||
-        strstr(failure->words, "near 'Inf") != NULL || strstr(failure->words, "near '-'") != NULL)
+    const char *token = strchr(failure->words, '\'');
+    if (token && (strncmp(token, "'NaN", 4) == 0 || strncmp(token, "'Inf", 4) == 0 ||
+                  strncmp(token, "'-'", 3) == 0))
         return skv_draft_fail(draft, origin, path, error, SKV_ERROR_FORMAT,
                               "is not a finite number; %s", allowed);
     return skv_draft_fail(draft, origin, "", error, SKV_ERROR_FORMAT,
