@@ -11,6 +11,7 @@
 #define GRID_LEAST   24.0 /* between lines */
 #define RULER_LEAST  40.0 /* between figures */
 #define FIGURE       9.0  /* height */
+#define FIGURE_GAP   4.0  /* between figures of the scale: more than between two digits of one */
 #define LEGEND_WIDTH 200.0
 
 /* The part of the world that is in the view, m. */
@@ -209,16 +210,20 @@ skv_result skv_overlay_legend(skv_strokes *strokes, const skv_overlay_scene *sce
         part.color[3] = 255;
         skv_strokes_add(strokes, part);
     }
-    for (int k = 0; k <= 2 && result == SKV_OK; k++) {
+    /* From the last one, which has the unit: what would reach into the next is left out. */
+    double next = camera->width;
+    for (int k = 2; k >= 0 && result == SKV_OK; k--) {
         char text[32];
         double value = legend->low + 0.5 * k * (legend->high - legend->low);
         format_figure(text, legend, value, k == 2);
         if (scene->comma)
             write_comma(text);
-        double shift = k == 2 ? 0.5 * (double)skv_figures_width(text, (float)(FIGURE * line)) : 0;
-        result =
-            add_figures(strokes, scene, text, left + 0.5 * k * width - fmax(shift - 8 * line, 0),
-                        top - radius - 10 * line, error);
+        double half = 0.5 * (double)skv_figures_width(text, (float)(FIGURE * line));
+        double at = left + 0.5 * k * width - (k == 2 ? fmax(half - 8 * line, 0) : 0);
+        if (at + half > next - FIGURE_GAP * line)
+            continue;
+        result = add_figures(strokes, scene, text, at, top - radius - 10 * line, error);
+        next = at - half;
     }
     return result;
 }

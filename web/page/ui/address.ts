@@ -3,6 +3,7 @@ import { openScene, showView } from './actions';
 import { beginAmounts } from './amounts';
 import { catalogue, controls, embedded, framed, simulation, toast } from './model';
 import { lessMotion } from './preferences';
+import { opened } from './reports';
 import { _, known } from './words';
 
 export function readAddress() {
@@ -22,8 +23,10 @@ export function readAddress() {
     }
 
     function open(): void {
-        if (location.search)
-            void import('./asked').then((module) => module.answer(asked));
+        if (location.search) {
+            const first = opened().catch(() => undefined);
+            void import('./asked').then((module) => first.then(() => module.answer(asked)));
+        }
         beginAmounts(Number(asked.get('particles')) || 0);
         const waits = asked.get('paused') === '1';
         const rests = !waits && lessMotion.value && controls.value !== 'none' && asked.get('paused') !== '0';
