@@ -48,8 +48,15 @@ messages() {
                 s/ "$/ %s"/; # what follows is a macro
                 s/^(".*)\b(out of|no) memory for [^;"]*/$1$2 memory for %s/;
                 s/^"body: /"/;
-                print "#. a message\nmsgid $_\nmsgstr \"\"\n\n" if /[a-z]+ [(]?[a-z]{2,}/ && !/^"</;
-            }'
+                my $words = () = /(?<![^ "])[a-z]{2,}(?=[:;]? |")/g;
+                if (/[a-z]+ [(]?[a-z]{2,}/ && !/^"</ || $words > 1 && !/%s/) {
+                    print "#. a message\nmsgid $_\nmsgstr \"\"\n\n";
+                } elsif ($words > 1) {
+                    print STDERR "update-po.sh: $_ cannot be found by its words, for no two of them stand together\n";
+                    $apart = 1;
+                }
+            }
+            exit $apart // 0'
 }
 
 template() {

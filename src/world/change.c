@@ -105,7 +105,7 @@ skv_result skv_world_check_emitters(const skv_world *world, const skv_emitter *e
     for (int i = 0; i < count; i++) {
         char wide[160];
         if (skv_emitter_is_wide(&emitters[i], world->fluid.spacing, wide, sizeof wide))
-            return skv_fail(error, SKV_ERROR_VALUE, "emitter %d: it %s", i, wide);
+            return skv_fail(error, SKV_ERROR_VALUE, "emitter %d: its mouth %s", i, wide);
     }
     return SKV_OK;
 }

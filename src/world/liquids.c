@@ -129,7 +129,7 @@ skv_result skv_check_liquids(const skv_world_def *def, skv_error *error)
         char text[160];
         const char *wrong = skv_liquid_complain(def, i, text, sizeof text);
         if (wrong)
-            return skv_fail(error, SKV_ERROR_VALUE, "fluid %d: its %s %s", i + 1, wrong, text);
+            return skv_fail(error, SKV_ERROR_VALUE, "fluids[%d].%s: %s", i, wrong, text);
     }
     return SKV_OK;
 }

@@ -308,7 +308,7 @@ static void yellow_is_painted_oil(void **unused)
     const skv_setting light = {"fluid.density", "20"};
     assert_int_equal(load_layers(&light, 1, &scene, &error), SKV_ERROR_VALUE);
     assert_string_equal(error.text,
-                        "p.png: fluid 1: its density is 911 kg/m^2; allowed is 0.01 to 20 "
+                        "p.png: fluids[0].density: is 911 kg/m^2; allowed is 0.01 to 20 "
                         "times that of the first fluid, 0.2..400 kg/m^2");
 }
 

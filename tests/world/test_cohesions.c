@@ -402,7 +402,7 @@ static void wrong_cohesions_are_refused(void **unused)
         skv_world *world;
         skv_error error = {0};
         assert_int_equal(skv_world_create(&def, &world, &error), SKV_ERROR_VALUE);
-        assert_string_equal(error.text, "fluid 1: its cohesion is out of range; allowed is "
+        assert_string_equal(error.text, "fluids[0].cohesion: is out of range; allowed is "
                                         "0..500 m/s^2, and -1 for that of the first fluid");
     }
 }

@@ -348,8 +348,9 @@ static void nonsense_is_refused(void **unused)
     skv_emitter wide = {0, 0, 1, 0, 20.000002f, 0, 0};
     skv_error error = {0};
     assert_int_equal(skv_world_set_emitters(world, &wide, 1, &error), SKV_ERROR_VALUE);
-    assert_string_equal(error.text, "emitter 0: it is 20.000002 m wide; allowed are 1000 spacings, "
-                                    "20 m, so make it narrower or choose fewer particles");
+    assert_string_equal(error.text,
+                        "emitter 0: its mouth is 20.000002 m wide; allowed are 1000 spacings, "
+                        "20 m, so make it narrower or choose fewer particles");
     const skv_drain drains[] = {{skv_circle(0, 0, -1), 0}, {skv_box(0, 0, 1, 1), -1}};
     for (int i = 0; i < 2; i++)
         assert_int_equal(skv_world_set_drains(world, &drains[i], 1, NULL), SKV_ERROR_VALUE);

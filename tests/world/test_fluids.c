@@ -92,10 +92,10 @@ static void what_is_no_list_is_refused(void **unused)
     static const struct {
         const char *name, *message;
     } wrong[] = {
-        {"", "fluid 2: its name is empty; each fluid needs a name of its own"},
-        {"water", "fluid 2: its name is that of the first fluid; choose another"},
-        {"the 2.", "fluid 2: its name is another fluid's, too; choose another"},
-        {"a\nb", "fluid 2: its name holds a control character"},
+        {"", "fluids[1].name: is empty; each fluid needs a name of its own"},
+        {"water", "fluids[1].name: is that of the first fluid; choose another"},
+        {"the 2.", "fluids[1].name: is another fluid's, too; choose another"},
+        {"a\nb", "fluids[1].name: holds a control character"},
     };
     for (int i = 0; i < 4; i++) {
         def = make_def(SKV_SOLVER_FAST, 2);
@@ -104,15 +104,15 @@ static void what_is_no_list_is_refused(void **unused)
     }
     def = make_def(SKV_SOLVER_FAST, 2);
     memset(def.liquids[0].name, 'x', sizeof def.liquids[0].name);
-    expect_no_world(&def, SKV_ERROR_VALUE, "fluid 1: its name is too long; allowed are 31 bytes");
+    expect_no_world(&def, SKV_ERROR_VALUE, "fluids[0].name: is too long; allowed are 31 bytes");
     def = make_def(SKV_SOLVER_FAST, 2);
     def.liquids[0].viscosity = NAN;
     expect_no_world(&def, SKV_ERROR_VALUE,
-                    "fluid 1: its viscosity is out of range; allowed is 0..0.05 m^2/s");
+                    "fluids[0].viscosity: is out of range; allowed is 0..0.05 m^2/s");
     def = make_def(SKV_SOLVER_FAST, 2);
     def.liquids[0].color = 0x1000000;
     expect_no_world(&def, SKV_ERROR_VALUE,
-                    "fluid 1: its color is out of range; allowed is 0..0xffffff, and -1 for none");
+                    "fluids[0].color: is out of range; allowed is 0..0xffffff, and -1 for none");
 }
 
 /* Densities lie in a range about that of the first fluid, which moves with it. */
@@ -120,9 +120,8 @@ static void densities_have_a_range(void **unused)
 {
     (void)unused;
     skv_world_def def = make_def(SKV_SOLVER_FAST, 2);
-    const char *const message =
-        "fluid 2: its density is %s kg/m^2; allowed is 0.01 to 20 times that "
-        "of the first fluid, 10..20000 kg/m^2";
+    const char *const message = "fluids[1].density: is %s kg/m^2; allowed is 0.01 to 20 times that "
+                                "of the first fluid, 10..20000 kg/m^2";
     static const struct {
         float density;
         const char *text;
@@ -138,7 +137,7 @@ static void densities_have_a_range(void **unused)
     skv_world *world = make(&def);
     skv_error error;
     assert_int_equal(skv_world_set(world, "fluid.density", "900", &error), SKV_ERROR_VALUE);
-    assert_string_equal(error.text, "fluid 2: its density is 20000 kg/m^2; allowed is 0.01 to 20 "
+    assert_string_equal(error.text, "fluids[1].density: is 20000 kg/m^2; allowed is 0.01 to 20 "
                                     "times that of the first fluid, 9..18000 kg/m^2");
     assert_int_equal(skv_world_set(world, "fluid.material", "honey", NULL), SKV_ERROR_VALUE);
     assert_true(skv_world_fluid(world)->density == 1000);

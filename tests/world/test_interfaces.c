@@ -221,7 +221,7 @@ static void wrong_pushes_are_refused(void **unused)
         def.liquids[0].interface_push = wrong[i];
         assert_int_equal(skv_world_create(&def, &world, &error), SKV_ERROR_VALUE);
         assert_string_equal(error.text,
-                            "fluid 1: its interface_push is out of range; allowed is 0..400 m/s^2");
+                            "fluids[0].interface_push: is out of range; allowed is 0..400 m/s^2");
         skv_terrain_destroy(def.terrain);
     }
 }

@@ -405,13 +405,13 @@ static void what_is_no_spring_is_refused(void **unused)
         float numbers[3];
         const char *message;
     } wrong[] = {
-        {{-1, 0, 0}, "fluid 1: its shear_modulus is out of range; allowed is 0..20000 Pa"},
-        {{20001, 0, 0}, "fluid 1: its shear_modulus is out of range; allowed is 0..20000 Pa"},
-        {{NAN, 0, 0}, "fluid 1: its shear_modulus is out of range; allowed is 0..20000 Pa"},
-        {{100, 1.01f, 0}, "fluid 1: its yield is out of range; allowed is 0..1"},
-        {{100, 0, 101}, "fluid 1: its plasticity is out of range; allowed is 0..100 1/s"},
-        {{0, 0, 1}, "fluid 1: its plasticity needs springs that give way; add a shear_modulus, Pa"},
-        {{100, 0, INFINITY}, "fluid 1: its plasticity is out of range; allowed is 0..100 1/s"},
+        {{-1, 0, 0}, "fluids[0].shear_modulus: is out of range; allowed is 0..20000 Pa"},
+        {{20001, 0, 0}, "fluids[0].shear_modulus: is out of range; allowed is 0..20000 Pa"},
+        {{NAN, 0, 0}, "fluids[0].shear_modulus: is out of range; allowed is 0..20000 Pa"},
+        {{100, 1.01f, 0}, "fluids[0].yield: is out of range; allowed is 0..1"},
+        {{100, 0, 101}, "fluids[0].plasticity: is out of range; allowed is 0..100 1/s"},
+        {{0, 0, 1}, "fluids[0].plasticity: needs springs that give way; add a shear_modulus, Pa"},
+        {{100, 0, INFINITY}, "fluids[0].plasticity: is out of range; allowed is 0..100 1/s"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         skv_world_def def = jelly_def(wrong[i].numbers, SKV_SOLVER_FAST, JELLY_SPACING);

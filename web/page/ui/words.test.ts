@@ -124,6 +124,12 @@ test('what the library says of files and links is said in Swedish', async () => 
             'a.skvr: repris: dess början: läge: den är skadad; ta ett annat exemplar'],
         ['a.skv: it begins with 400000 particles; open it once more if that is wanted',
             'a.skv: den börjar med 400\u00a0000 partiklar; öppna den en gång till om det är det du vill'],
+        ['a.png: is not a PNG picture; open it in a painting program and export it as PNG',
+            'a.png: är inte någon PNG-bild; öppna den i ett ritprogram och exportera den som PNG'],
+        ['a.skv: snapshot: fluids[1].density: is 5 kg/m^2; allowed is 0.01 to 20 times that of the first fluid, 10..20000 kg/m^2',
+            'a.skv: läge: fluids[1].density: är 5 kg/m²; tillåtet är 0,01 till 20 gånger den första vätskans, 10..20\u00a0000 kg/m²'],
+        ['emitter 0: its mouth is 20 m wide; allowed are 1000 spacings, 5 m, so make it narrower or choose fewer particles',
+            'kran 0: dess mynning är 20 m bred; tillåtet är 1\u00a0000 avstånd, 5 m, så gör den smalare eller välj färre partiklar'],
         ['a (2).png: something that nobody has translated', 'a (2).png: something that nobody has translated'],
     ];
     for (const [english, swedish] of pairs)
