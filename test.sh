@@ -27,8 +27,8 @@ Usage: ./test.sh            install what is missing, build, run every test; then
            sanitized  the second build alone
        ./test.sh --help     this text
 
-Each label takes less than two minutes on two processors, the whole about seven. Every half minute a
-line says how far it has come; in the end lines say what each label took, which ten tests took longest,
+Most labels take one or two minutes on two processors, app and web several, the whole a quarter of an
+hour. Every half minute a line says how far it has come; in the end lines say what each label took, which ten tests took longest,
 and how much processor time all of it took. The last line is "N passed, N failed" or "N passed, N failed, N skipped",
 where one test is one program or script under tests/ in one of the builds; the exit status is 0 if
 none failed. Skipped are tests of the page where its npm packages cannot be had. SKV_LONG_TESTS=1
@@ -139,17 +139,6 @@ sanitize() {
         logged test-asan run_tests asan "${sanitized[@]}"
 }
 
-# The built-in scenes give the golden hashes, whichever compiler made the program; that clang's solver
-# has the same bits is seen by bits/test_bits_native.
-test_scenes_of_clang() {
-    if logged test-bits-clang bash tests/bits/test_bits_scenes.sh build/clang .; then
-        passed=$((passed + 1))
-        say "clang's program gives the same bits as gcc's ($(elapsed))"
-    else
-        fail "clang's program gives other bits than gcc's ($logs/test-bits-clang.log)"
-    fi
-}
-
 finish() {
     local status=$?
     if ((status && !failed)); then
@@ -239,10 +228,8 @@ if ((${#released[@]})) && prepare release "-DSKVALP_APP=$app" -- "${targets[@]}"
     watched test-release run_tests release "${released[@]}" || true
     count_tests release
 fi
-# What follows has no long form, or is long enough without it.
-unset SKV_LONG_TESTS
-((!long)) || ! prepare clang -- skvalp-cli || test_scenes_of_clang
 if asked sanitized; then
+    unset SKV_LONG_TESTS # under sanitizers all is long enough without it
     # Where it was built beside, there is nothing left to do but to say what failed.
     [[ -z $beside ]] || wait "$beside" || true
     if prepare asan -- "${sanitized[@]/%/_tests}"; then

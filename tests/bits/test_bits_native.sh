@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The same bits from scalar code, SSE2, AVX2 and AVX-512, on one thread and on one other number of them.
 # With SKV_LONG_TESTS=1 from gcc and clang, Debug, which takes ten times as long, and Release; the widest
-# instruction set on 1 to 16 threads.
+# instruction set on 1 to 16 threads; and the built-in scenes by clang's program.
 # Arguments: build folder, source folder.
 set -euo pipefail
 build=$(realpath "${1:?usage: test_bits_native.sh BUILD SOURCE}")
@@ -33,6 +33,15 @@ if [[ ${SKV_LONG_TESTS:-0} == 1 ]]; then
     compilers+=(clang-19)
     types+=(Debug)
 fi
+# same_scenes FOLDER: the built-in scenes, which a program reads and fills with water, give the golden hashes.
+same_scenes() {
+    if ! ninja -C "$1" skvalp-cli >"$build/bits/program.log" 2>&1; then
+        complain "$1: the program cannot be built ($build/bits/program.log)"
+    elif ! env -u SKV_LONG_TESTS bash tests/bits/test_bits_scenes.sh "$1" .; then
+        complain "$1: the built-in scenes have other bits"
+    fi
+}
+
 turn=0
 for compiler in "${compilers[@]}"; do
     for type in "${types[@]}"; do
@@ -41,7 +50,7 @@ for compiler in "${compilers[@]}"; do
         [[ $normal == "$(basename "$(realpath "$(command -v "$compiler")")")-$type" &&
             -z $(cached CMAKE_C_FLAGS) ]] ||
             folder=$(core "$compiler-$type" -DCMAKE_C_COMPILER="$compiler" \
-                -DCMAKE_BUILD_TYPE="$type")
+                -DCMAKE_BUILD_TYPE="$type" -DSKVALP_CORE_ONLY=OFF -DSKVALP_TESTS=ON -DSKVALP_APP=OFF)
         for set in "${sets[@]}"; do
             set_is "$compiler $type" "$set" "$folder/bits_hashes" "$set"
             threads=(1 "${many[turn++ % ${#many[@]}]}")
@@ -59,6 +68,7 @@ for compiler in "${compilers[@]}"; do
         # The long run, on what a user gets: the widest instruction set.
         [[ $type == Debug ]] ||
             same_worlds "$compiler $type" "$long_run" "$folder/bits_hashes" best 1 "$long_run"
+        [[ $compiler-$type != clang-19-Release ]] || same_scenes "$folder"
     done
 done
 verdict
