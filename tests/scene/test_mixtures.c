@@ -252,18 +252,18 @@ static void light_bodies_rise(void **unused)
     }
 }
 
-/* Bodies that begin in each other, beside, within and around the same middle, are apart in a
- * second, and lie still then: points of the rim of one that lies deep in another are nearest to all
- * of its sides, and who asks them out by these asks for all ways at once, holds the two, and lifts
- * them. */
+/* Bodies that begin in each other, beside, within, around the same middle and in the very same
+ * place, as where a body is put down twice while a world is paused, are apart in a second, and lie
+ * still then: points of the rim of one that lies deep in another are nearest to all of its sides,
+ * and who asks them out by these asks for all ways at once, holds the two, and lifts them. */
 static void what_lies_in_each_other_parts(void **unused)
 {
     (void)unused;
     static const struct {
         double x, y, radius;
-    } second[] = {{0.52, 0.23, 0.09}, {0.52, 0.18, 0.04}, {0.5, 0.2, 0.06}};
+    } second[] = {{0.52, 0.23, 0.09}, {0.52, 0.18, 0.04}, {0.5, 0.2, 0.06}, {0.5, 0.2, 0.1}};
     static const int densities[][2] = {{500, 5000}, {5000, 500}, {4000, 4000}};
-    for (int k = 0; k < 9; k++) {
+    for (int k = 0; k < 12; k++) {
         char scene[500];
         snprintf(
             scene, sizeof scene,

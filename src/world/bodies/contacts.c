@@ -241,15 +241,35 @@ static int index_of(const skv_bodies *bodies, const skv_rigid *r)
     return (int)(r - bodies->body);
 }
 
-/* Which bodies each lies deep in, or has in it. As bits. */
+/* How far a's middle is from the sides of b, m. */
+static double middle_to(const skv_world *world, const skv_rigid *a, const skv_rigid *b)
+{
+    const skv_solid *solid = &world->bodies->solids.solid[index_of(world->bodies, b)];
+    float x = (float)a->x, y = (float)a->y;
+    skv_solid_enter(solid, &solid->now, &x, &y);
+    return (double)skv_distance_at(b->shape->terrain, x, y);
+}
+
+/* Whether a's middle lies in both. The middle of the thinnest body is as deep as deep: half of that
+ * tells it from what lies on it. */
+static bool share_middle(const skv_world *world, const skv_rigid *a, const skv_rigid *b,
+                         double deep)
+{
+    return middle_to(world, a, b) < deep / 2 && middle_to(world, a, a) < deep / 2;
+}
+
+/* Which bodies each lies deep in, or has in it. As bits. Where sides coincide no rim is deep, and
+ * all of it counts as that. */
 static void find_tangled(const skv_world *world, uint64_t with[SKV_MAX_BODIES])
 {
-    const contacts *all = &world->bodies->contacts;
+    contacts *all = &world->bodies->contacts;
     const double deep = deep_in(world);
     memset(with, 0, SKV_MAX_BODIES * sizeof *with);
     for (int k = 0; k < all->count; k++) {
-        const contact *c = &all->list[k];
-        if (!c->b || !(c->distance < deep))
+        contact *c = &all->list[k];
+        if (c->b && share_middle(world, c->a, c->b, deep))
+            c->distance = skv_min(c->distance, deep);
+        if (!c->b || c->distance > deep)
             continue;
         int a = index_of(world->bodies, c->a), b = index_of(world->bodies, c->b);
         with[a] |= 1ull << b;
@@ -258,11 +278,12 @@ static void find_tangled(const skv_world *world, uint64_t with[SKV_MAX_BODIES])
 }
 
 /* Has a contact of two bodies that lie deep in each other part them along the line of their
- * centres; false: it would hold them. */
+ * centres; false: it would hold them. Of two in the very same place the older one goes up,
+ * whoever's rim it is. */
 static bool untangle(contact *c)
 {
     double x = c->a->x - c->b->x, y = c->a->y - c->b->y, length = sqrt(x * x + y * y);
-    double dx = length > 0 ? x / length : 0, dy = length > 0 ? y / length : 1;
+    double dx = length > 0 ? x / length : 0, dy = length > 0 ? y / length : c->a < c->b ? 1 : -1;
     if (c->distance > 0)
         return c->nx * dx + c->ny * dy > 0;
     c->nx = dx;
