@@ -6,6 +6,8 @@
 #include "scene/shapes.h"
 #include "world/emitters.h"
 
+#include <math.h>
+
 static float number(const skv_shape_values *values, int field)
 {
     return (float)values->value[field].number;
@@ -74,6 +76,28 @@ static skv_result fail_element(const skv_draft *draft, skv_list list, int index,
                           "%s", message);
 }
 
+/* Whether all of the line that an emitter is lies outside: on a side it emits. */
+static bool is_outside(const skv_emitter *e, double width, double height)
+{
+    float speed = skv_emitter_speed(e), half = speed > 0 ? e->width / 2 / speed : 0;
+    float across = half * fabsf(e->vy), up = half * fabsf(e->vx);
+    return e->x + across < 0 || e->x - across > (float)width || e->y + up < 0 ||
+           e->y - up > (float)height;
+}
+
+/* What is wrong with where an emitter is; null: nothing. */
+static const char *complain_of_emitter(const skv_scene *scene, const skv_emitter *e, char *text,
+                                       size_t size)
+{
+    double width = scene->width * scene->pixel_size, height = scene->height * scene->pixel_size;
+    if (skv_emitter_is_wide(e, scene->def.fluid.spacing, text, size))
+        return text;
+    if (!is_outside(e, width, height))
+        return NULL;
+    skv_say_outside(width, height, text, size);
+    return text;
+}
+
 static skv_result build_emitters(const skv_draft *draft, skv_scene *scene, skv_error *error)
 {
     const skv_shape_list *list = &draft->values.list[SKV_LIST_EMITTERS];
@@ -91,14 +115,15 @@ static skv_result build_emitters(const skv_draft *draft, skv_scene *scene, skv_e
             .width = number(values, SKV_EMITTER_WIDTH),
             .dye = (int)number(values, SKV_EMITTER_DYE),
         };
-        char wide[160], path[SKV_PATH_SIZE];
+        char text[160], path[SKV_PATH_SIZE];
         skv_format(path, sizeof path, "emitters[%d].fluid", i);
         skv_result result = skv_scene_find_fluid(draft, &values->value[SKV_EMITTER_FLUID], path,
                                                  &emitter.fluid, error);
         if (result != SKV_OK)
             return result;
-        if (skv_emitter_is_wide(&emitter, scene->def.fluid.spacing, wide, sizeof wide))
-            return fail_element(draft, SKV_LIST_EMITTERS, i, "", SKV_ERROR_VALUE, wide, error);
+        const char *wrong = complain_of_emitter(scene, &emitter, text, sizeof text);
+        if (wrong)
+            return fail_element(draft, SKV_LIST_EMITTERS, i, "", SKV_ERROR_VALUE, wrong, error);
         if (scene->emitter_count == SKV_MAX_EMITTERS)
             return fail_element(draft, SKV_LIST_EMITTERS, i, "", SKV_ERROR_LIMIT,
                                 "is one too many, with those painted; allowed are 16", error);

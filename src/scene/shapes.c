@@ -128,6 +128,14 @@ static skv_result find_fluid(const context *c, int *number)
                                 c->error);
 }
 
+void skv_say_outside(double width, double height, char *text, size_t size)
+{
+    char x[32], y[32];
+    skv_format_number(width, x);
+    skv_format_number(height, y);
+    skv_format(text, size, "lies outside the world; it reaches from 0, 0 to %s, %s m", x, y);
+}
+
 static skv_result make_shape(const context *c, skv_list list, double width, double height,
                              skv_shape *shape)
 {
@@ -169,11 +177,8 @@ static skv_result make_shape(const context *c, skv_list list, double width, doub
         return result;
     if (!solid &&
         (shape->x1 <= 0.0 || shape->y1 <= 0.0 || shape->x0 >= width || shape->y0 >= height)) {
-        char message[160], x[32], y[32];
-        skv_format_number(width, x);
-        skv_format_number(height, y);
-        skv_format(message, sizeof message,
-                   "lies outside the world; it reaches from 0, 0 to %s, %s m", x, y);
+        char message[160];
+        skv_say_outside(width, height, message, sizeof message);
         return fail(c, -1, message);
     }
     return SKV_OK;

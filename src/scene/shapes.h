@@ -10,4 +10,7 @@
 skv_result skv_shapes_make(const skv_draft *draft, skv_list list, double width, double height,
                            skv_shape *shapes, skv_error *error);
 
+/* Says in `text` of what lies outside a world how far that reaches. */
+void skv_say_outside(double width, double height, char *text, size_t size);
+
 #endif

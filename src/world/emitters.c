@@ -22,7 +22,7 @@ skv_result skv_check_emitters(const skv_emitter *emitters, int count, int fluids
         const skv_emitter *e = &emitters[i];
         if (!skv_within((double)e->x, -100, 100) || !skv_within((double)e->y, -100, 100) ||
             !skv_within((double)e->vx, -20, 20) || !skv_within((double)e->vy, -20, 20) ||
-            !skv_within((double)e->width, 1e-4, 100))
+            !skv_within((double)e->width, (double)1e-4f, 100))
             return skv_fail(error, SKV_ERROR_VALUE,
                             "emitter %d: a place within 100 m, velocities of +-20 m/s and a width "
                             "of 0.0001..100 m are allowed",

@@ -3,6 +3,8 @@
 #include "skvalp/skvalp.h"
 #include "support.h"
 
+#include <stdio.h>
+
 enum { SIZE = 96 };
 
 /* A green strip in an empty picture, its first pixel from the left and from below, and its size. */
@@ -110,6 +112,29 @@ static void a_strip_that_is_too_wide_is_named(void **unused)
     buffer_free(&picture);
 }
 
+/* An emitter may be as narrow as scenes may say, and lie in a side of the world. */
+static void emitters_may_be_narrow_and_in_a_side(void **unused)
+{
+    (void)unused;
+    static const char *const emitters[] = {
+        "\"x\": 0.8, \"y\": 0.8, \"vy\": -1, \"width\": 0.0001",
+        "\"x\": 1.6, \"y\": 0.8, \"vx\": -1",
+        "\"x\": 0.8, \"y\": 0.9, \"vy\": -1",
+        "\"x\": 1.62, \"y\": 0.8, \"vy\": -1",
+    };
+    for (size_t i = 0; i < sizeof emitters / sizeof *emitters; i++) {
+        char scene[200];
+        snprintf(scene, sizeof scene,
+                 "{\"fluid\": {\"spacing\": 0.05}, \"water\": [], \"emitters\": [{%s}]}",
+                 emitters[i]);
+        skv_world *world = open_text(scene);
+        int count;
+        skv_world_emitters(world, &count);
+        assert_int_equal(count, 1);
+        skv_world_destroy(world);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -117,6 +142,7 @@ int main(void)
         cmocka_unit_test(a_strip_emits_to_where_there_is_more_room),
         cmocka_unit_test(a_little_more_room_does_not_tell),
         cmocka_unit_test(a_strip_that_is_too_wide_is_named),
+        cmocka_unit_test(emitters_may_be_narrow_and_in_a_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
