@@ -274,11 +274,56 @@ static void a_note_names_all_that_is_bad_together(void **unused)
     }
 }
 
+/* Opens the pool with 3000 particles and so many substeps. */
+static skv_scene *open_pool(const char *substeps)
+{
+    const skv_setting settings[] = {{"substeps", substeps}, {"particles", "3000"}};
+    skv_scene_options options = skv_default_scene_options();
+    options.settings = settings;
+    options.setting_count = 2;
+    skv_scene *scene;
+    skv_error error;
+    if (skv_scene_load("pool", &options, &scene, &error) != SKV_OK)
+        fail_msg("%s", error.text);
+    return scene;
+}
+
+/* m/s, in a fifth of a second: still water that a scene may have so. */
+static double stirred(const skv_scene *scene)
+{
+    skv_world *world;
+    assert_int_equal(skv_scene_create_world(scene, 1, &world, NULL), SKV_OK);
+    double most = 0;
+    for (int frame = 0; frame < 12; frame++) {
+        fixture_run(world, 1);
+        most = fmax(most, skv_world_stats(world).max_speed);
+    }
+    skv_world_destroy(world);
+    return most;
+}
+
+/* Still water bursts with fewer substeps than the note offers, and with these it is calm. */
+static void a_note_names_too_few_substeps(void **unused)
+{
+    (void)unused;
+    skv_scene *scene = open_pool("1");
+    const char *note = skv_scene_notice(scene, 0);
+    assert_non_null(note);
+    assert_string_equal(note, "with substeps 1 the fluid may burst; 0, or 2 and more can be had");
+    assert_true(stirred(scene) > 10);
+    skv_scene_destroy(scene);
+    scene = open_pool("2");
+    assert_null(skv_scene_notice(scene, 0));
+    assert_true(stirred(scene) < 0.1);
+    skv_scene_destroy(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_a_note_offers_can_be_had),
         cmocka_unit_test(a_note_names_all_that_is_bad_together),
+        cmocka_unit_test(a_note_names_too_few_substeps),
         cmocka_unit_test(all_that_is_accepted_stays_bounded),
         cmocka_unit_test(all_that_is_set_while_it_runs_stays_bounded),
     };
