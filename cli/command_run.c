@@ -360,7 +360,7 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
     snprintf(hash, sizeof hash, "%016" PRIx64, skv_world_hash(run->world));
     /* clang-format off */
     skv_flow flow = skv_world_flow(run->world);
-    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so si so so}",
+    return output_json(json_pack("{so si si sI so so so ss si si so so sI sI sI sI sI so si so so si}",
         "scene", output_text(name_of(run)),
         "particles", stats->particles,
         "substeps", skv_world_substeps_per_frame(run->world),
@@ -381,7 +381,8 @@ static skv_result print_json(const cli_run *run, const skv_stats *stats, const s
         "fluids", list_fluids(run->world),
         "springs", skv_world_spring_count(run->world),
         "bodies", list_bodies(run),
-        "pockets", list_pockets(run->world)), error);
+        "pockets", list_pockets(run->world),
+        "awake", skv_world_awake_count(run->world)), error);
     /* clang-format on */
 }
 

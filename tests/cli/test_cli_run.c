@@ -49,14 +49,15 @@ static void test_contract(void **state)
         "scene",   "particles", "substeps",    "steps",      "sim_seconds",    "hash",
         "escaped", "nan",       "ms_per_step", "neighbours", "kinetic_energy", "volume_ratio",
         "emitted", "drained",   "left",        "replaced",   "blocked",        "fluids",
-        "springs", "bodies",    "pockets"};
+        "springs", "bodies",    "pockets",     "awake"};
     json_t *object = RUN_JSON(*state, "dam-break", "--seconds", "0.5", "--particles", "500");
     assert_int_equal(json_object_size(object), sizeof keys / sizeof keys[0]);
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
         assert_non_null(json_object_get(object, keys[i]));
     assert_string_equal(json_string_value(json_object_get(object, "scene")), "dam-break");
-    static const char *const whole[] = {"particles", "substeps", "steps", "escaped",  "nan",
-                                        "emitted",   "drained",  "left",  "replaced", "blocked"};
+    static const char *const whole[] = {"particles", "substeps", "steps",   "escaped",
+                                        "nan",       "emitted",  "drained", "left",
+                                        "replaced",  "blocked",  "awake"};
     for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++)
         assert_true(json_is_integer(json_object_get(object, whole[i])));
     assert_in_range((int)number(object, "particles"), 450, 550);
@@ -68,6 +69,7 @@ static void test_contract(void **state)
     assert_int_equal((int)number(object, "emitted"), 0);
     assert_int_equal((int)number(object, "nan"), 0);
     assert_int_equal((int)number(object, "springs"), 0);
+    assert_int_equal((int)number(object, "awake"), (int)number(object, "particles"));
     assert_true(number(object, "kinetic_energy") > 0);
     assert_true(number(object, "volume_ratio") > 0.5 && number(object, "volume_ratio") < 1.5);
     const char *hash = json_string_value(json_object_get(object, "hash"));
@@ -83,6 +85,15 @@ static void test_nothing_to_do(void **state)
     assert_int_equal((int)number(object, "steps"), 0);
     assert_true(number(object, "sim_seconds") == 0);
     assert_true(json_is_null(json_object_get(object, "ms_per_step")));
+    json_decref(object);
+}
+
+/* What has come to rest is told as such. */
+static void test_asleep(void **state)
+{
+    json_t *object = RUN_JSON(*state, "pool", "--seconds", "60", "--particles", "300");
+    assert_int_equal((int)number(object, "particles"), 300);
+    assert_int_equal((int)number(object, "awake"), 0);
     json_decref(object);
 }
 
@@ -469,6 +480,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_contract, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_nothing_to_do, folder_setup, folder_teardown),
+        cmocka_unit_test_setup_teardown(test_asleep, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_exact_end, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_same_hash, folder_setup, folder_teardown),
         cmocka_unit_test_setup_teardown(test_going_on, folder_setup, folder_teardown),
