@@ -113,20 +113,20 @@ static int gather(skv_neighbours *n, const float *x, const float *y, float h_squ
     int column = n->cell[i] % n->columns, row = n->cell[i] / n->columns;
     int first = column > 0 ? column - 1 : 0;
     int last = column + 1 < n->columns ? column + 1 : column;
-    int found = 0;
+    int found = 0, room = n->list_capacity - n->start[i], *list = n->list + n->start[i];
     for (int r = row > 0 ? row - 1 : 0; r <= row + 1 && r < n->rows; r++) {
         int begin = n->cell_start[r * n->columns + first];
         int end = n->cell_start[r * n->columns + last + 1];
         for (int k = begin; k < end; k++) {
             int j = n->sorted[k];
             float dx = x[j] - x[i], dy = y[j] - y[i];
-            if (!(dx * dx + dy * dy < h_squared) || j == i)
-                continue;
-            if (thin && skv_boundary_occluded(thin, x[i], y[i], 0, x[j], y[j], 0))
-                continue;
-            if (found < n->list_capacity - n->start[i])
-                n->list[n->start[i] + found] = j;
-            found++;
+            bool near = (dx * dx + dy * dy < h_squared) & (j != i);
+            if (thin)
+                near = near && !skv_boundary_occluded(thin, x[i], y[i], 0, x[j], y[j], 0);
+            /* Who is not near is written over: no processor can guess who is. */
+            if (found < room)
+                list[found] = j;
+            found += near;
         }
     }
     return found;
