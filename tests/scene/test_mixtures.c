@@ -253,9 +253,9 @@ static void light_bodies_rise(void **unused)
 }
 
 /* Bodies that begin in each other, beside, within, around the same middle and in the very same
- * place, as where a body is put down twice while a world is paused, are apart in a second, and lie
- * still then: points of the rim of one that lies deep in another are nearest to all of its sides,
- * and who asks them out by these asks for all ways at once, holds the two, and lifts them. */
+ * place, as where a list has one twice, are apart in a second, and lie still then: points of the
+ * rim of one that lies deep in another are nearest to all of its sides, and who asks them out by
+ * these asks for all ways at once, holds the two, and lifts them. */
 static void what_lies_in_each_other_parts(void **unused)
 {
     (void)unused;
