@@ -23,6 +23,13 @@ static const char *after_space(const char *text)
     return text + strspn(text, " \t\r\n");
 }
 
+/* Other addresses would be read as names of files. */
+static bool is_web(const char *text)
+{
+    return strncmp(text, "https://", 8) == 0 || strncmp(text, "http://", 7) == 0 ||
+           strncmp(text, "file://", 7) == 0;
+}
+
 /* What follows "skvalp:" or the "#" of a web address; null if it is neither. */
 static const char *find_payload(const char *text)
 {
@@ -30,9 +37,7 @@ static const char *find_payload(const char *text)
     if (strncmp(text, SCHEME, sizeof SCHEME - 1) == 0)
         return text + sizeof SCHEME - 1;
     size_t address = strcspn(text, "# \t\r\n");
-    bool web = strncmp(text, "https://", 8) == 0 || strncmp(text, "http://", 7) == 0 ||
-               strncmp(text, "file://", 7) == 0;
-    return web && text[address] == '#' ? text + address + 1 : NULL;
+    return is_web(text) && text[address] == '#' ? text + address + 1 : NULL;
 }
 
 bool skv_link_is(const char *text)
@@ -58,7 +63,7 @@ static skv_result fail_damaged(skv_error *error)
 
 static bool is_page(const char *page)
 {
-    return page[0] != '\0' && page[strcspn(page, "# \t\r\n")] == '\0';
+    return is_web(page) && page[strcspn(page, "# \t\r\n")] == '\0';
 }
 
 static skv_result write_text(const uint8_t *packed, size_t size, const char *page, skv_write *write,
