@@ -126,15 +126,6 @@ static skv_result make_body(const builder *b, const skv_scene *scene, const skv_
     return SKV_OK;
 }
 
-/* Fails if a body has the name of one before it: reports could not tell them apart. */
-static skv_result check_name(const builder *b, const skv_scene *scene)
-{
-    for (int i = 0; i < b->index; i++)
-        if (strcmp(scene->bodies[i].name, scene->bodies[b->index].name) == 0)
-            return fail(b, ".name", "is another body's, too; choose another");
-    return SKV_OK;
-}
-
 /* Where a scene file names the picture, the scene and the line come first. */
 static skv_result find_painted(const skv_draft *draft, skv_scene *scene, const char *picture,
                                skv_error *error)
@@ -220,8 +211,6 @@ skv_result skv_scene_build_bodies(const skv_draft *draft, const char *picture, s
     for (int i = 0; i < list->count && result == SKV_OK; i++) {
         const builder b = {draft, &list->shapes[i], i, error};
         result = make_body(&b, scene, &shapes[i], &scene->bodies[i]);
-        if (result == SKV_OK)
-            result = check_name(&b, scene);
         scene->body_count = i + 1;
     }
     skv_free(shapes);

@@ -175,9 +175,6 @@ static const mistake mistakes[] = {
      "a.json:2: water[0]: lies outside the world; it reaches from 0, 0 to 1.6, 0.9 m"},
     {"{\"emitters\": [\n{\"x\": -0.01, \"y\": 0.5, \"vx\": 1}], " WATER "}", SKV_ERROR_VALUE,
      "a.json:2: emitters[0]: lies outside the world; it reaches from 0, 0 to 1.6, 0.9 m"},
-    {"{\"bodies\": [{\"shape\": \"circle\", \"x\": 1, \"y\": 0.5, \"radius\": 0.1, \"name\": "
-     "\"a\"},\n{\"shape\": \"box\", \"x1\": 0.1, \"y1\": 0.1, \"name\": \"a\"}], " WATER "}",
-     SKV_ERROR_VALUE, "a.json:2: bodies[1].name: is another body's, too; choose another"},
     {"{\"solid\": [\n{\"shape\": \"box\"}], " WATER "}", SKV_ERROR_VALUE,
      "a.json:2: solid: fills the whole world; leave some air"},
     {"{\"solid\": [{\"shape\": \"box\", \"y1\": 0.5}],\n" WATER "}", SKV_ERROR_VALUE,
