@@ -108,6 +108,43 @@ skv_result skv_player_cut(skv_player *player, skv_error *error)
     return skv_player_cut_at(player, player->now, error);
 }
 
+/* ---- Handing over ---------------------------------------------------------------------------- */
+
+void skv_player_write_branch(const skv_player *player, int i, skv_write *write, void *user)
+{
+    if (i >= player->branch_count)
+        return;
+    const skv_branch *branch = &player->branches[i];
+    write((const char *)branch, sizeof *branch, user);
+    write((const char *)branch->tail, branch->size, user);
+    for (int k = 0; k < branch->keys.count; k++)
+        skv_key_write(&branch->keys.list[k], write, user);
+}
+
+bool skv_player_take_branch(skv_player *player, const uint8_t *written)
+{
+    skv_branch branch;
+    memcpy(&branch, written, sizeof branch);
+    written += sizeof branch;
+    if (player->branch_count == SKV_MOST_BRANCHES)
+        return false;
+    int keys = branch.keys.count;
+    branch.keys = (skv_history){0};
+    branch.tail = skv_calloc(branch.size + 1, 1);
+    if (!branch.tail)
+        return false;
+    memcpy(branch.tail, written, branch.size);
+    written += branch.size;
+    for (int k = 0; k < keys; k++) {
+        if (skv_history_take(&branch.keys, &written, NULL) != SKV_OK) {
+            skv_branch_free(&branch);
+            return false;
+        }
+    }
+    player->branches[player->branch_count++] = branch;
+    return true;
+}
+
 /* ---- Undo and redo --------------------------------------------------------------------------- */
 
 /* The last mark before this moment; null if there is none. */

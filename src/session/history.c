@@ -96,6 +96,31 @@ skv_result skv_history_add(skv_history *history, const skv_world *world, skv_pos
     return result;
 }
 
+void skv_key_write(const skv_key *key, skv_write *write, void *user)
+{
+    write((const char *)key, sizeof *key, user);
+    write((const char *)key->bytes, key->size, user);
+}
+
+skv_result skv_history_take(skv_history *history, const uint8_t **written, skv_error *error)
+{
+    skv_key key;
+    memcpy(&key, *written, sizeof key);
+    const uint8_t *state = *written + sizeof key;
+    *written = state + key.size;
+    if (skv_history_has(history, key.position))
+        return SKV_OK;
+    key.bytes = skv_calloc(key.size, 1);
+    if (!key.bytes)
+        return skv_fail(error, SKV_ERROR_MEMORY, "out of memory for a key frame of %zu bytes",
+                        key.size);
+    memcpy(key.bytes, state, key.size);
+    skv_result result = skv_history_insert(history, &key, error);
+    if (result != SKV_OK)
+        skv_free(key.bytes);
+    return result;
+}
+
 skv_result skv_history_join(skv_history *history, skv_history *later, skv_error *error)
 {
     skv_result result = reserve(history, later->count, error);

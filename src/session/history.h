@@ -25,6 +25,11 @@ skv_result skv_history_add(skv_history *history, const skv_world *world, skv_pos
 
 /* Adds one, whose bytes it takes over; there is none at its position. */
 skv_result skv_history_insert(skv_history *history, const skv_key *key, skv_error *error);
+/* Writes one as it lies in memory, for the same program. */
+void skv_key_write(const skv_key *key, skv_write *write, void *user);
+/* Adds a copy of the one that was written, unless there is one at its position, and moves on to
+ * what comes behind it. */
+skv_result skv_history_take(skv_history *history, const uint8_t **written, skv_error *error);
 bool skv_history_has(const skv_history *history, skv_position position);
 
 /* The last one at or before a position; null if there is none. */

@@ -41,11 +41,8 @@ void skv_player_keep(skv_player *player)
 void skv_player_write_key(skv_player *player, int i, skv_write *write, void *user)
 {
     skv_player_keep(player);
-    const skv_key *key = &player->keys.list[i];
-    if (i < player->keys.count) {
-        write((const char *)key, sizeof *key, user);
-        write((const char *)key->bytes, key->size, user);
-    }
+    if (i < player->keys.count)
+        skv_key_write(&player->keys.list[i], write, user);
 }
 
 bool skv_player_take_key(skv_player *player, const uint8_t *written)
@@ -56,14 +53,7 @@ bool skv_player_take_key(skv_player *player, const uint8_t *written)
     if (key.position.frame > end.frame || key.position.at > end.at ||
         skv_history_has(&player->keys, key.position))
         return false;
-    key.bytes = skv_calloc(key.size, 1);
-    if (!key.bytes)
-        return false;
-    memcpy(key.bytes, written + sizeof key, key.size);
-    if (skv_history_insert(&player->keys, &key, NULL) == SKV_OK)
-        return true;
-    skv_free(key.bytes);
-    return false;
+    return skv_history_take(&player->keys, &written, NULL) == SKV_OK;
 }
 
 skv_result skv_player_make_start(const skv_player *player, skv_world **world, skv_error *error)

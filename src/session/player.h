@@ -64,6 +64,11 @@ void skv_branch_free(skv_branch *branch);
 skv_result skv_player_reserve_mark(skv_player *player, skv_error *error);
 /* Notes a mark at the present position; there is room for it. What was cut off is gone. */
 void skv_player_add_mark(skv_player *player);
+/* Writes what was cut off as number `i`, the oldest first, as it lies in memory; nothing beyond the
+ * last. The same program takes it back, in this order, in a player of this one's replay; as
+ * skv_player_write_key. */
+void skv_player_write_branch(const skv_player *player, int i, skv_write *write, void *user);
+bool skv_player_take_branch(skv_player *player, const uint8_t *written);
 /* Cuts the log at one of its positions. */
 skv_result skv_player_cut_at(skv_player *player, skv_position cut, skv_error *error);
 /* The frames to which undo and redo lead; -1: nowhere. */

@@ -1,5 +1,5 @@
 /* Key frames that are dropped: of the last half minute evenly, of what is older the more; and those
- * that go with a replay to another player of the same program. */
+ * that go with a replay to another player of the same program, as what was undone does. */
 #include "session/player.h"
 #include "session/support.h"
 #include "support/fixture.h"
@@ -139,9 +139,56 @@ static void who_takes_keys_steps_little(void **unused)
     kept_clear(&half);
 }
 
+/* How many ways not taken it takes. */
+static int hand_over_branches(const skv_player *from, skv_player *to)
+{
+    int taken = 0;
+    kept branch = {0};
+    for (int i = 0; skv_player_write_branch(from, i, kept_add, &branch), branch.size > 0; i++) {
+        taken += skv_player_take_branch(to, (const uint8_t *)branch.bytes);
+        kept_clear(&branch);
+    }
+    return taken;
+}
+
+static void who_takes_what_was_undone_redoes_it(void **unused)
+{
+    (void)unused;
+    kept rest = {0}, half = {0};
+    uint64_t hashes[3];
+    skv_player *first = play_game(hashes, &half);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(skv_player_undo(first, NULL), SKV_OK);
+        settle(first);
+    }
+    assert_int_equal(skv_player_save(first, kept_add, &rest, NULL), SKV_OK);
+    skv_player *second = load(&rest);
+    hand_over(first, second);
+    assert_false(skv_player_can_redo(second));
+    assert_int_equal(hand_over_branches(first, second), 2);
+    assert_int_equal(skv_player_seek(second, PAINTED, NULL), SKV_OK);
+    settle(second);
+    for (int i = 1; i <= 2; i++) {
+        assert_int_equal(skv_player_redo(second, NULL), SKV_OK);
+        assert_true(settle(second) < BETWEEN);
+        assert_int_equal(skv_player_frame(second), i == 1 ? SET : END);
+        assert_int_equal(hash_of(second), hashes[i]);
+    }
+    assert_false(skv_player_can_redo(second));
+    /* It is what was played, and is undone again. */
+    assert_int_equal(skv_player_undo(second, NULL), SKV_OK);
+    settle(second);
+    assert_int_equal(hash_of(second), hashes[1]);
+    skv_player_destroy(first);
+    skv_player_destroy(second);
+    kept_clear(&rest);
+    kept_clear(&half);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_older_the_wider_apart),
-                                       cmocka_unit_test(who_takes_keys_steps_little)};
+                                       cmocka_unit_test(who_takes_keys_steps_little),
+                                       cmocka_unit_test(who_takes_what_was_undone_redoes_it)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

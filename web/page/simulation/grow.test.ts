@@ -86,6 +86,28 @@ test('a long game goes on whole at once, and what was done is undone at once', a
     expect(small.take().concat(larger.take()).filter(({ error }) => error)).toEqual([]);
 });
 
+test('what was undone in a long game is redone at once', async () => {
+    const { small, larger, choose } = await play(100);
+    small.simulation.set('fluid.viscosity', '0.02');
+    small.run(40);
+    small.simulation.set('fluid.viscosity', '0.03');
+    small.run(40);
+    const { moment } = small.state, kept = await small.simulation.keep();
+    small.simulation.undo();
+    small.simulation.undo();
+    small.run(20);
+    await choose();
+    const viscosity = () => larger.state.worlds[0].parameters['fluid.viscosity'];
+    expect(larger.state).toMatchObject({ canUndo: true, canRedo: true, mismatch: false });
+    expect(viscosity()).toBe('0.01');
+    larger.simulation.redo();
+    expect(viscosity()).toBe('0.02');
+    larger.simulation.redo();
+    expect(viscosity()).toBe('0.03');
+    expect(larger.state).toMatchObject({ moment, end: moment, canRedo: false, mismatch: false });
+    expect(await larger.simulation.keep()).toEqual(kept);
+});
+
 test('two worlds that are compared go on whole at once', async () => {
     const { small, larger, choose, taken } = await play(2 * BETWEEN);
     small.simulation.compare({ 'fluid.viscosity': '0.04' });

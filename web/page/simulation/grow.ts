@@ -28,8 +28,17 @@ export async function grow<Loaded extends From>(from: Simulator, { library, file
     asked: Map<string, unknown[]>, foresees: boolean, load: () => Promise<Loaded>,
     make: (larger: Loaded, listener: Listener) => Simulator) {
     const { opening, worlds } = from.playing, { c } = library, { stage } = worlds;
-    /** Of each world, without the first, which replays have. */
-    let keys: Uint8Array[][] = [];
+    /** Of each world what replays do not have: key frames, without the first, and what was undone. */
+    let keys: Uint8Array[][] = [], branches: Uint8Array[][] = [];
+    /** What the module hands out of each world by one of its functions, from a number on. */
+    const handedOut = (write: string, first: number) => worlds.all.map((_, side) => {
+        const list = [];
+        for (let i = first, one; (one = written(library, (add, user) =>
+            library.instance.exports[write](stage, side, i, add, user))).length > 0; i++) {
+            list.push(one);
+        }
+        return list;
+    });
     /** What is open, from its start; if it would be missed with all that was done, which can be undone and shared then. */
     const again = async () => {
         if (!c.skv_control_would_be_missed(stage)) {
@@ -37,14 +46,8 @@ export async function grow<Loaded extends From>(from: Simulator, { library, file
         }
         await from.playing.settled('save', () => c.skv_stage_save_moment(stage, 'kept'));
         await from.playing.settled('save', () => c.skv_stage_save(stage, 'kept.skvr'));
-        keys = worlds.all.map((_, side) => {
-            const list = [];
-            for (let i = 1, key; (key = written(library, (write, user) =>
-                library.instance.exports.skv_wasm_write_key(stage, side, i, write, user))).length > 0; i++) {
-                list.push(key);
-            }
-            return list;
-        });
+        keys = handedOut('skv_wasm_write_key', 1);
+        branches = handedOut('skv_wasm_write_branch', 0);
         return kept('kept.skvr');
     };
     const kept = (path: string) =>
@@ -94,8 +97,10 @@ export async function grow<Loaded extends From>(from: Simulator, { library, file
         now.playing.asked();
         const { first, stage: its, all } = now.playing.worlds;
         if (keys.length && first.opened) {
-            all.forEach((_, side) => keys[side].forEach((key) => withBytes(larger.library, key, (data) =>
-                larger.library.instance.exports.skv_wasm_take_key(its, side, data))));
+            const handIn = (take: string, handed: Uint8Array[][]) => all.forEach((_, side) => handed[side].forEach((one) =>
+                withBytes(larger.library, one, (data) => larger.library.instance.exports[take](its, side, data))));
+            handIn('skv_wasm_take_key', keys);
+            handIn('skv_wasm_take_branch', branches);
             own = first.opened + opened;
             now.seek(Number(moment));
             now.takeOver();
