@@ -39,5 +39,5 @@ export function answer(asked: URLSearchParams): void {
     if (complaints.length === 0)
         return;
     const text = `${_('What this address asks for cannot be had:')} ${complaints.join('; ')}`, told = message.peek();
-    complain(told?.fault ? `${told.text}; ${text}` : text);
+    complain(told?.fault ? `${told.text}. ${text}` : text);
 }
