@@ -2,9 +2,10 @@
  *
  * Cells are so large that each one inside a fresh lattice holds a particle. Those that touch, with
  * no wall between, are a region; those of it above each other are a column. What is beside a cell
- * of it is fluid, a wall, or air. A region rests if there is no air below or beside it, all the air
- * above it is at one level, and no fluid of it stands higher, below a roof. It also rests below a
- * surface that is drawn uneven, by more than particles can hide, but nowhere steep.
+ * of it is fluid, a wall or air; bodies are walls. A region rests if there is no air below or
+ * beside it, all the air above it is at one level, and no fluid of it stands higher, below a roof.
+ * It also rests below a surface that is drawn uneven, by more than particles can hide, but nowhere
+ * steep.
  *
  * Invariant: cells, and what is found of them, follow from the particles and their order alone.
  */
@@ -12,6 +13,7 @@
 
 #include "base/exact.h"
 #include "base/memory.h"
+#include "world/bodies/bodies.h"
 #include "world/fluids.h"
 
 #include <math.h>
@@ -162,19 +164,41 @@ static void put_into_cells(regions *b)
         b->cells[c].mass /= (float)b->cells[c].count;
 }
 
+/* A lower bound of how far a place is from walls and bodies, below 0 in one. */
+static float clearance_of(const regions *b, float x, float y)
+{
+    return skv_minf(skv_terrain_distance(b->world->terrain, x, y),
+                    skv_bodies_distance(b->world, x, y));
+}
+
+/* Whether a wall or a body stands between two places. A body is no thinner than a spacing. */
+static bool is_walled(const regions *b, float x0, float y0, float x1, float y1)
+{
+    float dx = x1 - x0, dy = y1 - y0, way = sqrtf(dx * dx + dy * dy);
+    float least = 0.5f * b->world->fluid.spacing, gone = 0;
+    if (skv_terrain_sweep(b->world->terrain, x0, y0, x1, y1, 0) < 1)
+        return true;
+    while (gone < way) {
+        float share = gone / way;
+        float distance = skv_bodies_distance(b->world, x0 + share * dx, y0 + share * dy);
+        if (distance <= 0)
+            return true;
+        gone += skv_maxf(distance, least);
+    }
+    return false;
+}
+
 /* Whether no wall stands between the fluid of two cells. Round the corner of a wall that cuts one
  * of them, its first particle may not see what its highest does. */
 static bool touch(const regions *b, const cell *a, const cell *c)
 {
     const skv_state *s = &b->world->state;
-    const skv_terrain *terrain = b->world->terrain;
     const int from[2] = {a->particle, a->highest}, to[2] = {c->particle, c->highest};
-    if (skv_terrain_distance(terrain, s->x[from[0]], s->y[from[0]]) >
-        WALL_REACH * b->world->fluid.spacing)
+    if (clearance_of(b, s->x[from[0]], s->y[from[0]]) > WALL_REACH * b->world->fluid.spacing)
         return true;
     for (int k = 0; k < 4; k++) {
         int p = from[k / 2], q = to[k % 2];
-        if (!(skv_terrain_sweep(terrain, s->x[p], s->y[p], s->x[q], s->y[q], 0) < 1))
+        if (!is_walled(b, s->x[p], s->y[p], s->x[q], s->y[q]))
             return true;
     }
     return false;
@@ -215,7 +239,7 @@ static bool is_free(const regions *b, int particle, int side)
     float reach = AIR * b->world->fluid.spacing, x = s->x[particle], y = s->y[particle];
     float up = reach * (float)row_step[side], aside = reach * (float)column_step[side];
     float to_x = x + up * b->ux + aside * b->uy, to_y = y + up * b->uy - aside * b->ux;
-    return !(skv_terrain_sweep(b->world->terrain, x, y, to_x, to_y, 0) < 1);
+    return !is_walled(b, x, y, to_x, to_y);
 }
 
 /* Looks for air beside every cell, from each of its particles: a hole in a wall may be narrower

@@ -105,7 +105,7 @@ static void pools_begin_at_rest(void **unused)
     skv_world_destroy(raw);
 }
 
-/* Tanks that are no boxes, and water whose columns end at a roof. */
+/* Tanks that are no boxes, water whose columns end at a roof, and gates. */
 static void any_vessel_begins_at_rest(void **unused)
 {
     (void)unused;
@@ -121,12 +121,19 @@ static void any_vessel_begins_at_rest(void **unused)
         "{\"solid\": [{\"shape\": \"box\", \"x0\": 0.5, \"y0\": 0.15, \"x1\": 0.8, \"y1\": 0.3},"
         " {\"shape\": \"line\", \"thickness\": 0.01, \"points\": [[1.2, 0], [1.2, 0.9]]}],"
         " \"water\": [{\"shape\": \"box\", \"y1\": 0.45}]}",
+        /* Gates between unequal levels, which are bodies. */
+        "{\"bodies\": [{\"shape\": \"box\", \"x0\": 0.5, \"x1\": 0.54, \"y0\": -0.05, \"y1\": 0.8,"
+        " \"fixed\": true}, {\"shape\": \"box\", \"x0\": 1.1, \"x1\": 1.14, \"y0\": -0.05, \"y1\": "
+        "0.8,"
+        " \"fixed\": true}], \"water\": [{\"shape\": \"box\", \"x1\": 0.5, \"y1\": 0.6},"
+        " {\"shape\": \"box\", \"x0\": 0.54, \"x1\": 1.1, \"y1\": 0.4},"
+        " {\"shape\": \"box\", \"x0\": 1.14, \"y1\": 0.2}]}",
     };
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof vessels / sizeof *vessels; i++) {
         skv_world *world = open_scene(vessels[i], 2000, "0", true, 1);
         double speed = unrest(world);
         if (!(speed <= 0.02))
-            fail_msg("vessel %d: %.4f m/s", i, speed);
+            fail_msg("vessel %d: %.4f m/s", (int)i, speed);
         skv_world_destroy(world);
     }
 }
