@@ -682,7 +682,7 @@ const trials = {
         assert.match(await alert.textContent(), /view=nothing: there is none; there is .*pressure.*lang=xx: .*en, .*sv/);
         assert.match(await alert.textContent(), /particles=1e9: give a whole number from \d+ to [\d\s]+; bench=/);
         page = await begun(small, '?view=nothing#1.damaged');
-        await page.getByRole('alert').filter({ hasText: /link: .* copy .*; .*view=nothing: / }).waitFor();
+        await page.getByRole('alert').filter({ hasText: /link: .* copy .*\. .*view=nothing: / }).waitFor();
         page = await begun(small, '?view=pressure&lang=en&controls=play&paused=0&embed=0&particles=600&else=7');
         await plays(page, 'what can be had');
         assert.equal(await page.getByRole('alert').count(), 0);
