@@ -28,10 +28,10 @@ Usage: ./test.sh            install what is missing, build, run every test; then
        ./test.sh --help     this text
 
 Most labels take one or two minutes on two processors, app and web several, the whole a quarter of an
-hour. Every half minute a line says how far it has come; in the end lines say what each label took, which ten tests took longest,
-and how much processor time all of it took. The last line is "N passed, N failed" or "N passed, N failed, N skipped",
-where one test is one program or script under tests/ in one of the builds; the exit status is 0 if
-none failed. Skipped are tests of the page where its npm packages cannot be had. SKV_LONG_TESTS=1
+hour. Every half minute a line says how far it has come; in the end lines say what each label took,
+which ten tests took longest, and how much processor time all of it took. The last line is "N passed,
+N failed" or "N passed, N failed, N skipped", where one test is one program or script under tests/ in
+one of the builds; the exit status is 0 if none failed. Skipped are tests of the page where its npm packages cannot be had. SKV_LONG_TESTS=1
 runs the long forms and the tests that have no other (CONTRIBUTING.md). SKVALP_VERBOSE=1 shows all
 output.
 END

@@ -98,16 +98,22 @@ static int settle(skv_player *player)
     return steps;
 }
 
-/* How many key frames it takes. */
-static int hand_over(skv_player *from, skv_player *to)
+/* How many key frames it takes, or ways that were not taken. */
+static int hand_over(skv_player *from, skv_player *to, bool branches)
 {
     int taken = 0;
-    kept key = {0};
-    for (int i = 0; skv_player_write_key(from, i, kept_add, &key), key.size > 0; i++) {
-        taken += skv_player_take_key(to, (const uint8_t *)key.bytes);
-        kept_clear(&key);
+    kept one = {0};
+    for (int i = 0;; i++) {
+        if (branches)
+            skv_player_write_branch(from, i, kept_add, &one);
+        else
+            skv_player_write_key(from, i, kept_add, &one);
+        if (one.size == 0)
+            return taken;
+        const uint8_t *written = (const uint8_t *)one.bytes;
+        taken += branches ? skv_player_take_branch(to, written) : skv_player_take_key(to, written);
+        kept_clear(&one);
     }
-    return taken;
 }
 
 static void who_takes_keys_steps_little(void **unused)
@@ -119,7 +125,7 @@ static void who_takes_keys_steps_little(void **unused)
     assert_int_equal(skv_player_save(first, kept_add, &whole, NULL), SKV_OK);
     skv_player *second = load(&whole), *shorter = load(&half);
     /* All but the start, which is there, and the end's. */
-    assert_int_equal(hand_over(first, second), END / BETWEEN + 1);
+    assert_int_equal(hand_over(first, second, false), END / BETWEEN + 1);
     assert_int_equal(skv_player_seek(second, END, NULL), SKV_OK);
     assert_true(settle(second) < BETWEEN);
     assert_int_equal(hash_of(second), hashes[2]);
@@ -131,24 +137,12 @@ static void who_takes_keys_steps_little(void **unused)
         assert_int_equal(hash_of(second), hashes[i]);
     }
     /* Of moments that a log does not have it takes none. */
-    assert_int_equal(hand_over(first, shorter), PAINTED / BETWEEN);
+    assert_int_equal(hand_over(first, shorter, false), PAINTED / BETWEEN);
     skv_player_destroy(first);
     skv_player_destroy(second);
     skv_player_destroy(shorter);
     kept_clear(&whole);
     kept_clear(&half);
-}
-
-/* How many ways not taken it takes. */
-static int hand_over_branches(const skv_player *from, skv_player *to)
-{
-    int taken = 0;
-    kept branch = {0};
-    for (int i = 0; skv_player_write_branch(from, i, kept_add, &branch), branch.size > 0; i++) {
-        taken += skv_player_take_branch(to, (const uint8_t *)branch.bytes);
-        kept_clear(&branch);
-    }
-    return taken;
 }
 
 static void who_takes_what_was_undone_redoes_it(void **unused)
@@ -163,9 +157,9 @@ static void who_takes_what_was_undone_redoes_it(void **unused)
     }
     assert_int_equal(skv_player_save(first, kept_add, &rest, NULL), SKV_OK);
     skv_player *second = load(&rest);
-    hand_over(first, second);
+    hand_over(first, second, false);
     assert_false(skv_player_can_redo(second));
-    assert_int_equal(hand_over_branches(first, second), 2);
+    assert_int_equal(hand_over(first, second, true), 2);
     assert_int_equal(skv_player_seek(second, PAINTED, NULL), SKV_OK);
     settle(second);
     for (int i = 1; i <= 2; i++) {
